@@ -19,12 +19,12 @@ from test_properties import tell
 import restitution as r
 from restitution import examples
 from restitution.errors import RestitutionError, UnsupportedError
-from restitution.export.player.data import is_hurried, of_told
+from restitution.export.player.data import is_hurried, of_motions
 from restitution.expression import read_expression
 from restitution.expression.tree import Name, Quantity
 from restitution.motion.overlap import overlaps
+from restitution.motion.parts import PartMotion, motions
 from restitution.motion.pieces import Circle, Line, Motion, Piece, Struck, Track
-from restitution.motion.told import Told, motions
 from restitution.problem import Value
 from restitution.solve import Solution
 from restitution.staging import flights
@@ -38,7 +38,7 @@ def solved(text: str) -> Solution:
 
 
 @cache
-def shown(path: Path) -> tuple[Solution | None, tuple[Told, ...], RestitutionError | None]:
+def shown(path: Path) -> tuple[Solution | None, tuple[PartMotion, ...], RestitutionError | None]:
     """The motions of a statement, or why there are none."""
     try:
         solution = statements.solved(path)
@@ -50,7 +50,7 @@ def shown(path: Path) -> tuple[Solution | None, tuple[Told, ...], RestitutionErr
         return solution, (), error
 
 
-def told(path: Path) -> tuple[Told, ...]:
+def told(path: Path) -> tuple[PartMotion, ...]:
     return shown(path)[1]
 
 
@@ -87,7 +87,7 @@ def test_there_is_a_motion_or_a_reason(path):
         assert error.message.startswith("no motion can be shown: e would be ")
 
 
-def pieces_join_and_fill_the_time(each: Told) -> None:
+def pieces_join_and_fill_the_time(each: PartMotion) -> None:
     motion = each.motion
     far = extent(motion)
     assert motion.end > motion.start
@@ -102,7 +102,7 @@ def pieces_join_and_fill_the_time(each: Told) -> None:
             assert all(map(math.isfinite, (*piece.place, *piece.velocity)))
 
 
-def velocities_change_as_the_events_say_and_only_then(each: Told) -> None:
+def velocities_change_as_the_events_say_and_only_then(each: PartMotion) -> None:
     motion = each.motion
     changes: dict[str, list[tuple[float, Vector, Vector]]] = {t.name: [] for t in motion.tracks}
     for hit in motion.impacts:
@@ -125,7 +125,7 @@ def velocities_change_as_the_events_say_and_only_then(each: Told) -> None:
             )
 
 
-def impacts_keep_the_principles(each: Told) -> None:
+def impacts_keep_the_principles(each: PartMotion) -> None:
     for hit in each.motion.impacts:
         (u1, u2), (v1, v2), c = hit.before, hit.after, hit.line_of_centres
         quick = max(map(size, (u1, u2, v1, v2)))
@@ -142,7 +142,7 @@ def impacts_keep_the_principles(each: Told) -> None:
             assert size(hit.impulse - (v2 - u2) * m2) < 1e-9 * quick * m2
 
 
-def bodies_touch_at_their_impacts(each: Told) -> None:
+def bodies_touch_at_their_impacts(each: PartMotion) -> None:
     motion = each.motion
     near = 1e-6 * extent(motion)
     for hit in motion.impacts:
@@ -170,7 +170,7 @@ def to_segment(p: Vector, a: Vector, b: Vector) -> float:
     return size(p - a - way * share)
 
 
-def spheres_meet_no_other_sphere(each: Told) -> None:
+def spheres_meet_no_other_sphere(each: PartMotion) -> None:
     motion = each.motion
     slack, span = 1e-6 * extent(motion), motion.end - motion.start
     for one, other in itertools.combinations(motion.tracks, 2):
@@ -190,7 +190,7 @@ def spheres_meet_no_other_sphere(each: Told) -> None:
                 assert any(abs(nearest - t) < 1e-5 * span for t in [*hits, motion.start])
 
 
-def spheres_stay_on_one_side_of_walls(each: Told) -> None:
+def spheres_stay_on_one_side_of_walls(each: PartMotion) -> None:
     motion = each.motion
     slack = 1e-6 * extent(motion)
     for one, wall in itertools.product(motion.tracks, motion.walls):
@@ -241,7 +241,7 @@ def test_exact_texts_are_the_numbers_beside_them(path):
     """What the player shows as exact, read again with the letters at their values."""
     for each in told(path):
         evaluator = each.numbers.story.evaluator(0)
-        (motion,) = of_told([each], None)["motions"]
+        (motion,) = of_motions([each], None)["motions"]
         pairs = []
         assert not is_hurried({"motions": [motion]})
         for sphere in motion["spheres"]:
@@ -272,7 +272,7 @@ def test_rounding_makes_no_pieces(path, monkeypatch):
     """Times and places come from a system of equations: its last bits differ by the machine."""
 
     def texts() -> list[list[object]]:
-        data = of_told(motions(solution), None)["motions"]
+        data = of_motions(motions(solution), None)["motions"]
         velocities = [[each["said"] for each in motion["spheres"]] for motion in data]
         return [velocities, [[each["kind"] for each in motion["events"]] for motion in data]]
 
@@ -289,7 +289,7 @@ def test_rounding_makes_no_pieces(path, monkeypatch):
         assert texts() == wanted
 
 
-def is_last(each: Told, item: object) -> bool:
+def is_last(each: PartMotion, item: object) -> bool:
     """Whether an item is asked after all events of its part."""
     items = [x for step in each.part.part.steps[-1:] for x in getattr(step, "items", ())]
     return any(x is item.item for x in items)  # type: ignore[attr-defined]
@@ -331,7 +331,7 @@ def test_chains_of_impacts_have_motions(tale):
 # --- single ones --------------------------------------------------------------------------------
 
 
-def only(text: str) -> Told:
+def only(text: str) -> PartMotion:
     (found,) = motions(solved(text))
     return found
 

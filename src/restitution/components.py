@@ -1,8 +1,8 @@
 """The story of a problem in components: simple letters for what the textbook would call v and w.
 
 Each impact gets a frame, along the line of centres (for a wall: perpendicular to it) and across
-it, and a letter for every component that the impact changes. Told so, the principles are short
-equations in those letters, and every quantity of the problem is an expression in them.
+it, and a letter for every component that the impact changes. The principles are short equations in
+these letters, and every quantity of the problem is an expression in them.
 """
 
 from __future__ import annotations
@@ -532,18 +532,18 @@ def model(
 class _Frames:
     """The frames of a model, by which its story is told."""
 
-    told: Model
+    model: Model
     names: Mapping[tuple[int, str], str]
     turned: frozenset[int]
     angle: Role = DIRECTION
 
     def standing(self, story: Story, number: int, step: Impact) -> Mapping[str, Standing]:
-        self.told.story = story  # it is asked while it is being told
-        return _by_values(self.told, number, step)
+        self.model.story = story  # it is asked while it is being told
+        return _by_values(self.model, number, step)
 
     def resolved(self, story: Story, happening: Happening) -> Happening:
-        self.told.story = story
-        return _in_letters(self.told, happening, self.names, self.turned, self.angle)
+        self.model.story = story
+        return _in_letters(self.model, happening, self.names, self.turned, self.angle)
 
 
 def protected_letters(part: Part) -> frozenset[str]:

@@ -193,7 +193,7 @@ def _chunk_worked_out(
         try:
             results.append(_worked_out(function, seed, index, case))
         except Exception as error:  # noqa: BLE001 - whatever a user's function raises is kept
-            results.append(_Error(_told(error), traceback.format_exc()))
+            results.append(_Error(_described(error), traceback.format_exc()))
     return time.perf_counter() - start, results
 
 
@@ -326,7 +326,7 @@ class _Run:
                 chunk.append(each)
         except Exception as error:  # noqa: BLE001 - whatever a user's generator raises
             self._no_more_cases = (
-                f"after {counted(self._begun + len(chunk), 'case')} there came {_told(error)}"
+                f"after {counted(self._begun + len(chunk), 'case')} there came {_described(error)}"
             )
         return chunk
 
@@ -353,7 +353,7 @@ class _Run:
 
     def _fail(self, chunk: _Chunk, error: BaseException) -> None:
         text = "".join(traceback.format_exception(error))
-        self._failures += [Failure(index, case, _told(error), text) for index, case in chunk]
+        self._failures += [Failure(index, case, _described(error), text) for index, case in chunk]
 
     def _try_again(self, sent: _Sent, error: BaseException, *, last: bool) -> None:
         """Cases that came to nothing are tried once more, each by itself."""
@@ -417,7 +417,7 @@ def _check_sendable(function: Callable[..., Any]) -> None:
         ) from error
 
 
-def _told(error: BaseException) -> str:
+def _described(error: BaseException) -> str:
     return traceback.format_exception_only(error)[-1].strip()
 
 

@@ -62,7 +62,7 @@ def progress(
 
     reached = (0.0, 0.0)
 
-    def told(done: float, counted: float = 0.0) -> None:
+    def report(done: float, counted: float = 0.0) -> None:
         nonlocal last, reached
         reached, now = (done, counted), time.monotonic()
         if now - last >= INTERVAL and now - start >= wait:
@@ -70,7 +70,7 @@ def progress(
             last = now
 
     try:
-        yield told
+        yield report
     finally:
         if begun or wait == 0.0:
             look(*reached, time.monotonic())

@@ -94,7 +94,7 @@ def figure(solution: Solution) -> Scene | None:
 def _before(solution: Solution, part: PartSolution) -> Scene | None:
     """The first event as it is before; None where the line of centres or the wall is sought."""
     from restitution.draw.before_after import before_and_after
-    from restitution.draw.said import sayings
+    from restitution.draw.sayings import sayings
     from restitution.problem import Impact, Kick
     from restitution.staging.values import motion
 
@@ -150,7 +150,7 @@ def _pictures(solution: Solution, parts: Iterable[PartSolution]) -> Iterator[Sce
     from restitution.draw.before_after import before_and_after
     from restitution.draw.describe import is_possible
     from restitution.draw.path import path_scene
-    from restitution.draw.said import sayings
+    from restitution.draw.sayings import sayings
     from restitution.problem import Impact, Kick
     from restitution.staging.values import motion
 

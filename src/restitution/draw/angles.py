@@ -16,7 +16,7 @@ from restitution.draw.event import (
     room_beside,
 )
 from restitution.draw.geometry import sides_towards
-from restitution.draw.said import Angle
+from restitution.draw.sayings import Angle
 from restitution.draw.scene import Arc, Arrow, Label, Line
 from restitution.render import layout as lay
 from restitution.staging.geometry import direction
@@ -102,7 +102,7 @@ def put_inclination(view: View, drawing: Drawing) -> None:
 
     It stands at the end of the wall, or of the line, at which there is the most room.
     """
-    angle = view.said.lines.get(view.number)
+    angle = view.sayings.lines.get(view.number)
     if angle is None or is_on_axes(view):
         return
     if view.kind == "wall":
@@ -145,7 +145,7 @@ def put_deflection(
     An acute one is drawn where the arrow starts, one larger around the centre. ``index`` counts
     the angles that are drawn already.
     """
-    label = view.said.deflections.get((view.number, body.name))
+    label = view.sayings.deflections.get((view.number, body.name))
     u, v = view.velocity(body.name, "before"), view.velocity(body.name, "after")
     if label is None or not math.hypot(*u):
         return

@@ -28,7 +28,7 @@ from restitution.draw.event import (
 )
 from restitution.draw.impulses import put_impulses
 from restitution.draw.ink import ink, overlap
-from restitution.draw.said import Sayings, speaks_of_vectors
+from restitution.draw.sayings import Sayings, speaks_of_vectors
 from restitution.draw.scene import (
     WIDTH,
     Arc,
@@ -136,7 +136,7 @@ def _view(motion: Motion, sayings: Sayings, number: int) -> View:
         return View(motion, sayings, number, "blow", (body,), RIGHT, UP)
     assert isinstance(step, Impact)
     n, t = axes(motion, number)
-    if motion.told.frames[number].wall is not None:
+    if motion.model.frames[number].wall is not None:
         body = Body(step.first, n * RADIUS, -n)
         return View(motion, sayings, number, "wall", (body,), n, t)
     assert happening.centres is not None
@@ -179,7 +179,7 @@ def _needs_axes(view: View) -> bool:
     """
     if view.kind == "blow" or not is_on_axes(view):
         return True
-    return speaks_of_vectors(view.motion.told.problem, apart_from=(Impact,))
+    return speaks_of_vectors(view.motion.model.problem, apart_from=(Impact,))
 
 
 def _with_axes(shapes: list[Shape], labels: list[Label], panel: Box) -> float:

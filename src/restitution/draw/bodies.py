@@ -44,7 +44,7 @@ def put_lines(view: View, drawing: Drawing) -> None:
 
 def put_wall(view: View, drawing: Drawing) -> None:
     """The wall at the place of impact; of a round one, an arc."""
-    name = view.motion.told.frames[view.number].wall or ""
+    name = view.motion.model.frames[view.number].wall or ""
     wall = view.motion.story.walls[name]
     half = WALL
     if wall.centre is None:
@@ -93,7 +93,7 @@ def put_names(view: View, body: Body, drawing: Drawing) -> None:
         name = Label(written, body.centre, sides_towards(UP), RADIUS + 0.8, 3.0)
     else:
         name = Label(written, body.centre, ("centre",), 0.0, size, fixed=True)
-    given = view.motion.told.story.spheres[body.name].mass
+    given = view.motion.model.story.spheres[body.name].mass
     if given is not None:
         layout = lay.as_layout(given)
         left, _, right, _ = outline(layout).box

@@ -10,7 +10,7 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 
-from restitution.draw.said import Sayings, has_letters, state_after
+from restitution.draw.sayings import Sayings, has_letters, state_after
 from restitution.exact import significant
 from restitution.problem import Impact, Kick
 from restitution.render import layout as lay
@@ -130,7 +130,7 @@ def _setting(motion: Motion, number: int) -> str:
         way = _heading(Vector(*(float(x) for x in happening.impulse)))
         return f"{step.body} receives an impulse {way}."
     assert isinstance(step, Impact)
-    frame = motion.told.frames[number]
+    frame = motion.model.frames[number]
     n, _ = axes(motion, number)
     if frame.wall is not None:
         wall = motion.story.walls[frame.wall]
@@ -187,7 +187,7 @@ def _moving(motion: Motion, number: int, body: str, when: When) -> str:
     if isinstance(step, Kick):
         return f"{moves} {_heading(v)}"
     assert isinstance(step, Impact)
-    frame = motion.told.frames[number]
+    frame = motion.model.frames[number]
     n, _ = axes(motion, number)
     along = n * (v.dot(n) / n.dot(n))
     across = v - along

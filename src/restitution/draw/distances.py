@@ -70,7 +70,7 @@ def distances(plan: Plan, story: Story, branch: Branch) -> list[Distance]:
         start, end = wanted.start + wanted.off, wanted.end + wanted.off
         if length(end - start) < _SHORTEST or not _has_room(start, end, plan, found):
             continue
-        layout = _laid(wanted.size, branch)
+        layout = _layout(wanted.size, branch)
         if layout is None:
             continue
         if not plan.in_line and any(
@@ -88,7 +88,7 @@ def distances(plan: Plan, story: Story, branch: Branch) -> list[Distance]:
     return found
 
 
-def _laid(size: Any, branch: Branch) -> Layout | None:
+def _layout(size: Any, branch: Branch) -> Layout | None:
     """A length as people write it, if it is short."""
     value = plain(size, [branch.sample])
     if any(symbol.name.startswith("_") for symbol in value.free_symbols):

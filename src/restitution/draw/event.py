@@ -11,7 +11,7 @@ from typing import Literal
 
 from restitution.draw.geometry import COMPASS, sides_towards
 from restitution.draw.ink import Piece, distance, ink, overlap, stick
-from restitution.draw.said import Sayings, Words, state_after
+from restitution.draw.sayings import Sayings, Words, state_after
 from restitution.draw.scene import Arrow, Label, Shape
 from restitution.render.glyphs import Box, outline, union
 from restitution.render.layout import Layout
@@ -42,7 +42,7 @@ class View:
     """One event as it is to be drawn: ``n`` along the line of centres, ``t`` across it."""
 
     motion: Motion
-    said: Sayings
+    sayings: Sayings
     number: int
     kind: Literal["spheres", "wall", "blow"]
     bodies: tuple[Body, ...]
@@ -56,7 +56,7 @@ class View:
 
     def words(self, body: str, when: When) -> Words:
         stage = self.number - 1 if when == "before" else self.number
-        return self.said.of(body, state_after(self.motion, body, stage))
+        return self.sayings.of(body, state_after(self.motion, body, stage))
 
 
 @dataclass

@@ -29,7 +29,7 @@ def put_impulses(view: View, drawing: Drawing) -> None:
         direction(floats(happening.impulse)) if body.towards is None else -body.towards
         for body in view.bodies
     ]
-    angle = view.said.blows.get(view.number)
+    angle = view.sayings.blows.get(view.number)
     side = ways[0].turned_left()
     sides = [side, -side]
     if angle is not None:  # whose arc is to be on the far side of the arrow
@@ -42,7 +42,7 @@ def put_impulses(view: View, drawing: Drawing) -> None:
             for arrow in _beside_all((body,), (way,), sides, drawing)[1]
         ]
     drawing.shapes += [arrow for arrow, _ in placed]
-    label = view.said.impulses.get(view.number)
+    label = view.sayings.impulses.get(view.number)
     for arrow, outward in placed:
         if label is not None:
             drawing.labels.append(beside(label, arrow.start, arrow.end, outward))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from restitution.draw.said import Sayings, has_letters
+from restitution.draw.sayings import Sayings, has_letters
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Letter as TreeLetter
 from restitution.render import layout as lay
@@ -35,7 +35,7 @@ class Known:
     part: PartSolution
     branch: Branch
     motion: Motion
-    said: Sayings | None = None  # where only what the question says may be shown
+    sayings: Sayings | None = None  # where only what the question says may be shown
     found: dict[tuple[str, int], Layout | None] = field(default_factory=dict)
 
     def speed(self, body: str, after: int) -> Layout | None:
@@ -45,8 +45,8 @@ class Known:
         return self.found[body, after]
 
     def _speed(self, body: str, after: int) -> Layout | None:
-        if self.said is not None:
-            words = self.said.of(body, after)
+        if self.sayings is not None:
+            words = self.sayings.of(body, after)
             if words.size is None or has_letters(words.size):
                 return words.size or words.vector
             return lay.Phrase((words.size, Words("m s⁻¹")))
@@ -79,9 +79,9 @@ class Known:
 
         A letter that has this value, or the value itself where it is the same for all letters.
         """
-        if self.said is not None:
+        if self.sayings is not None:
             normal = stop.normal.turned_left() if stop.normal is not None else Vector(0.0, 0.0)
-            angles = self.said.of(body, stop.number - 1).angles if before else []
+            angles = self.sayings.of(body, stop.number - 1).angles if before else []
             given = [each for each in angles if abs(each.reference.cross(normal)) < _SAME]
             if not given or stop.kind != "wall":
                 return None

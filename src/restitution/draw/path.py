@@ -14,7 +14,7 @@ from restitution.draw.geometry import sides_towards
 from restitution.draw.ink import ink, overlap, padded, touched
 from restitution.draw.known import Known
 from restitution.draw.path_words import description, note
-from restitution.draw.said import is_angle, sayings, speaks_of_vectors
+from restitution.draw.sayings import is_angle, sayings, speaks_of_vectors
 from restitution.draw.scene import (
     WIDTH,
     Arc,
@@ -136,7 +136,7 @@ class _Drawing:
     @property
     def question(self) -> bool:
         """Whether only what the question says is to be seen."""
-        return self.values.said is not None
+        return self.values.sayings is not None
 
     def everything(self) -> None:
         """Draws all of it, in an order in which the later can make room for the earlier."""

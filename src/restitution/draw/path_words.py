@@ -10,7 +10,7 @@ from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.render.text import to_text
 from restitution.solve.story import Story
-from restitution.staging.flights import told_places
+from restitution.staging.flights import given_places
 from restitution.staging.geometry import floats, length
 from restitution.staging.plan import Plan
 from restitution.staging.values import Chosen, Motion, drawn_for
@@ -49,7 +49,7 @@ def _together(plan: Plan) -> list[list[int]]:
 
 def _places(story: Story) -> list[float]:
     """Everything that is known of places, as numbers in a fixed order."""
-    given = told_places(story)
+    given = given_places(story)
     known = [*given.starts.values(), *given.origins.values(), *given.points.values()]
     known += [end for ends in given.segments.values() for end in ends]
     known += [centre for centre, _ in given.circles.values()]

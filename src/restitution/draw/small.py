@@ -33,7 +33,7 @@ _TOLD = {"velocity", "path", "line_of_centres"}
 
 def small(scene: Scene) -> Scene:
     """The walls, spheres, paths and velocities of a picture, in a box of one size for all."""
-    shapes = [each for each in scene.shapes if _is_told(each)]
+    shapes = [each for each in scene.shapes if _is_shown(each)]
     shapes += [
         Line(
             "frame", Vector(right.box[0] - 1, right.box[1]), Vector(right.box[0] - 1, right.box[3])
@@ -57,7 +57,7 @@ def small(scene: Scene) -> Scene:
     )
 
 
-def _is_told(shape: Shape) -> bool:
+def _is_shown(shape: Shape) -> bool:
     match shape:
         case Line(role) | Arrow(role) | Polyline(role):
             return role in _TOLD

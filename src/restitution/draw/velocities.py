@@ -138,7 +138,7 @@ def _triangle(
     corner = tail + legs[0][0] * legs[0][1]
     ends = (tail, corner), (corner, tip)
     seen = [math.hypot(*(end - start)) >= _SEEN for start, end in ends]
-    untold = [part is None or _laid(part) is None for _, _, part in legs]
+    untold = [part is None or _layout(part) is None for _, _, part in legs]
     if when == "before" and all(untold):  # lines without a word
         _own_label(view, body, when, (tail, tip), corner, drawing)
         return
@@ -208,7 +208,7 @@ def _components(view: View, body: Body, when: When) -> tuple[Any, Any]:
 
     A velocity that the statement gives has components as given.
     """
-    model, number, name = view.motion.told, view.number, body.name
+    model, number, name = view.motion.model, view.number, body.name
     given = _given(view, body, when)
     if view.kind == "blow":
         v = model.happening(number).before[name] if given is None else given
@@ -225,7 +225,7 @@ def _components(view: View, body: Body, when: When) -> tuple[Any, Any]:
         along = model.components[number, name].symbol
         if view.kind == "wall" and (step.e is None or isinstance(step.e, Letter)):
             e = model.happening(number).e
-            along = rebound if e.free_symbols and _laid(rebound) is not None else along
+            along = rebound if e.free_symbols and _layout(rebound) is not None else along
     return _by_now(view, along), _by_now(view, across)
 
 
@@ -233,14 +233,14 @@ def _by_now(view: View, x: Any) -> Any:
     """What letters of earlier impacts add up to; one that stands alone is still the clearest."""
     found = {
         component.symbol: component.value
-        for (number, _), component in view.motion.told.components.items()
+        for (number, _), component in view.motion.model.components.items()
         if number < view.number
     }
     earlier = x.free_symbols & set(found)
     if not earlier or x in earlier or -x in earlier:
         return x
     value = tidy(x.xreplace(found))
-    return x if _laid(value) is None else value
+    return x if _layout(value) is None else value
 
 
 def _given(view: View, body: Body, when: When) -> Vector | None:
@@ -249,16 +249,16 @@ def _given(view: View, body: Body, when: When) -> Vector | None:
     if given is None:
         return None
     tree, now = given
-    v = view.motion.told.story.evaluator(now).vector(tree)
+    v = view.motion.model.story.evaluator(now).vector(tree)
     return Vector(tidy(v.x), tidy(v.y))
 
 
 def _is_hidden(view: View, x: Any) -> bool:
     """Whether this is a letter for what the statement does not name: a component at the start."""
-    return getattr(x, "name", "") in view.motion.told.unknowns.names.values()
+    return getattr(x, "name", "") in view.motion.model.unknowns.names.values()
 
 
-def _laid(x: Any) -> Layout | None:
+def _layout(x: Any) -> Layout | None:
     if not is_short(x):
         return None
     layout = lay.from_sympy(x)
@@ -278,11 +278,11 @@ def _directed(
     sign, size = lay.split_sign(lay.from_sympy(part))
     sense = axis if sign == "+" else -axis
     if sense.dot(axis * value) >= 0:
-        return size if _laid(part) is not None else None
+        return size if _layout(part) is not None else None
     if isinstance(size, lay.Letter):
         _sense(size, sense, at, outward, drawing)
         return None
-    return _laid(tidy(-part) if sign == "+" else part)
+    return _layout(tidy(-part) if sign == "+" else part)
 
 
 def _sense(label: Layout, sense: Vector, at: Vector, outward: Vector, drawing: Drawing) -> None:

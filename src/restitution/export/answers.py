@@ -31,7 +31,7 @@ li { margin: .5em 0 }
 
 
 @dataclass(frozen=True)
-class _Said:
+class _Piece:
     """Mathematics with the text that says the same, and the unit behind it."""
 
     layout: Layout
@@ -49,10 +49,10 @@ class _Line:
 
     label: str | None
     asked: str
-    said: tuple[str | _Said, ...]
+    pieces: tuple[str | _Piece, ...]
     equal: bool
     unit: str
-    beside: tuple[str | _Said, ...]
+    beside: tuple[str | _Piece, ...]
 
 
 def answers(solution: Solution, form: Format = "text", label: str | None = None) -> str:
@@ -75,23 +75,23 @@ def _lines(solution: Solution, label: str | None) -> Iterator[_Line]:
     for part, item in solution.items():
         if label is None or part.part.label == label:
             unit = units.of(item)
-            pieces, beside = tuple(_said(item, unit)), tuple(_rejected(item, unit))
-            equal = is_equal(item) and bool(pieces) and isinstance(pieces[0], _Said)
-            if len(pieces) == 1 and isinstance(pieces[0], _Said):
+            pieces, beside = tuple(_pieces(item, unit)), tuple(_rejected(item, unit))
+            equal = is_equal(item) and bool(pieces) and isinstance(pieces[0], _Piece)
+            if len(pieces) == 1 and isinstance(pieces[0], _Piece):
                 pieces = (replace(pieces[0], unit=""),)
             else:
                 unit = ""
             yield _Line(part.part.label, item.text, pieces, equal, unit, beside)
 
 
-def _said(item: ItemResult, unit: str) -> Iterator[str | _Said]:
+def _pieces(item: ItemResult, unit: str) -> Iterator[str | _Piece]:
     if item.error is not None:
         yield f"no answer: {item.error.message}"
     elif item.holds is not None:
         yield "shown" if item.holds else "not true"
         for number, each in enumerate(instances(item.counterexample or {})):
             yield ", " if number else ", for instance with "
-            yield _Said(each, to_text(each))
+            yield _Piece(each, to_text(each))
         if item.answers:
             yield ": "
     elif item.undecided:
@@ -102,25 +102,25 @@ def _said(item: ItemResult, unit: str) -> Iterator[str | _Said]:
         yield from _answer(item, answer, unit)
 
 
-def _rejected(item: ItemResult, unit: str) -> Iterator[str | _Said]:
+def _rejected(item: ItemResult, unit: str) -> Iterator[str | _Piece]:
     for root in item.rejected:
         yield "  (rejected: "
         yield from _answer(item, root, unit)
         yield f", as {root.reason})"
 
 
-def _answer(item: ItemResult, answer: Answer | Rejected, unit: str) -> Iterator[str | _Said]:
+def _answer(item: ItemResult, answer: Answer | Rejected, unit: str) -> Iterator[str | _Piece]:
     layout, condition = layout_of(item, answer), condition_of(answer)
     if layout is None:
         yield answer.display
     elif condition is None:
-        yield _Said(layout, answer.display, unit)
+        yield _Piece(layout, answer.display, unit)
     else:
         # The words stand outside the mathematics, so that a line may end between them.
-        yield _Said(layout, to_text(layout), unit)
+        yield _Piece(layout, to_text(layout), unit)
         yield ", for "
         for each in condition:
-            yield each if isinstance(each, str) else _Said(each, to_text(each))
+            yield each if isinstance(each, str) else _Piece(each, to_text(each))
 
 
 def is_equal(item: ItemResult) -> bool:
@@ -174,7 +174,7 @@ def _text(title: str | None, lines: list[_Line]) -> str:
     """A line for each item; those of one value aligned at their signs and units."""
     made = [title, ""] if title else []
     asked = {line: f"{_label(line)}{line.asked}" for line in lines}
-    texts = {line: _joined(line.said, str, _plain) for line in lines}
+    texts = {line: _joined(line.pieces, str, _plain) for line in lines}
     first = _room(asked[line] for line in lines if line.equal)
     second = _room(texts[line] for line in lines if line.unit)
     for line in lines:
@@ -198,8 +198,8 @@ def _room(texts: Iterable[str]) -> int:
 def _markdown(title: str | None, lines: list[_Line]) -> str:
     made = [f"# {title}", ""] if title else []
     for line in lines:
-        said = _whole(line, str, lambda layout, text: f"${to_latex(layout)}$")
-        made.append(f"- {_label(line)}`{line.asked}`{_sign(line)}{said}")
+        written = _whole(line, str, lambda layout, text: f"${to_latex(layout)}$")
+        made.append(f"- {_label(line)}`{line.asked}`{_sign(line)}{written}")
     return "\n".join(made) + "\n"
 
 
@@ -207,9 +207,9 @@ def _latex(title: str | None, lines: list[_Line]) -> str:
     made = [rf"\section*{{{escape_latex(title)}}}"] if title else []
     made.append(r"\begin{itemize}")
     for line in lines:
-        said = _whole(line, _words_in_latex, lambda layout, text: f"${to_latex(layout)}$")
+        written = _whole(line, _words_in_latex, lambda layout, text: f"${to_latex(layout)}$")
         asked = escape_latex(line.asked)
-        made.append(rf"  \item {_label(line)}\texttt{{{asked}}}{_sign(line)}{said}")
+        made.append(rf"  \item {_label(line)}\texttt{{{asked}}}{_sign(line)}{written}")
     made.append(r"\end{itemize}")
     return "\n".join(made) + "\n"
 
@@ -256,12 +256,12 @@ def _whole(
     line: _Line, words: Callable[[str], str], mathematics: Callable[[Layout, str], str]
 ) -> str:
     """All that is said in a line, on one line."""
-    text = _joined(line.said, words, mathematics) + words(_behind(line.unit))
+    text = _joined(line.pieces, words, mathematics) + words(_behind(line.unit))
     return text + _joined(line.beside, words, mathematics)
 
 
 def _joined(
-    pieces: tuple[str | _Said, ...],
+    pieces: tuple[str | _Piece, ...],
     words: Callable[[str], str],
     mathematics: Callable[[Layout, str], str],
 ) -> str:

@@ -66,7 +66,7 @@ def outline(problem: Problem) -> Object:
     same with every stage told by its number (null where that cannot be). A relation ``left =
     right`` has ``left``, ``sign`` and ``right``, staged too.
     """
-    steps = _Told(problem)
+    steps = _Steps(problem)
     return {
         "title": problem.title,
         "parts": [part.label for part in problem.parts],
@@ -179,7 +179,7 @@ def _direction(tree: Any) -> Object | None:
     return {"way": "angle" if is_angle else "vector", "text": _text(tree)}
 
 
-class _Told:
+class _Steps:
     """The steps of a problem in order, and which events each body takes part in."""
 
     def __init__(self, problem: Problem) -> None:

@@ -28,7 +28,7 @@ from restitution.export.tree import Tree, tree, trees
 from restitution.export.units import Units
 from restitution.render.mathml import to_mathml
 from restitution.wording import asked, question
-from restitution.wording.html import said as words
+from restitution.wording.html import inline as words
 from restitution.wording.html import to_body
 from restitution.work import limited
 

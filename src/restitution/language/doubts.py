@@ -211,10 +211,10 @@ def _idle_questions(problem: Problem) -> Iterator[Note]:
         if isinstance(item, Value) and isinstance(item.expression, Letter)
     ]
     used = set(_used(problem, asked)) if asked else set()
-    said: set[str] = set()
+    noted: set[str] = set()
     for letter in asked:
-        if letter.name not in used | said:
-            said.add(letter.name)
+        if letter.name not in used | noted:
+            noted.add(letter.name)
             fixes = _quantities_meant(problem, letter)
             meant = " or ".join(fix.edits[0].text for fix in fixes)
             yield _note(

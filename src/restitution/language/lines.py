@@ -95,9 +95,9 @@ def declared_names(lines: list[Line]) -> dict[str, str]:
     for line in lines:
         match = _DECLARATION.match(line.source.plain)
         if match:
-            for told in match.group(2).split(","):
+            for declared in match.group(2).split(","):
                 # What follows a name without a colon is a mistake, but not of the name.
-                name = told.split()[0] if told.strip() else ""
+                name = declared.split()[0] if declared.strip() else ""
                 if NAME.fullmatch(name):
                     names.setdefault(name, match.group(1))
     for line in lines:

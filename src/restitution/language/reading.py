@@ -128,7 +128,7 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
                 continue
             wrong.append((line, mistake))
     if wrong or prose:
-        return None, _one_of_each(_told_once(text, wrong, prose, story, within))
+        return None, _one_of_each(_distinct(text, wrong, prose, story, within))
     problem, mistakes = _checked(story)
     if not mistakes:
         return replace(problem, notes=(*story.notes, *doubts(problem, text))), []
@@ -152,7 +152,7 @@ def _one_of_each(mistakes: list[StatementError]) -> list[StatementError]:
     return found
 
 
-def _told_once(
+def _distinct(
     text: str,
     wrong: list[tuple[Line, StatementError]],
     prose: list[Line],
@@ -278,7 +278,7 @@ def statement_parser() -> Lark:
 
 
 @dataclass(frozen=True)
-class _Said:
+class _Declaration:
     """What a line says of bodies: of which, and which properties."""
 
     kind: str
@@ -293,7 +293,7 @@ class _Story:
     names: Mapping[str, str]
     title: str | None = None
     bodies: dict[str, Sphere | Wall | Point] = field(default_factory=dict)
-    said: dict[tuple[str, str], int] = field(default_factory=dict)
+    declared: dict[tuple[str, str], int] = field(default_factory=dict)
     parts: list[tuple[str | None, Place | None, list[Step]]] = field(
         default_factory=lambda: [(None, None, [])]
     )
@@ -334,7 +334,7 @@ def _add(story: _Story, line: Line, reading: Reading, value: Any) -> None:
     story.notes.extend((*reading.scan.warnings, *reading.warnings))
     story.doubts.extend(reading.warnings)
     story.has_units |= any(token.type == "MEASURE" for token in reading.scan.tokens)
-    if isinstance(value, _Said):
+    if isinstance(value, _Declaration):
         for name in value.names:
             _declare(story, value, name)
         if len(story.bodies) > MAX_BODIES:
@@ -404,7 +404,7 @@ _SPHERE_FIELDS = {
 _WALL_FIELDS = {"ALONG": "along", "THROUGH": "through", "RADIUS": "radius"}
 
 
-def _declare(story: _Story, declaration: _Said, token: Token) -> None:
+def _declare(story: _Story, declaration: _Declaration, token: Token) -> None:
     """Add what a line says of one body to what is known of it."""
     name, place = str(token), _place(token)
     known = story.names.get(name)
@@ -421,10 +421,10 @@ def _declare(story: _Story, declaration: _Said, token: Token) -> None:
                 body = Point(name, None, place=place)
     changes: dict[str, Any] = {}
     for key, value, where in declaration.properties:
-        line = story.said.get((name, key))
+        line = story.declared.get((name, key))
         if line is not None:
             raise _error(f"the {_PROPERTY[key]} of {name} was given already, in line {line}", where)
-        story.said[name, key] = where.line
+        story.declared[name, key] = where.line
         changes[key] = value
     story.bodies[name] = replace(body, **changes)
 
@@ -454,19 +454,19 @@ def _names(reading: Reading, node: Tree[Token], spans: list[Span]) -> tuple[Toke
     return tuple(span.first for span in spans[::2])
 
 
-def _spheres(reading: Reading, node: Tree[Token], spans: list[Span]) -> _Said:
+def _spheres(reading: Reading, node: Tree[Token], spans: list[Span]) -> _Declaration:
     properties = spans[3].value if len(spans) > 3 else ()
-    return _Said("sphere", spans[1].value, _once_each(properties))
+    return _Declaration("sphere", spans[1].value, _once_each(properties))
 
 
-def _walls(reading: Reading, node: Tree[Token], spans: list[Span]) -> _Said:
+def _walls(reading: Reading, node: Tree[Token], spans: list[Span]) -> _Declaration:
     properties = spans[3].value if len(spans) > 3 else ()
-    return _Said("wall", spans[1].value, _once_each(properties))
+    return _Declaration("wall", spans[1].value, _once_each(properties))
 
 
-def _point(reading: Reading, node: Tree[Token], spans: list[Span]) -> _Said:
+def _point(reading: Reading, node: Tree[Token], spans: list[Span]) -> _Declaration:
     place = spans[3].place
-    return _Said("point", (spans[1].first,), (("position", spans[3].value, place),))
+    return _Declaration("point", (spans[1].first,), (("position", spans[3].value, place),))
 
 
 _Property = tuple[str, Any, Place]

@@ -27,7 +27,7 @@ class _Cure:
     all of them ``together``.
     """
 
-    said: str
+    message: str
     text: str
     tight: bool = False
     of: str = "x"
@@ -1296,16 +1296,16 @@ def with_guess(
         start, end = match.span("x" if "x" in slip.pattern.groupindex else 0)
         first, last = source.place(match.start()), source.place(match.end())
         if (first.line, first.column) <= at <= (last.line, last.column):
-            return _told(source, slip, match, start, end, names)
+            return _mistake(source, slip, match, start, end, names)
         if (first.line, first.column) <= at and isinstance(slip.cure, _Cure):
             before.append((slip, match, start, end))
     if not mistake.fixes:
         # A word that cannot be read may stand behind a slip with which it would be read.
-        mistake.hints = tuple(_told(source, *each, names) for each in before[:_ALTERNATIVES])
+        mistake.hints = tuple(_mistake(source, *each, names) for each in before[:_ALTERNATIVES])
     return mistake
 
 
-def _told(
+def _mistake(
     source: Source,
     slip: _Slip,
     match: re.Match[str],
@@ -1333,7 +1333,7 @@ def _told(
     spheres = [name for name, kind in names.items() if kind == "sphere"]
     each_of = spheres if "{sphere}" in cure.text else [""]
     if "{second}" in cure.text and len(spheres) != _TWO:
-        return source.error(f"cannot read '{shown['x']}': {cure.said}", start)
+        return source.error(f"cannot read '{shown['x']}': {cure.message}", start)
     parts["first"], parts["second"] = (*spheres, "A", "B")[:_TWO]
     texts = [
         text.format(**parts, sphere=sphere).rstrip(" ")
@@ -1342,8 +1342,8 @@ def _told(
     ]
     texts = [", ".join(texts)] if cure.together else texts[:_ALTERNATIVES]
     listed = " or ".join(f"'{text}'" for text in texts)
-    said = cure.said.format(**shown, sphere=spheres[0] if spheres else "A", each=listed)
-    message = f"cannot read '{shown['x']}': {said}" if shown["x"] else said
+    text_ = cure.message.format(**shown, sphere=spheres[0] if spheres else "A", each=listed)
+    message = f"cannot read '{shown['x']}': {text_}" if shown["x"] else text_
     fixes = [_fix(source, cure, text, match, start, end) for text in texts]
     return source.error(message, start, *fixes)
 

@@ -63,7 +63,7 @@ class Table:
             )
         object.__setattr__(self, "coefficients", dict(self.coefficients))
         kind: Arithmetic = ExactNumbers() if self.exact else Floats()
-        object.__setattr__(self, "layout", _laid_out(self, kind))
+        object.__setattr__(self, "layout", _layout_of(self, kind))
 
     @classmethod
     def box(
@@ -209,7 +209,7 @@ def shown(value: Any, kind: Arithmetic) -> str:
     return f"{value:.6g}" if isinstance(value, float) else str(kind.shown(value))
 
 
-def _laid_out(table: Table, kind: Arithmetic) -> Layout:
+def _layout_of(table: Table, kind: Arithmetic) -> Layout:
     _check_names(table)
     balls = tuple(_ball(sphere, kind) for sphere in table.spheres)
     shapes: list[Obstacle] = []
@@ -224,7 +224,7 @@ def _laid_out(table: Table, kind: Arithmetic) -> Layout:
         (*shapes, *(Obstacle(name, Post(end)) for name, end in ends)),
         _coefficient(table.e, "e", kind),
         {
-            _names(key, table): _coefficient(value, f"e of {_told(key)}", kind)
+            _names(key, table): _coefficient(value, f"e of {_words(key)}", kind)
             for key, value in table.coefficients.items()
         },
     )
@@ -339,18 +339,18 @@ def _names(key: str | tuple[str, str], table: Table) -> frozenset[str]:
     for name in names:
         if name not in known:
             raise StatementError(
-                f"e of {_told(key)}: there is no {name} here, only {', '.join(known)}"
+                f"e of {_words(key)}: there is no {name} here, only {', '.join(known)}"
             )
     among_walls = [name for name in names if name in walls]
     if (len(names), len(among_walls)) not in {(1, 1), (2, 0), (2, 1)} or len({*names}) < len(names):
         raise StatementError(
-            f"e of {_told(key)}: a coefficient is that of a wall, of two spheres, or of a sphere "
+            f"e of {_words(key)}: a coefficient is that of a wall, of two spheres, or of a sphere "
             "and a wall"
         )
     return frozenset(names)
 
 
-def _told(key: str | tuple[str, str]) -> str:
+def _words(key: str | tuple[str, str]) -> str:
     return " and ".join(map(str, _pair(key)))
 
 

@@ -113,7 +113,7 @@ class Given:
         return bool(self.starts or self.segments or self.circles or self.reached or len(places) > 1)
 
 
-def told_places(story: Story) -> Given:
+def given_places(story: Story) -> Given:
     """The places that a statement gives."""
     starts, origins, segments, circles = {}, {}, {}, {}
     for name, sphere in story.spheres.items():

@@ -13,7 +13,7 @@ import numpy as np
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Name
 from restitution.solve.story import Story
-from restitution.staging.flights import Given, Layout, Move, events, solve, told_places, unknowns
+from restitution.staging.flights import Given, Layout, Move, events, given_places, solve, unknowns
 from restitution.staging.geometry import floats, length, still, unit
 from restitution.staging.plan import Leg, Plan, Round, Stop, Straight
 from restitution.staging.walls import Line, crossing, trim
@@ -43,7 +43,7 @@ def lay_out(story: Story, since: int = 0) -> Plan | None:
     nothing to do with the events after ``since``, in a story without places, is left out.
     """
     try:
-        moves, given = events(story), told_places(story)
+        moves, given = events(story), given_places(story)
     except (RestitutionError, ArithmeticError):
         return None
     if not moves or all(still(v) for m in moves for v in (*m.before.values(), *m.after.values())):

@@ -65,7 +65,7 @@ class Motion:
     their own, each with the motion that a little more of it would give (None where there is none).
     """
 
-    told: Model
+    model: Model
     numbers: Mapping[str, Any]
     story: Story
     free: tuple[tuple[Chosen, Story | None], ...]
@@ -146,7 +146,7 @@ def unit_of_speed(motion: Motion, events: Sequence[int]) -> str | None:
 
 def axes(motion: Motion, number: int) -> tuple[Vector, Vector]:
     """Unit vectors along the line of centres and across it, as the working resolves by them."""
-    frame = motion.told.frames[number]
+    frame = motion.model.frames[number]
     try:
         n, t = motion.vector(frame.n), motion.vector(frame.t)
     except _FAILURES:  # no value in letters: by the motion itself

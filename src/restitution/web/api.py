@@ -169,10 +169,10 @@ def _doing(task: _Task) -> Callable[[Request], Awaitable[Response]]:
         staff: Staff = request.app.state.staff
 
         async def reply() -> Made:
-            told = await asked(request, task.about, kinds, staff.settings)
-            others = tuple(told.get(name, usual) for name, (_, usual) in task.optional.items())
-            key = (task.function.__name__, json.dumps(told, sort_keys=True))
-            about = told[task.about]
+            asked_for = await asked(request, task.about, kinds, staff.settings)
+            others = tuple(asked_for.get(name, usual) for name, (_, usual) in task.optional.items())
+            key = (task.function.__name__, json.dumps(asked_for, sort_keys=True))
+            about = asked_for[task.about]
             made = staff.replies.get(key, lambda: _worked(staff, task, about, others))
             return await _while_wanted(request, made)
 

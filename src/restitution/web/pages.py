@@ -44,7 +44,7 @@ _KINDS = {
 """What may happen in a question that the form writes."""
 
 
-def _told() -> dict[str, Any]:
+def _form() -> dict[str, Any]:
     """What the page has to know of the language, and of what this server can do."""
     return {"words": vocabulary(), "sheet": find_spec("typst") is not None}
 
@@ -104,7 +104,7 @@ def routes() -> list[Route]:
     return [
         page(
             "solve",
-            told=_told(),
+            told=_form(),
             ghost=GHOST.strip(),
             kinds=_KINDS,
             topics={topic: names[0] for topic, names in TOPICS.items()},

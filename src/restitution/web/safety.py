@@ -62,8 +62,8 @@ def guarded(app: ASGIApp, hosts: Collection[str]) -> ASGIApp:
         if not hosts or name in hosts:
             await app(scope, receive, sent)
             return
-        said = "this server is not asked under that name; start it with --trusted-host NAME"
-        refused = JSONResponse({"error": {"kind": "host", "message": said}}, 421)
+        refusal = "this server is not asked under that name; start it with --trusted-host NAME"
+        refused = JSONResponse({"error": {"kind": "host", "message": refusal}}, 421)
         await refused(scope, receive, sent)
 
     return serve

@@ -11,8 +11,8 @@ from restitution.problem import Compare, Extremum, Find, Item, Range, Show, Valu
 from restitution.render import layout as lay
 from restitution.wording import values
 from restitution.wording.clauses import bounds, clause, to_figures
+from restitution.wording.formulas import noun_phrase
 from restitution.wording.formulas import plain as sayable
-from restitution.wording.formulas import said
 from restitution.wording.nouns import Noun, kinds_of, line, of_bodies, phrase, share
 from restitution.wording.scene import Scene, name_of
 from restitution.wording.structure import Named, Words
@@ -61,7 +61,7 @@ def _shown(scene: Scene, show: Show) -> Words:
         case Range(subject), Compare() as chain if has_quantity(subject):
             limits = bounds(scene, chain, subject)
             only = words(" can have any value that is ", limits, ", and no other")
-            named = said(scene, subject)
+            named = noun_phrase(scene, subject)
             if named.where:
                 return words(named.head, only, _where(named))
             return words(named.words(), only)
@@ -112,7 +112,7 @@ def _value(scene: Scene, tree: Expression, plain: bool) -> Noun:
         if scene.is_wall(name):
             return Noun(words("a vector parallel to ", Named(name)))
         return line(scene, Quantity("velocity", tree.arguments, tree.stage))
-    found = said(scene, tree)
+    found = noun_phrase(scene, tree)
     if found.where and not plain and not values.is_vector(tree):
         return replace(found, head=words("the value of ", found.head))
     return found
@@ -124,7 +124,7 @@ def _where(found: Noun) -> Words:
 
 
 def _range(scene: Scene, tree: Expression) -> Noun:
-    found = said(scene, tree)
+    found = noun_phrase(scene, tree)
     lead = "the range of possible values of "
     if found.where:
         return replace(found, head=words(lead, found.head))
@@ -133,7 +133,7 @@ def _range(scene: Scene, tree: Expression) -> Noun:
 
 def _extreme(scene: Scene, item: Extremum) -> Noun:
     degree = "greatest" if item.kind == "maximum" else "least"
-    found = said(scene, item.expression)
+    found = noun_phrase(scene, item.expression)
     subject = found.head if found.where else found.words()
     of = words(f"the {degree} possible value of ", subject)
     return Noun(words(of, " as ", phrase(scene, item.over), " varies"), where=found.where)

@@ -23,7 +23,7 @@ from restitution.expression.tree import (
 from restitution.problem import Aligned, AtRest, Compare, Meets, Relation
 from restitution.render import layout as lay
 from restitution.wording import values
-from restitution.wording.formulas import cost, formula, plain, said
+from restitution.wording.formulas import cost, formula, noun_phrase, plain
 from restitution.wording.nouns import (
     Noun,
     ends,
@@ -359,7 +359,7 @@ def _way(scene: Scene, tree: Expression, sensed: bool) -> Noun:
         return noun(scene, tree)
     if isinstance(tree, Quantity) and tree.kind == "impulse" and tree.arguments:
         return noun(scene, tree)
-    return line(scene, tree) if plain(scene, tree) else said(scene, tree)
+    return line(scene, tree) if plain(scene, tree) else noun_phrase(scene, tree)
 
 
 def _meets(scene: Scene, first: str, second: str, again: bool, happens: bool) -> Words:

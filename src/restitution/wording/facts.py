@@ -27,11 +27,11 @@ class Fact:
     """Something to be said of letters once they have appeared.
 
     ``nature`` is what a letter is (``acute``, ``a constant``); those of one nature are told
-    together. A fact without it has its words in ``said``.
+    together. A fact without it has its words in ``words``.
     """
 
     letters: frozenset[str]
-    said: Words = ()
+    words: Words = ()
     nature: str = ""
 
 
@@ -49,7 +49,7 @@ def facts_of(scene: Scene) -> list[Fact]:
         *(
             Fact(letters_of(relation), words(mathematics(relation)))
             for relation in _relations(problem)
-            if _said_positive(relation) not in positive
+            if _positive_letter(relation) not in positive
         ),
     ]
 
@@ -75,9 +75,11 @@ def letters_of(relation: Relation) -> frozenset[str]:
     return frozenset()
 
 
-def told(sentences: Sequence[Sentence], facts: Sequence[Fact]) -> tuple[list[Sentence], list[Fact]]:
+def with_facts(
+    sentences: Sequence[Sentence], facts: Sequence[Fact]
+) -> tuple[list[Sentence], list[Fact]]:
     """The sentences with the facts in them, and the facts that found no place."""
-    acute = frozenset().union(*map(_said_acute, sentences))
+    acute = frozenset().union(*map(_acute_letters, sentences))
     pending = [each for each in facts if not (each.nature == "acute" and each.letters <= acute)]
     seen: frozenset[str] = frozenset()
     out: list[Sentence] = []
@@ -107,10 +109,10 @@ def _phrases(facts: Sequence[Fact]) -> list[Words]:
         several = noun if noun == nature else f"{noun}s"
         verb = f" is {nature}" if len(names) == 1 else f" are {several}"
         out.append(words(listed([lay.letter(name) for name in names]), verb))
-    return out + [fact.said for fact in facts if not fact.nature]
+    return out + [fact.words for fact in facts if not fact.nature]
 
 
-def _said_acute(sentence: Sentence) -> frozenset[str]:
+def _acute_letters(sentence: Sentence) -> frozenset[str]:
     """The letters that a sentence calls acute angles already."""
     return frozenset().union(
         *(
@@ -160,7 +162,7 @@ def _constants(scene: Scene) -> tuple[frozenset[str], frozenset[str]]:
         if isinstance(run, Expression) and values.is_vector(run):
             signed |= _components(run)
     signed -= positive
-    bounded = {_said_positive(relation) for relation in _relations(scene.problem)} - {None}
+    bounded = {_positive_letter(relation) for relation in _relations(scene.problem)} - {None}
     positive, signed = positive | (signed & bounded), signed - bounded
     # One of which more is said is not called positive as well.
     more = {name for each in _relations(scene.problem) for name in letters_of(each)} - bounded
@@ -174,7 +176,7 @@ def _components(tree: Expression) -> frozenset[str]:
     return letters(tree) - inside
 
 
-def _said_positive(relation: Compare) -> str | None:
+def _positive_letter(relation: Compare) -> str | None:
     """The letter of which a fact says that it is positive, and no more."""
     match relation:
         case Compare((Letter(name), zero), (">",)) | Compare((zero, Letter(name)), ("<",)):

@@ -66,7 +66,7 @@ _LETTERS = {
 _ANGLES = ("theta", "phi", "psi", "beta", "gamma", "delta")
 
 
-def said(scene: Scene, tree: Expression) -> Noun:
+def noun_phrase(scene: Scene, tree: Expression) -> Noun:
     """An expression as a noun phrase, or as a formula with what its letters denote."""
     if plain(scene, tree):
         return noun(scene, tree)

@@ -63,7 +63,7 @@ def opening(question: Question) -> list[str]:
     return [_paragraph(*question.intro)] if question.intro else []
 
 
-def said(words: Words) -> str:
+def inline(words: Words) -> str:
     """Words with their mathematics; what follows a formula without a blank stays on its line."""
     out = ""
     rest = list(words)
@@ -83,7 +83,7 @@ def said(words: Words) -> str:
 
 
 def _paragraph(*sentences: Words) -> str:
-    return f"<p>{' '.join(map(said, sentences))}</p>"
+    return f"<p>{' '.join(map(inline, sentences))}</p>"
 
 
 def _row(head: str, body: str) -> str:

@@ -27,13 +27,13 @@ def to_markdown(question: Question) -> str:
     if question.title:
         blocks.append(f"## {escape(question.title)}")
     if question.intro:
-        blocks.append(" ".join(map(said, question.intro)))
+        blocks.append(" ".join(map(inline, question.intro)))
     for part in question.parts:
         blocks += _part(part)
     return "\n\n".join(blocks) + "\n"
 
 
-def said(words: Words) -> str:
+def inline(words: Words) -> str:
     """Words with their mathematics in LaTeX."""
     return "".join(_piece(word) for word in words)
 
@@ -57,9 +57,9 @@ def _part(part: QuestionPart) -> list[str]:
 
 def _block(block: Block) -> Iterator[str]:
     if not isinstance(block, Listing):
-        yield " ".join(map(said, block.sentences))
+        yield " ".join(map(inline, block.sentences))
         return
     if block.lead:
-        yield said(block.lead)
+        yield inline(block.lead)
     for number, words in block.rows():
-        yield f"({number}) {said(words)}" if number else said(words)
+        yield f"({number}) {inline(words)}" if number else inline(words)

@@ -24,7 +24,7 @@ _PLANE = "on a smooth horizontal plane"
 
 def setting(scene: Scene) -> Iterator[Sentence]:
     """The bodies; where the spheres are and how they move at first tells ``start``."""
-    yield from spheres_told(scene)
+    yield from spheres(scene)
     if scene.problem.points:
         yield _points(scene)
     yield from _walls(scene)
@@ -33,7 +33,7 @@ def setting(scene: Scene) -> Iterator[Sentence]:
 # --- spheres --------------------------------------------------------------------------------------
 
 
-def spheres_told(scene: Scene) -> Iterator[Sentence]:
+def spheres(scene: Scene) -> Iterator[Sentence]:
     """The sentences that introduce the spheres."""
     spheres = scene.problem.spheres
     if not spheres:

@@ -18,7 +18,7 @@ from restitution.wording.words import names, sentence, words
 _E = Letter("e")
 
 
-def told(scene: Scene, number: int) -> Iterator[Sentence]:
+def event_sentences(scene: Scene, number: int) -> Iterator[Sentence]:
     """The sentences for one event."""
     event = scene.events[number - 1]
     then = " then" if number > 1 else ""

@@ -32,8 +32,8 @@ from restitution.wording.clauses import clause, clauses
 from restitution.wording.facts import letters_of
 from restitution.wording.letters import named_letters
 from restitution.wording.scene import INITIALLY, Scene, before, is_letter_fact, scene_of
-from restitution.wording.setting import setting, spheres_told, start
-from restitution.wording.story import told
+from restitution.wording.setting import setting, spheres, start
+from restitution.wording.story import event_sentences
 from restitution.wording.structure import (
     Block,
     Listing,
@@ -229,11 +229,11 @@ def _run(scene: Scene, now: int, run: _Run, lets: frozenset[str]) -> tuple[int, 
     sentences: list[Sentence] = []
     if run.event is not None:
         now += 1
-        hit, *more = told(scene, now)
+        hit, *more = event_sentences(scene, now)
         sentences += [hit, *(start(scene) if _event_first(scene) else ()), *more]
     scene = scene.at(now)
     for let in run.lets:
-        named = formulas.said(scene, let.expression).words()
+        named = formulas.noun_phrase(scene, let.expression).words()
         sentences.append(sentence("let ", lay.letter(let.letter), " denote ", named))
     if run.unknown:
         sentences.append(_not_known(run))
@@ -371,13 +371,13 @@ def _with_facts(scene: Scene, drafts: Sequence[_Draft]) -> list[_Draft]:
         for each in (Paragraph(draft.opening), *draft.rest)
         if isinstance(each, Paragraph)
     ]
-    sentences_of_each, left = facts.told(
+    sentences_of_each, left = facts.with_facts(
         [one for each in paragraphs for one in each.sentences], facts.facts_of(scene)
     )
     sentences = iter(sentences_of_each)
     out = [_retold(draft, sentences) for draft in drafts]
     if left:
-        extra = sentence("it is given that ", listed([fact.said for fact in left]))
+        extra = sentence("it is given that ", listed([fact.words for fact in left]))
         out[0] = replace(out[0], opening=(*out[0].opening, extra))
     return out
 
@@ -409,8 +409,8 @@ def _with_axes(scene: Scene, drafts: Sequence[_Draft]) -> tuple[Sentence, ...]:
         )
     if points:
         metres = ", in metres," if scene.style.fixes(LENGTH) else ""
-        told_of = f"the coordinates of points{metres} are referred to axes in the directions of "
-        axes.append(sentence(told_of, i, " and ", j))
+        axes_words = f"the coordinates of points{metres} are referred to axes in the directions of "
+        axes.append(sentence(axes_words, i, " and ", j))
     end = _bodies_end(scene)
     return (*opening[:end], *axes, *opening[end:])
 
@@ -421,7 +421,7 @@ def _has(value: Any, text: str) -> bool:
 
 def _bodies_end(scene: Scene) -> int:
     """After how many sentences all spheres have been introduced."""
-    return len(list(spheres_told(scene)))
+    return len(list(spheres(scene)))
 
 
 def _contains(value: Any, wanted: Any) -> bool:

@@ -29,13 +29,13 @@ def to_text(question: Question, columns: int = 80) -> str:
     if question.title:
         blocks.append(wrapped(question.title, columns))
     if question.intro:
-        blocks.append(wrapped(" ".join(map(said, question.intro)), columns))
+        blocks.append(wrapped(" ".join(map(inline, question.intro)), columns))
     for part in question.parts:
         blocks += _part(part, columns)
     return "\n\n".join("\n".join(block) for block in blocks)
 
 
-def said(words: Words) -> str:
+def inline(words: Words) -> str:
     """Words on one line; mathematics is held together by no-break spaces."""
     return "".join(_piece(word) for word in words)
 
@@ -64,13 +64,13 @@ def _part(part: QuestionPart, columns: int) -> list[list[str]]:
 
 def _block(block: Block, columns: int) -> Iterator[list[str]]:
     if not isinstance(block, Listing):
-        yield wrapped(" ".join(map(said, block.sentences)), columns)
+        yield wrapped(" ".join(map(inline, block.sentences)), columns)
         return
-    lines = wrapped(said(block.lead), columns) if block.lead else []
+    lines = wrapped(inline(block.lead), columns) if block.lead else []
     heads = [f"({number}) " if number else "" for number, _ in block.entries]
     room = max(map(len, heads))
     for head, (_, words) in zip(heads, block.rows(), strict=True):
-        for row, line in enumerate(wrapped(said(words), columns - room)):
+        for row, line in enumerate(wrapped(inline(words), columns - room)):
             lines.append(f"{head if row == 0 else '':<{room}}{line}")
     yield lines
 

@@ -35,10 +35,10 @@ def to_typst(question: Question) -> str:
 
 def opening(question: Question) -> str:
     """What is told before anything is asked."""
-    return " ".join(map(said, question.intro))
+    return " ".join(map(inline, question.intro))
 
 
-def said(words: Words) -> str:
+def inline(words: Words) -> str:
     """Words with their mathematics."""
     return "".join(_piece(word) for word in words)
 
@@ -69,10 +69,10 @@ def part(part: QuestionPart) -> str:
 
 def _block(block: Block) -> Iterator[str]:
     if not isinstance(block, Listing):
-        yield " ".join(map(said, block.sentences))
+        yield " ".join(map(inline, block.sentences))
         return
     if block.lead:
-        yield said(block.lead)
+        yield inline(block.lead)
     widest = max((number for number, _ in block.entries), key=len)
     for number, words in block.rows():
-        yield _row(number, said(words), widest) if number else said(words)
+        yield _row(number, inline(words), widest) if number else inline(words)

@@ -82,10 +82,10 @@ def _rounded(impact: Mapping[str, Any], figures: int, near: float | None) -> _Hi
     for name, mass in zip(names, masses):
         if mass < _LEAST_MASS:
             raise ImpossibleError(f"the mass of {name} is {mass:g}: a mass is positive")
-    told = [a_pair(s.get("velocity"), f"the velocity of {n}") for n, s in zip(names, spheres)]
+    pairs = [a_pair(s.get("velocity"), f"the velocity of {n}") for n, s in zip(names, spheres)]
     # What is rounded is rounded by the fastest: to the last digit that counts beside it.
-    largest = max(abs(x) for pair in told for x in pair)
-    velocities = [Vector(*(_near(x, largest, figures) for x in pair)) for pair in told]
+    largest = max(abs(x) for pair in pairs for x in pair)
+    velocities = [Vector(*(_near(x, largest, figures) for x in pair)) for pair in pairs]
     x, y = a_pair(impact.get("line"), "the line of centres")
     if x == y == 0:
         raise StatementError("the line of centres has a direction")

@@ -30,8 +30,8 @@ from restitution.vector import Vector
 from restitution.work import limited
 
 if TYPE_CHECKING:
+    from restitution.motion.parts import PartMotion
     from restitution.motion.stage import Event
-    from restitution.motion.told import Told
     from restitution.solve.solution import Solution
     from restitution.staging.values import Chosen
 
@@ -50,23 +50,25 @@ _LONG = 30
 def of_solution(
     solution: Solution, part: str | None = None, seconds: float | None = None
 ) -> Object:
-    """The motions of a solved problem, or of one part of it; ``seconds`` as for `of_told`.
+    """The motions of a solved problem, or of one part of it; ``seconds`` as for `of_motions`.
 
     Raises KeyError for a part that is not there, what kept the problem from being solved, and
     UnsupportedError with the reason where no motion can be shown.
     """
-    from restitution.motion.told import motions
+    from restitution.motion.parts import motions
 
-    return of_told(motions(solution, part), solution.problem.title, seconds)
+    return of_motions(motions(solution, part), solution.problem.title, seconds)
 
 
-def of_told(motions: Sequence[Told], title: str | None, seconds: float | None = None) -> Object:
+def of_motions(
+    motions: Sequence[PartMotion], title: str | None, seconds: float | None = None
+) -> Object:
     """Motions of one problem, with exact values as far as they are short.
 
     Those that would take too many steps to work out are left out, as are, on a machine that is
     too slow, those that are not known after so many ``seconds``; a note says so.
     """
-    made = [_of_told(each, label) for each, label in zip(motions, _labels(motions), strict=True)]
+    made = [_of_motion(each, label) for each, label in zip(motions, _labels(motions), strict=True)]
     try:
         with limited(seconds, _STEPS) as own:
             for shown, each in zip(made, motions, strict=True):
@@ -199,7 +201,7 @@ def _pair(v: Vector) -> list[float]:
 # --- what the solution says of it -----------------------------------------------------------------
 
 
-def _of_told(motion: Told, label: str) -> Object:
+def _of_motion(motion: PartMotion, label: str) -> Object:
     from restitution.draw.describe import values_of
     from restitution.render.layout import Phrase
     from restitution.render.text import to_text
@@ -211,7 +213,7 @@ def _of_told(motion: Told, label: str) -> Object:
     return made
 
 
-def _add_exact(made: Object, motion: Told) -> None:
+def _add_exact(made: Object, motion: PartMotion) -> None:
     """Puts exact values into the data of a motion, as far as they are short."""
     exact = _Exact(motion)
     for sphere, track in zip(made["spheres"], motion.motion.tracks, strict=True):
@@ -223,9 +225,9 @@ def _add_exact(made: Object, motion: Told) -> None:
             shown["said"] = exact.impact(number, event)
 
 
-def _chosen(motion: Told) -> list[Chosen]:
+def _chosen(motion: PartMotion) -> list[Chosen]:
     """The letters at whose values it is shown: those that change anything of it."""
-    from restitution.staging.flights import told_places
+    from restitution.staging.flights import given_places
     from restitution.staging.values import velocities
 
     numbers = motion.numbers
@@ -239,12 +241,12 @@ def _chosen(motion: Told) -> list[Chosen]:
         if moved is None
         or chosen.name in masses
         or velocities(moved) != velocities(numbers.story)
-        or told_places(moved) != told_places(numbers.story)
+        or given_places(moved) != given_places(numbers.story)
     ]
     return [*free, *(each for each in numbers.found if each not in free)]
 
 
-def _stages(motion: Told, body: str) -> list[int]:
+def _stages(motion: PartMotion, body: str) -> list[int]:
     """After which event of the story each piece of a body's motion is."""
     own = [(event.time, number) for number, event in motion.events if body in _bodies(event)]
     track = next(each for each in motion.motion.tracks if each.name == body)
@@ -261,8 +263,8 @@ def _bodies(event: Event) -> tuple[str, ...]:
 class _Exact:
     """Exact values as text, each worked out once; None where there is no short one."""
 
-    def __init__(self, motion: Told) -> None:
-        self.told = motion
+    def __init__(self, motion: PartMotion) -> None:
+        self.part_motion = motion
         self.known: dict[tuple[str, int], Object | None] = {}
 
     def velocity(self, body: str, stage: int) -> Object | None:
@@ -287,7 +289,7 @@ class _Exact:
         if c is None:
             return None
         try:
-            centres = self.told.numbers.vector(c)
+            centres = self.part_motion.numbers.vector(c)
         except (ArithmeticError, LookupError, TypeError):
             return None
         sense = 1 if centres.dot(event.line_of_centres) > 0 else -1
@@ -309,7 +311,7 @@ class _Exact:
         from restitution.errors import RestitutionError
 
         try:
-            return self.told.branch.story
+            return self.part_motion.branch.story
         except (RestitutionError, ArithmeticError):
             return None
 
@@ -325,7 +327,9 @@ class _Exact:
             if value_.count_ops() > _LONG:
                 return None
             # Of either sign in general, perhaps; at the values that are shown it has to be right.
-            found = plain(value_, [self.told.branch.sample, self.told.numbers.numbers])
+            found = plain(
+                value_, [self.part_motion.branch.sample, self.part_motion.numbers.numbers]
+            )
         except (RestitutionError, ArithmeticError):
             return None
         if any(symbol.name.startswith("_") for symbol in found.free_symbols):
@@ -334,13 +338,13 @@ class _Exact:
         return text if len(text) <= _SHORT else None
 
 
-def _labels(motions: Sequence[Told]) -> list[str]:
+def _labels(motions: Sequence[PartMotion]) -> list[str]:
     """What tells the motions of a problem apart; nothing where there is one only."""
     made = [list(_label(each, motions)) for each in motions]
     return [", ".join(words) for words in made] if len(motions) > 1 else [""]
 
 
-def _label(one: Told, all_: Sequence[Told]) -> Iterator[str]:
+def _label(one: PartMotion, all_: Sequence[PartMotion]) -> Iterator[str]:
     from restitution.draw.describe import listed
 
     named = [f"({label})" for label in one.labels if label is not None]

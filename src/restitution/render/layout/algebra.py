@@ -398,15 +398,15 @@ def _assemble(
     lower = sorted(below, key=_factor_order)
     functions = [x for x in upper if isinstance(x[0], DIRECT)]
     front = [x for x in upper if x not in functions]
-    letters_above = [_laid_power(*x) for x in front]
-    functions_above = [_laid_power(*x) for x in functions]
+    letters_above = [_power_layout(*x) for x in front]
+    functions_above = [_power_layout(*x) for x in functions]
     if root_above is not None:
         letters_above.append(root_above)
     surd_layout: list[Layout] = [Root(Number(str(surd)))] if surd != 1 else []
     denominator: list[Layout] = []
     if below_surd != 1:
         denominator.append(Root(Number(str(below_surd))))
-    denominator.extend(_laid_power(*x) for x in lower)
+    denominator.extend(_power_layout(*x) for x in lower)
     if roots_below:
         denominator.append(Root(_plain_product(roots_below)))
     # A number before a product that ends in a function: ¾mu sin α, since mu sin α/4 misleads.
@@ -460,12 +460,12 @@ def _plain_product(bases: Sequence[Expr]) -> Layout:
                 base = each
             rest.append((base, S.One))
     factors: list[Layout] = [] if number == 1 else [Number(str(number))]
-    factors.extend(_laid_power(*each) for each in sorted(rest, key=_factor_order))
+    factors.extend(_power_layout(*each) for each in sorted(rest, key=_factor_order))
     layout = product(*factors) if factors else ONE
     return layout.inside if isinstance(layout, Brackets) and layout.kind == "()" else layout
 
 
-def _laid_power(base: Expr, exponent: Expr) -> Layout:
+def _power_layout(base: Expr, exponent: Expr) -> Layout:
     layout = _from_expression(base)
     if isinstance(base, Add):
         layout = bracketed(layout)

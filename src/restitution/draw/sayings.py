@@ -125,7 +125,7 @@ def state_after(motion: Motion, body: str, stage: int) -> int:
 def sayings(motion: Motion) -> Sayings:
     """Everything that is said, read once for a part of a problem."""
     reader = _Reader(motion)
-    for sphere in motion.told.problem.spheres:
+    for sphere in motion.model.problem.spheres:
         reader.start(sphere)
     asked: list[tuple[Expression, int]] = []
     for trees, now, fact in _lines(motion):
@@ -148,7 +148,7 @@ def sayings(motion: Motion) -> Sayings:
 
 def _lines(motion: Motion) -> Iterator[tuple[tuple[Expression, ...], int, bool]]:
     """Expressions of facts (equal ones together) and of questions, with the events told before."""
-    problem, part = motion.told.problem, motion.told.part
+    problem, part = motion.model.problem, motion.model.part
     for step, now, _ in problem.timeline(part):
         if isinstance(step, Given):
             for relation in step.relations:
@@ -175,7 +175,7 @@ class _Reader:
     def __init__(self, motion: Motion) -> None:
         self.motion = motion
         self.found = Sayings({}, {}, {}, {}, {})
-        self.taken = set(motion.told.unknowns.taken)
+        self.taken = set(motion.model.unknowns.taken)
         self.deflections: list[tuple[int, str]] = []
         self.impulses: list[int] = []
 
