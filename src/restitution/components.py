@@ -635,8 +635,8 @@ def _in_letters(
     e = sp.sympify(happening.e, strict=True)
     u1 = model.before(number, step.first)[0]
     v = model.components[number, step.first].symbol
-    found = frame.by_values or frame.angle is not None
-    if found and frame.wall is not None and story.normal_found(frame.wall):
+    from_values = frame.by_values or frame.angle is not None
+    if from_values and frame.wall is not None and story.normal_found(frame.wall):
         # A wall at an angle has the direction by which that angle is measured.
         normal = frame.n if frame.angle is None else -frame.t.turned_left()
         story.turn_wall(frame.wall, normal)
@@ -734,15 +734,15 @@ def _of_either_sign(component: sp.Expr) -> bool:
 
 def _letters_of(problem: Problem) -> set[str]:
     """The letters that the problem uses, and those that could be taken for something else."""
-    found = {"e", "i", "j"}
+    names = {"e", "i", "j"}
     for tree in trees(problem):
         for node in walk(tree):
             if isinstance(node, Letter):
-                found.add(node.name.partition("_")[0])
+                names.add(node.name.partition("_")[0])
     for _, step in problem.steps():
         if isinstance(step, Let):
-            found.add(step.letter)
-    return found
+            names.add(step.letter)
+    return names
 
 
 def _allocated(problem: Problem, taken: set[str]) -> dict[tuple[int, str], str]:
@@ -771,7 +771,7 @@ def _allocated(problem: Problem, taken: set[str]) -> dict[tuple[int, str], str]:
 
 def _named_by_let(problem: Problem, spheres: set[str]) -> dict[tuple[int, str], str]:
     """Components that the statement names itself: ``let v = along(velocity(A), i)``."""
-    found: dict[tuple[int, str], str] = {}
+    letters_by_component: dict[tuple[int, str], str] = {}
     latest: dict[str, tuple[int, Impact]] = {}
     for step, number, _ in problem.timeline():
         if isinstance(step, Impact):
@@ -792,6 +792,6 @@ def _named_by_let(problem: Problem, spheres: set[str]) -> dict[tuple[int, str], 
             ):
                 body = inner.arguments[0].name
                 event, impact = latest[body]
-                if impact.along == axis and (event, body) not in found:
-                    found[event, body] = step.letter
-    return found
+                if impact.along == axis and (event, body) not in letters_by_component:
+                    letters_by_component[event, body] = step.letter
+    return letters_by_component

@@ -184,8 +184,8 @@ class Hit:
     def _velocity(self, body: str | Body, when: str) -> Vector:
         if when not in ("before", "after"):
             raise StatementError(f"the time is 'before' or 'after' the impact, not {when!r}")
-        found = (self.before if when == "before" else self.after)[self._name(body)]
-        return Vector(0, 0) if isinstance(found, Wall) else found.velocity
+        body_then = (self.before if when == "before" else self.after)[self._name(body)]
+        return Vector(0, 0) if isinstance(body_then, Wall) else body_then.velocity
 
     def _check_moving(self, body: str | Body, when: str, velocity: Vector) -> None:
         if all(_is_zero(component) for component in velocity):
@@ -304,19 +304,19 @@ class _Reader:
             from restitution.expression.evaluate import Angle, Evaluator, Symbolic
 
             def wall(tree: Expression) -> Vector:
-                found = None
+                direction = None
                 if isinstance(tree, Name) and tree.name == self._second.name:
-                    found = _along(known, self._second)
-                if found is None:
+                    direction = _along(known, self._second)
+                if direction is None:
                     raise StatementError("this direction is not known here")
-                return _direction(found, f"the direction of {self._second.name}")
+                return _direction(direction, f"the direction of {self._second.name}")
 
             evaluator = Evaluator(Symbolic(), self._symbol, name=wall, wall_direction=wall)
             try:
-                found = evaluator.value(value)
+                read = evaluator.value(value)
             except StatementError as error:
                 _blame(error, what)
-            return found.measure() if isinstance(found, Angle) else found
+            return read.measure() if isinstance(read, Angle) else read
         shape = getattr(value, "shape", ())
         if hasattr(value, "free_symbols"):  # SymPy: an expression, or a matrix of two
             return Vector(*value) if len(shape) == 2 and math.prod(shape) == 2 else value
@@ -389,15 +389,15 @@ def _symbols(trees: dict[str, Any]) -> dict[str, Any]:
         else:
             for tree in _leaves([value]):
                 unsigned.update(letters(tree) if isinstance(tree, Expression) else ())
-    found = {}
+    symbols = {}
     for name in signed | unsigned:
         if name in coefficients:
-            found[name] = sympy.Symbol(name, nonnegative=True)
+            symbols[name] = sympy.Symbol(name, nonnegative=True)
         elif name in unsigned:
-            found[name] = positive(name)
+            symbols[name] = positive(name)
         else:
-            found[name] = sympy.Symbol(name, real=True)
-    return found
+            symbols[name] = sympy.Symbol(name, real=True)
+    return symbols
 
 
 def _free_symbols(value: Any) -> Any:

@@ -60,21 +60,21 @@ def distances(plan: Plan, story: Story, branch: Branch) -> list[Distance]:
     """
     if plan.scale is None:
         return []
-    found: list[Distance] = []
+    distances_: list[Distance] = []
     labelled: set[str] = set()
     for wanted in _wanted(plan, story):
-        if len(found) == _MOST:
+        if len(distances_) == _MOST:
             break
         if wanted.what in labelled:
             continue
         start, end = wanted.start + wanted.off, wanted.end + wanted.off
-        if length(end - start) < _SHORTEST or not _has_room(start, end, plan, found):
+        if length(end - start) < _SHORTEST or not _has_room(start, end, plan, distances_):
             continue
         layout = _layout(wanted.size, branch)
         if layout is None:
             continue
         if not plan.in_line and any(
-            layout == each.label and _alike(each, start, end) for each in found
+            layout == each.label and _alike(each, start, end) for each in distances_
         ):
             continue
         labelled.add(wanted.what)
@@ -84,8 +84,8 @@ def distances(plan: Plan, story: Story, branch: Branch) -> list[Distance]:
             leads = tuple(
                 (p + beyond * 2, p + wanted.off + beyond) for p in (wanted.start, wanted.end)
             )
-        found.append(Distance(start, end, layout, leads))
-    return found
+        distances_.append(Distance(start, end, layout, leads))
+    return distances_
 
 
 def _layout(size: Any, branch: Branch) -> Layout | None:

@@ -111,15 +111,15 @@ def _ink_of_arrow(role: LineRole, start: Vector, end: Vector, both: bool) -> lis
     half = style.STROKES[role].width / 2
     if role == "impulse":
         half += style.SHAFT_GAP / 2
-    found: list[Piece] = [stick(start, end, half)]
+    pieces: list[Piece] = [stick(start, end, half)]
     head = style.head(role, length)
     for tip, tail in ((end, start), (start, end))[: 1 + both]:
         way = direction(tip - tail)
         base = tip - way * head.length
         side = way.turned_left() * head.half
         corners = (base + side, tip, base - side)
-        found.extend(_sticks((*corners, corners[0]), style.STROKES[role].width / 2))
-    return found
+        pieces.extend(_sticks((*corners, corners[0]), style.STROKES[role].width / 2))
+    return pieces
 
 
 def _sticks(points: Iterable[Vector], half: float) -> list[Piece]:

@@ -197,14 +197,14 @@ def _beside(at: Vector, side: Side, gap: float, extent: tuple[float, float]) -> 
 
 def _fixed(scene: Scene, pieces: Sequence[Piece], solid: Sequence[Box]) -> dict[int, _Offer]:
     """Where fixed labels stand, by their indices: those that stand free."""
-    found: dict[int, _Offer] = {}
+    offers: dict[int, _Offer] = {}
     for index, label in enumerate(scene.labels):
         if label.fixed:
             box = _beside(label.at, label.sides[0], label.gap, _extent(label, label.size))
-            others = [*solid, *(each.box for each in found.values())]
+            others = [*solid, *(each.box for each in offers.values())]
             if _Ground(box, pieces, others).is_free(box):
-                found[index] = _offered(box, label.size, 0.0)
-    return found
+                offers[index] = _offered(box, label.size, 0.0)
+    return offers
 
 
 def _offers(label: Label, ground: _Ground, enough: int = _ENOUGH) -> list[_Offer]:
@@ -218,9 +218,9 @@ def _offers(label: Label, ground: _Ground, enough: int = _ENOUGH) -> list[_Offer
         (1.0, dict(enumerate(others, 4))),
         (SMALLEST, dict(enumerate((*label.sides, *others)))),
     ):
-        found = _on_sides(label, ground, label.size * share, sides, enough)
-        if found:
-            return sorted(found, key=lambda each: each.cost)
+        offers = _on_sides(label, ground, label.size * share, sides, enough)
+        if offers:
+            return sorted(offers, key=lambda each: each.cost)
     return []
 
 
@@ -229,7 +229,7 @@ def _on_sides(
 ) -> list[_Offer]:
     """Free places for a label of one size on sides by their ranks, nearer before farther."""
     extent = _extent(label, size)
-    found: list[_Offer] = []
+    offers: list[_Offer] = []
     for farther in _FARTHER:
         gap = label.gap + farther
         for place, point in enumerate((label.at, *label.moves)):
@@ -244,10 +244,10 @@ def _on_sides(
                     if near.is_free(box):
                         offer = _offer(box, size, cost + slide, point, label.gap, farther, near)
                         if offer is not None:
-                            found.append(offer)
-        if len(found) >= enough:
+                            offers.append(offer)
+        if len(offers) >= enough:
             break
-    return found
+    return offers
 
 
 def _slid(box: Box, side: Side) -> Iterator[tuple[Box, float]]:

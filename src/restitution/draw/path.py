@@ -202,8 +202,8 @@ class _Drawing:
         if abs(turn - math.pi / 2) < _NEAR or turn < 0.1 or turn > math.pi - 0.1:
             return
         try:
-            found = self.values.motion.story.evaluator(0).value(tree)
-            value = float(found.measure() if hasattr(found, "measure") else found)
+            angle = self.values.motion.story.evaluator(0).value(tree)
+            value = float(angle.measure() if hasattr(angle, "measure") else angle)
         except (RestitutionError, ArithmeticError, LookupError, TypeError, ValueError):
             return
         label = angle_label(tree, value, turn, lay.from_tree(tree))

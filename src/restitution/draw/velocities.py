@@ -231,15 +231,15 @@ def _components(view: View, body: Body, when: When) -> tuple[Any, Any]:
 
 def _by_now(view: View, x: Any) -> Any:
     """What letters of earlier impacts add up to; one that stands alone is still the clearest."""
-    found = {
+    components = {
         component.symbol: component.value
         for (number, _), component in view.motion.model.components.items()
         if number < view.number
     }
-    earlier = x.free_symbols & set(found)
+    earlier = x.free_symbols & set(components)
     if not earlier or x in earlier or -x in earlier:
         return x
-    value = tidy(x.xreplace(found))
+    value = tidy(x.xreplace(components))
     return x if _layout(value) is None else value
 
 

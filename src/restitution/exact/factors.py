@@ -202,20 +202,20 @@ def _collected(total: Expr) -> Expr:
     for letter in letters:
         if sum(term.has(letter) for term in total.args) < 2:
             continue
-        found = _collected_in(total, (letter,))
+        collected = _collected_in(total, (letter,))
         # (1 + e) cos²θ rather than cos²θ + e cos²θ, though both are as long.
         slack = 0.25 if isinstance(letter, sympy.Dummy) else -0.25
-        if cost(found) < least + slack:
-            best, least = found, min(least, cost(found))
+        if cost(collected) < least + slack:
+            best, least = collected, min(least, cost(collected))
     components = _components(letters)
     if len(components) > 1 or (components and isinstance(components[0], sympy.Dummy)):
-        found = _collected_in(total, components)
+        collected = _collected_in(total, components)
         # (1 − e) cos α + (1 + e) cos β rather than cos α + cos β − e(cos α − cos β)
-        whole = isinstance(found, Add) and all(
-            any(isinstance(x, Add) for x in Mul.make_args(term)) for term in found.args
+        whole = isinstance(collected, Add) and all(
+            any(isinstance(x, Add) for x in Mul.make_args(term)) for term in collected.args
         )
-        if cost(found) < least + (2 if whole else 0.25):
-            best = found
+        if cost(collected) < least + (2 if whole else 0.25):
+            best = collected
     return best
 
 

@@ -74,10 +74,10 @@ def _tidy(expression: Expr) -> Expr:
         expanded = sympy.expand_trig(expression)
         if expanded != expression and node_count(expanded, SEARCHED) < SEARCHED:
             starts.append(expanded)
-    found = [_tidy_letters(start) for start in starts]
+    forms = [_tidy_letters(start) for start in starts]
     if isinstance(expression, Mul) and expression.has(sympy.Abs):
-        found.append(_with_bars(expression))
-    return _compounded(_oriented(min(found, key=cost)))
+        forms.append(_with_bars(expression))
+    return _compounded(_oriented(min(forms, key=cost)))
 
 
 def _compounded(value: Expr) -> Expr:

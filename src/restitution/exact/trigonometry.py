@@ -28,9 +28,9 @@ def with_angles(value: Expr, angles: list[MaskedAngle]) -> Expr:
     if len(angles) > 3:
         return best
     for angle in angles:
-        found = _with_angle(best, angle)
+        form = _with_angle(best, angle)
         # A square of squares has become one square: 1 − sin²α in it is seen now.
-        best = found if found == best else _with_angle(found, angle)
+        best = form if form == best else _with_angle(form, angle)
     return _divided(best) if any(a.tangent in best.free_symbols for a in angles) else best
 
 

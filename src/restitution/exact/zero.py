@@ -53,10 +53,10 @@ def is_zero(expression: Any) -> bool:
     # Where no point tried gives a real value, complex values must do.
     for real in (True, False):
         for point in admissible_points(value, generator, 8):
-            found = value_at(value, point, 30, real)
-            if found is None:
+            rounded = value_at(value, point, 30, real)
+            if rounded is None:
                 continue
-            number, scale = found
+            number, scale = rounded
             if abs(number) > scale * 1e-20:
                 return False
             seen += 1
@@ -72,9 +72,9 @@ def is_zero(expression: Any) -> bool:
         if number is not None and digits is not None:
             return bool(abs((number + 1).evalf(digits + 10) - 1) < Float(10) ** -digits)
     return bool(seen) and all(
-        found is None or abs(found[0]) <= found[1] * Float("1e-85", 20)
+        rounded is None or abs(rounded[0]) <= rounded[1] * Float("1e-85", 20)
         for point in admissible_points(value, generator, 3)
-        for found in [value_at(value, point, 100, real)]
+        for rounded in [value_at(value, point, 100, real)]
     )
 
 

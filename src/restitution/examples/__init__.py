@@ -18,8 +18,8 @@ _SUFFIX = ".impact"
 
 def names() -> tuple[str, ...]:
     """The names of all examples, in alphabetical order."""
-    found = (each.name for each in files(__name__).iterdir())
-    return tuple(sorted(name.removesuffix(_SUFFIX) for name in found if name.endswith(_SUFFIX)))
+    files_ = (each.name for each in files(__name__).iterdir())
+    return tuple(sorted(name.removesuffix(_SUFFIX) for name in files_ if name.endswith(_SUFFIX)))
 
 
 def text(name: str) -> str:

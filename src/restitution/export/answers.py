@@ -172,7 +172,7 @@ def _apart(layout: Layout) -> Iterator[str | Layout]:
 
 def _text(title: str | None, lines: list[_Line]) -> str:
     """A line for each item; those of one value aligned at their signs and units."""
-    made = [title, ""] if title else []
+    blocks = [title, ""] if title else []
     asked = {line: f"{_label(line)}{line.asked}" for line in lines}
     texts = {line: _joined(line.pieces, str, _plain) for line in lines}
     first = _room(asked[line] for line in lines if line.equal)
@@ -185,8 +185,8 @@ def _text(title: str | None, lines: list[_Line]) -> str:
         if line.unit:
             text += " " * max(0, second - width(texts[line])) + f"  {line.unit}"
         text += _joined(line.beside, str, _plain)
-        made.append(text.replace(NO_BREAK, " "))
-    return "\n".join(made) + "\n"
+        blocks.append(text.replace(NO_BREAK, " "))
+    return "\n".join(blocks) + "\n"
 
 
 def _room(texts: Iterable[str]) -> int:
@@ -196,22 +196,22 @@ def _room(texts: Iterable[str]) -> int:
 
 
 def _markdown(title: str | None, lines: list[_Line]) -> str:
-    made = [f"# {title}", ""] if title else []
+    blocks = [f"# {title}", ""] if title else []
     for line in lines:
         written = _whole(line, str, lambda layout, text: f"${to_latex(layout)}$")
-        made.append(f"- {_label(line)}`{line.asked}`{_sign(line)}{written}")
-    return "\n".join(made) + "\n"
+        blocks.append(f"- {_label(line)}`{line.asked}`{_sign(line)}{written}")
+    return "\n".join(blocks) + "\n"
 
 
 def _latex(title: str | None, lines: list[_Line]) -> str:
-    made = [rf"\section*{{{escape_latex(title)}}}"] if title else []
-    made.append(r"\begin{itemize}")
+    blocks = [rf"\section*{{{escape_latex(title)}}}"] if title else []
+    blocks.append(r"\begin{itemize}")
     for line in lines:
         written = _whole(line, _words_in_latex, lambda layout, text: f"${to_latex(layout)}$")
         asked = escape_latex(line.asked)
-        made.append(rf"  \item {_label(line)}\texttt{{{asked}}}{_sign(line)}{written}")
-    made.append(r"\end{itemize}")
-    return "\n".join(made) + "\n"
+        blocks.append(rf"  \item {_label(line)}\texttt{{{asked}}}{_sign(line)}{written}")
+    blocks.append(r"\end{itemize}")
+    return "\n".join(blocks) + "\n"
 
 
 _IN_LATEX = {"⁻¹": r"\textsuperscript{$-1$}", "⁻²": r"\textsuperscript{$-2$}"}

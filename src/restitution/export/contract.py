@@ -121,11 +121,11 @@ def unfinished(
 def checked(file: str, problem: Problem | None, error: RestitutionError | None) -> Object:
     """The object of a text that was read and not solved, with all its mistakes as ``errors``."""
     if problem is not None:
-        found = unfinished(file, problem, None)
+        result = unfinished(file, problem, None)
     else:
         assert error is not None
-        found = unreadable(file, error)
-    return {**found, "errors": mistakes(error)}
+        result = unreadable(file, error)
+    return {**result, "errors": mistakes(error)}
 
 
 def mistakes(error: RestitutionError | None) -> list[Object | None]:

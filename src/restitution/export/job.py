@@ -221,25 +221,25 @@ def serve(job: Job) -> Reply:
     ) as limit:
         solution = solve(job.problem)
     label = job.task.part if isinstance(job.task, Writing | Playing) else None
-    found = contract.solved(job.file, solution, label)
+    reply = contract.solved(job.file, solution, label)
     errors = _errors(solution, label)
     tired = limit.broken
     late = [hurried(job.limit, "it was solved")] if tired else []
-    found["warnings"] += late
-    answered = contract.all_answered(found)
+    reply["warnings"] += late
+    answered = contract.all_answered(reply)
     match job.task:
         case Writing("json", working=False, check=False):
-            return Reply(contract.to_json(found) + "\n", answered, tired=tired)
+            return Reply(contract.to_json(reply) + "\n", answered, tired=tired)
         case Writing("json"):
             explained = _explained(solution, job.task, job.limit)
             if job.task.working:
                 derivations = (
                     {} if explained.value is None else contract.derivations(explained.value)
                 )
-                found = contract.with_derivations(found, derivations)
-            found["warnings"] += explained.why_not
+                reply = contract.with_derivations(reply, derivations)
+            reply["warnings"] += explained.why_not
             return Reply(
-                contract.to_json(found) + "\n",
+                contract.to_json(reply) + "\n",
                 answered and explained.sound,
                 fault=explained.fault,
                 tired=tired or explained.value is None,
@@ -251,7 +251,7 @@ def serve(job: Job) -> Reply:
                 text if text.endswith("\n") else text + "\n",
                 answered and explained.sound,
                 errors,
-                (*found["warnings"], *explained.why_not),
+                (*reply["warnings"], *explained.why_not),
                 explained.fault,
                 tired or bool(explained.why_not or explained.fault),
                 explained.notes,
@@ -260,7 +260,7 @@ def serve(job: Job) -> Reply:
             from restitution.export.pictures import picture
 
             svg = picture(solution, event)
-            return Reply(svg, answered, errors, tuple(found["warnings"]), tired=tired)
+            return Reply(svg, answered, errors, tuple(reply["warnings"]), tired=tired)
         case Playing(part):
             from restitution.export.player import play
             from restitution.export.player.data import is_hurried
@@ -268,17 +268,17 @@ def serve(job: Job) -> Reply:
             budget = None if job.limit is None else job.limit * _WRITING
             played = play(solution, part, seconds=budget)
             tired = tired or is_hurried(played.data)
-            return Reply(played.html, answered, errors, tuple(found["warnings"]), tired=tired)
+            return Reply(played.html, answered, errors, tuple(reply["warnings"]), tired=tired)
         case Setting(form, options):
             from restitution.export.sheet import entry
 
             one = entry(solution, form, options)
-            return Reply(one, answered, errors, tuple(found["warnings"]), tired=tired)
+            return Reply(one, answered, errors, tuple(reply["warnings"]), tired=tired)
         case Picturing(event):
             from restitution.export.working import pictured
 
-            drawn = {**found, **pictured(solution, event)}
-            return Reply(drawn, answered, errors, tuple(found["warnings"]), tired=tired)
+            drawn = {**reply, **pictured(solution, event)}
+            return Reply(drawn, answered, errors, tuple(reply["warnings"]), tired=tired)
         case Showing(early):
             from restitution.export.working import Pieces, shown
 
@@ -289,23 +289,23 @@ def serve(job: Job) -> Reply:
 
             def seen(pieces: Pieces) -> None:
                 if early is not None:
-                    early({"answer": found, **vars(pieces)})
+                    early({"answer": reply, **vars(pieces)})
 
             page = shown(solution, left, seen)
-            found["warnings"] += page.left_out
+            reply["warnings"] += page.left_out
             warnings = [*page.pieces.warnings, *late]
-            content = {"answer": found, **vars(page.pieces), "warnings": warnings}
+            content = {"answer": reply, **vars(page.pieces), "warnings": warnings}
             return Reply(
                 content, answered, errors, tuple(warnings), page.fault, tired or page.tired
             )
 
 
 def _errors(solution: Solution, label: str | None) -> tuple[RestitutionError, ...]:
-    found = [solution.error]
+    errors = [solution.error]
     for part, item in solution.items():
         if label is None or part.part.label == label:
-            found.append(item.error)
-    unique = {str(error): error for error in found if error is not None}
+            errors.append(item.error)
+    unique = {str(error): error for error in errors if error is not None}
     return tuple(unique.values())
 
 
@@ -339,7 +339,7 @@ def _explained(
             explanation = explain(
                 solution, task.part, marks=task.marks, route=task.route, check=task.check
             )
-            made = make(explanation)
+            content = make(explanation)
             confirm()
     except RestitutionError as error:
         why = f"here are the answers without their working: {error.message}"
@@ -348,9 +348,9 @@ def _explained(
         # The answers are right without their working: they are given, and the fault told.
         return _Explained(fault=traceback.format_exc(), sound=False)
     if not task.check:
-        return _Explained(made)
+        return _Explained(content)
     return _Explained(
-        made, notes=(_FOLLOWED[bool(explanation.followed)],), sound=explanation.followed is True
+        content, notes=(_FOLLOWED[bool(explanation.followed)],), sound=explanation.followed is True
     )
 
 

@@ -123,10 +123,10 @@ def _velocity(tree: Any) -> Object | None:
         if zero:
             return {"way": "rest"}
         return {"way": "components", "x": _text(tree.x), "y": _text(tree.y)}
-    found = _components(tree)
-    if found is None:
+    components = _components(tree)
+    if components is None:
         return {"way": "vector", "text": _text(tree)}
-    x, y = found
+    x, y = components
     return {"way": "components", "x": _text(x) or "0", "y": _text(y) or "0"}
 
 
@@ -190,8 +190,8 @@ class _Steps:
     def steps(self) -> Iterator[Object]:
         for part, step in self._problem.steps():
             kind = type(step).__name__.lower()
-            made = {"kind": kind, "part": part.label, "line": _line(step), "after": self._now}
-            yield {**made, **self._step(step)}
+            head = {"kind": kind, "part": part.label, "line": _line(step), "after": self._now}
+            yield {**head, **self._step(step)}
 
     def _step(self, step: Step) -> Object:
         match step:
@@ -238,17 +238,17 @@ class _Steps:
         }
 
     def _relation(self, relation: Relation) -> Object:
-        made: Object = {"text": relation_text(self._problem, relation), "staged": None}
+        content: Object = {"text": relation_text(self._problem, relation), "staged": None}
         if isinstance(relation, AtRest | Meets):
-            return made
+            return content
         staged = self._staged(relation)
-        made["staged"] = relation_text(self._problem, staged)
+        content["staged"] = relation_text(self._problem, staged)
         if isinstance(staged, Compare) and len(staged.operands) == 2:
             left, right = staged.operands
             figures = "" if staged.figures is None else f" to {staged.figures} s.f."
-            made |= {"left": _text(left), "sign": staged.operators[0]}
-            made["right"] = f"{_text(right)}{figures}"
-        return made
+            content |= {"left": _text(left), "sign": staged.operators[0]}
+            content["right"] = f"{_text(right)}{figures}"
+        return content
 
     def _staged(self, value: Any) -> Any:
         """The same with the stage of each quantity told by the number of its event."""
@@ -261,12 +261,12 @@ class _Steps:
             for field in fields(value)
             if field.name not in ("place", "stage")
         }
-        made = replace(value, **changes)
-        if not isinstance(made, Quantity) or not KINDS[made.kind].staged:
-            return made
-        if any(isinstance(n, Name) and n.name not in self._bodies for n in made.arguments):
-            return made  # the direction of a wall
-        return replace(made, stage=self._stage(made))
+        staged = replace(value, **changes)
+        if not isinstance(staged, Quantity) or not KINDS[staged.kind].staged:
+            return staged
+        if any(isinstance(n, Name) and n.name not in self._bodies for n in staged.arguments):
+            return staged  # the direction of a wall
+        return replace(staged, stage=self._stage(staged))
 
     def _stage(self, quantity: Quantity) -> Any:
         if isinstance(quantity.stage, AtTime):

@@ -26,13 +26,13 @@ def chosen(solution: Solution, event: int | None = None) -> tuple[Scene, ...]:
     """All pictures of a solved problem, or that of one event; raises as ``picture`` does."""
     from restitution.draw import scenes
 
-    found = scenes(solution)
+    pictures = scenes(solution)
     if event is not None:
-        numbers = [scene.event for scene in found if scene.event is not None]
-        found = tuple(scene for scene in found if scene.event == event)
-        if not found:
+        numbers = [scene.event for scene in pictures if scene.event is not None]
+        pictures = tuple(scene for scene in pictures if scene.event == event)
+        if not pictures:
             known = f"pictured are {', '.join(map(str, numbers))}" if numbers else "none is"
             raise StatementError(f"there is no picture of event {event}: {known}")
-    if not found:
+    if not pictures:
         raise StatementError("there is nothing to draw: no impact is told")
-    return found
+    return pictures

@@ -49,5 +49,5 @@ def trees(markup: str) -> list[Tree]:
 
 def tree(markup: str) -> Tree:
     """A fragment as one tree: its only node, or a ``span`` of all."""
-    found = trees(markup)
-    return found[0] if len(found) == 1 else ["span", {}, *found]
+    top = trees(markup)
+    return top[0] if len(top) == 1 else ["span", {}, *top]

@@ -162,7 +162,7 @@ class _Clock:
             return None, out_of_time.message
         try:
             with limited(limit, error=out_of_time) as own:
-                made = make()
+                piece = make()
         except RestitutionError as error:
             self.tired = self.tired or error.kind == TimeLimitError.kind
             return None, error.message
@@ -172,15 +172,15 @@ class _Clock:
         if own.broken:
             self.tired = True
             self.left_out.append(f"something of the {name} is left out: there was no time for it")
-            return made, "there was no time left for all of it"
-        return made, None
+            return piece, "there was no time left for all of it"
+        return piece, None
 
     def spare(self, name: str, make: Callable[[], _T]) -> _T | None:
         """A piece that a page can do without, in all the time left."""
-        made, reason = self.piece(name, 1.0, make)
-        if made is None and reason == _OVER:
+        piece, reason = self.piece(name, 1.0, make)
+        if piece is None and reason == _OVER:
             self.left_out.append(f"the {name} is left out: there was no time for it")
-        return made
+        return piece
 
 
 def pictured(solution: Solution, event: int | None = None) -> Object:

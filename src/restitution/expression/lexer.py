@@ -240,11 +240,11 @@ def scan(source: Source, names: Mapping[str, str]) -> Scan:
 
     Raises StatementError for a character or a word that means nothing, with its place.
     """
-    found: list[Token] = []
+    tokens: list[Token] = []
     runs: list[tuple[int, str]] = []
     warnings: list[Note] = []
     depth = 0
-    for token in _raw_tokens(source, names, found, runs, warnings):
+    for token in _raw_tokens(source, names, tokens, runs, warnings):
         if token.type == "LPAR":
             depth += 1
             if depth > MAX_NESTING:
@@ -253,13 +253,13 @@ def scan(source: Source, names: Mapping[str, str]) -> Scan:
                 )
         elif token.type == "RPAR":
             depth -= 1
-        found.append(token)
-        if len(found) > MAX_TOKENS_PER_LINE:
+        tokens.append(token)
+        if len(tokens) > MAX_TOKENS_PER_LINE:
             raise source.error(
                 f"the line is too long: at most {MAX_TOKENS_PER_LINE} words and signs",
                 _start(token),
             )
-    return Scan(source, names, tuple(_with_products(source, found)), tuple(runs), tuple(warnings))
+    return Scan(source, names, tuple(_with_products(source, tokens)), tuple(runs), tuple(warnings))
 
 
 def _start(token: Token) -> int:

@@ -291,10 +291,10 @@ def dimension_of(
             first, second = dimension_of(left, of_letters), dimension_of(right, of_letters)
             return times(first, second, 1 if op == "*" else -1)
         case Binary("^", base, Number(exponent)) if exponent.denominator == 1:
-            found = dimension_of(base, of_letters)
-            if found is None:
+            dimension = dimension_of(base, of_letters)
+            if dimension is None:
                 return None
-            a, b, c = found
+            a, b, c = dimension
             power = int(exponent)
             return (a * power, b * power, c * power)
     return None if letters(tree) else NONE
@@ -306,7 +306,7 @@ def dimension_of_any(
     """The dimension of the first operand whose quantities, or known letters, tell it."""
     for operand in operands:
         if has_quantity(operand) or letters(operand) & of_letters.keys():
-            found = dimension_of(operand, of_letters)
-            if found is not None:
-                return found
+            dimension = dimension_of(operand, of_letters)
+            if dimension is not None:
+                return dimension
     return None

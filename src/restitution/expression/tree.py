@@ -262,16 +262,16 @@ def children(node: Expression) -> tuple[Expression, ...]:
             return (inside,)
     if type(node) in LEAVES:
         return ()
-    found: list[Expression] = []
+    branches: list[Expression] = []
     for name in PARTS[type(node)]:
         value = getattr(node, name)
         if type(value) in PARTS:
-            found.append(value)
+            branches.append(value)
         elif isinstance(value, AtTime):
-            found.append(value.time)
+            branches.append(value.time)
         elif isinstance(value, tuple):
-            found.extend(item for item in value if type(item) in PARTS)
-    return tuple(found)
+            branches.extend(item for item in value if type(item) in PARTS)
+    return tuple(branches)
 
 
 # Trees are walked often: the fields of a node in which there may be others, by its kind.

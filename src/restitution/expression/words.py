@@ -197,10 +197,10 @@ def near(word: str, words: Iterable[str], cutoff: float = 0.7) -> str | None:
     known = list(words)
     if word.lower() in known:
         return word.lower()
-    found = get_close_matches(word, known, n=1, cutoff=cutoff)
-    if not found and word.lower() != word:
-        found = get_close_matches(word.lower(), known, n=1, cutoff=cutoff)
-    return found[0] if found else None
+    matches = get_close_matches(word, known, n=1, cutoff=cutoff)
+    if not matches and word.lower() != word:
+        matches = get_close_matches(word.lower(), known, n=1, cutoff=cutoff)
+    return matches[0] if matches else None
 
 
 def one_slip(word: str, target: str) -> bool:

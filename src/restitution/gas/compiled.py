@@ -26,5 +26,5 @@ def compiled(function: Callable[..., Any]) -> Callable[..., Any]:
             "pip install 'restitution[fast]'"
         ) from error
     compiler = numba.njit(cache=True, nogil=True, error_model="numpy")
-    made: Callable[..., Any] = compiler(function)
-    return made
+    machine_code: Callable[..., Any] = compiler(function)
+    return machine_code

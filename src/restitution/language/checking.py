@@ -74,10 +74,10 @@ def check(problem: Problem) -> None:
     Raises StatementError for the first, with its place where the problem was read from a text;
     the rest are its ``others``.
     """
-    found = list(mistakes(problem))
-    if found:
-        found[0].others = tuple(found[1:20])
-        raise found[0]
+    errors = list(mistakes(problem))
+    if errors:
+        errors[0].others = tuple(errors[1:20])
+        raise errors[0]
 
 
 def _error(message: str, place: Place | None) -> StatementError:

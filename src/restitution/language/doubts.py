@@ -109,7 +109,7 @@ def _angles(problem: Problem) -> Iterator[Expression]:
 
 
 def _letters_for_angles(problem: Problem) -> frozenset[str]:
-    found = {
+    letters_ = {
         node.name
         for tree in trees(problem)
         for each in walk(tree)
@@ -117,7 +117,7 @@ def _letters_for_angles(problem: Problem) -> frozenset[str]:
         for node in ([each.angle] if isinstance(each, Polar) else _argument(each))
         if isinstance(node, Letter)
     }
-    return frozenset(found)
+    return frozenset(letters_)
 
 
 def _argument(tree: Apply) -> list[Expression]:

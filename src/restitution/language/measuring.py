@@ -190,29 +190,29 @@ def _may_be_a_unit(letter: str, slot: Slot) -> bool:
 
 def _letters_of(problem: Problem, of_letters: Mapping[str, Dimension]) -> frozenset[str]:
     """The letters of a problem, those that can only be letters behind their numbers included."""
-    found: set[str] = set()
+    names: set[str] = set()
     for tree in trees(problem):
-        found |= letters(tree)
-    found.update(_listed(problem))
+        names |= letters(tree)
+    names.update(_listed(problem))
 
     def look(measured: Measured, slot: Slot) -> Expression:
         if len(measured.unit) == 1 and not _may_be_a_unit(measured.unit, slot):
-            found.add(measured.unit)
+            names.add(measured.unit)
         return measured.operand
 
     _rewritten(problem, of_letters, lambda tree, slot: without_units(tree, slot, look, of_letters))
-    return frozenset(found)
+    return frozenset(names)
 
 
 def dimensions_of_letters(problem: Problem) -> dict[str, Dimension]:
     """Letters that alone, or times a number, are the value of a property: of its dimension."""
-    found: dict[str, Dimension] = {}
+    dimensions: dict[str, Dimension] = {}
 
     def look(tree: Any, slot: Slot) -> Any:
         dimension = slot.dimension
         if dimension is not None and isinstance(tree, Expression):
             for letter in _alone(tree, slot.angle):
-                found.setdefault(letter, dimension)
+                dimensions.setdefault(letter, dimension)
         return tree
 
     _rewritten(problem, {}, look)
@@ -220,8 +220,8 @@ def dimensions_of_letters(problem: Problem) -> dict[str, Dimension]:
         if isinstance(step, Let):
             dimension = dimension_of(step.expression)
             if dimension is not None:
-                found.setdefault(step.letter, dimension)
-    return found
+                dimensions.setdefault(step.letter, dimension)
+    return dimensions
 
 
 def _alone(tree: Any, angle: bool) -> Iterator[str]:

@@ -105,11 +105,11 @@ def outside(source: Source) -> StatementError | None:
     text = source.plain
     start = len(text) - len(text.lstrip())
     text = text[:start] + text[start : start + 1].lower() + text[start + 1 :]  # ``Gravity = …``
-    found = [
+    matches = [
         (match, message) for pattern, message in _patterns() if (match := pattern.search(text))
     ]
-    if not found:
+    if not matches:
         return None
-    match, message = min(found, key=lambda each: each[0].start())
+    match, message = min(matches, key=lambda each: each[0].start())
     typed = " ".join(source.text[match.start() : match.end()].split())
     return source.error(f"'{typed}' is outside the model: {message}", match.start())

@@ -144,12 +144,12 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
 
 def _one_of_each(mistakes: list[StatementError]) -> list[StatementError]:
     """Mistakes without what was told before: a name that no line declares is told once."""
-    found: list[StatementError] = []
+    first: list[StatementError] = []
     for mistake in mistakes:
         a_name = "unknown name" in mistake.message and "did you mean" not in mistake.message
-        if not (a_name and any(other.message == mistake.message for other in found)):
-            found.append(mistake)
-    return found
+        if not (a_name and any(other.message == mistake.message for other in first)):
+            first.append(mistake)
+    return first
 
 
 def _distinct(
@@ -170,19 +170,19 @@ def _distinct(
         together = sorted((*prose, *beside), key=lambda line: line.source.pieces[0][1])
         wrong = [*wrong, (together[0], in_words(together))]
         wrong.sort(key=lambda pair: pair[0].source.pieces[0][1])
-    found: list[StatementError] = []
+    mistakes: list[StatementError] = []
     mended_besides: set[int] = set()
     for line, mistake in wrong:
         if line.source.pieces[0][1] in mended_besides:
             continue
-        found.append(mistake)
+        mistakes.append(mistake)
         if len(mistake.fixes) == 1:
             cure = mistake.fixes[0]
             rows = {edit.line for edit in cure.edits}
             if len(rows) > 1:
                 then = mended(text, cure)
                 mended_besides |= {row for row in rows if within(then, row, row) is None}
-    return found
+    return mistakes
 
 
 def _line_of(lines: list[Line], number: int) -> Line:
@@ -565,12 +565,12 @@ def _unknown(reading: Reading, node: Tree[Token], spans: list[Span]) -> Unknown:
 
 
 def _each_once(reading: Reading, spans: list[Span]) -> tuple[str, ...]:
-    found: list[str] = []
+    names: list[str] = []
     for span in spans:
-        if span.value.name in found:
+        if span.value.name in names:
             raise reading.error(f"'{span.value.name}' is listed twice", span.place)
-        found.append(span.value.name)
-    return tuple(found)
+        names.append(span.value.name)
+    return tuple(names)
 
 
 def _terms(reading: Reading, node: Tree[Token], spans: list[Span]) -> tuple[str, ...]:

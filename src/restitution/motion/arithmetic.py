@@ -73,15 +73,15 @@ class Floats:
     start = (0.0, 0.0)
 
     def number(self, value: Any, what: str) -> float:
-        found = given(value, what)
-        if hasattr(found, "free_symbols"):
+        value_ = given(value, what)
+        if hasattr(value_, "free_symbols"):
             from restitution.exact import decimal
 
-            found = decimal(found)
-            if found is None:
+            value_ = decimal(value_)
+            if value_ is None:
                 _refuse(value, what)
         try:
-            number = float(found)
+            number = float(value_)
         except OverflowError:
             number = math.inf
         if not math.isfinite(number):
@@ -135,18 +135,18 @@ class ExactNumbers:
         return ExactNumbers(Tower(self.tower.roots))
 
     def number(self, value: Any, what: str) -> Any:
-        found = given(value, what)
-        if hasattr(found, "free_symbols"):
+        number = given(value, what)
+        if hasattr(number, "free_symbols"):
             try:
-                return self._translated(found)
+                return self._translated(number)
             except (ArithmeticError, TypeError):
                 raise UnsupportedError(
-                    f"{what} is {found}: an exact motion takes rational numbers and square roots"
+                    f"{what} is {number}: an exact motion takes rational numbers and square roots"
                 ) from None
-        if isinstance(found, numbers.Rational):
-            return Fraction(int(found.numerator), int(found.denominator))
+        if isinstance(number, numbers.Rational):
+            return Fraction(int(number.numerator), int(number.denominator))
         raise StatementError(
-            f'{what} is the float {found}: an exact motion takes text, as in "0.1", whole '
+            f'{what} is the float {number}: an exact motion takes text, as in "0.1", whole '
             "numbers, fractions or exact numbers of SymPy"
         )
 
@@ -291,8 +291,8 @@ def _plain(tree: Expression) -> Fraction | None:
         case Number(value):
             return value
         case Negate(operand):
-            found = _plain(operand)
-            return None if found is None else -found
+            root = _plain(operand)
+            return None if root is None else -root
         case Binary("/", Number(above), Number(below)) if below:
             return above / below
     return None

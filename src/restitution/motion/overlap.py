@@ -41,7 +41,7 @@ def overlaps(motion: Motion, extent: float) -> list[Overlap]:
     one point or through a wall.
     """
     tolerance = TOO_NEAR * extent
-    found = [
+    overlaps_ = [
         *_of_spheres(motion.tracks, tolerance),
         *_with_walls(motion.tracks, motion.walls, tolerance),
     ]
@@ -50,7 +50,7 @@ def overlaps(motion: Motion, extent: float) -> list[Overlap]:
     moment = AT_ONCE * (motion.end - motion.start)
     pairs = [
         each
-        for each in found
+        for each in overlaps_
         if each.end > motion.start + moment  # what begins in contact may part
         and not any(
             names == {each.first, each.second} and each.start - moment <= time <= each.end + moment

@@ -199,19 +199,19 @@ def _placed(
     """The motion where places are given."""
     radius = given.radius or 0.0
     moves = _without_doubles(moves)
-    made = flights.unknowns(story, moves, given.starts, given.origins, radius)
+    layout = flights.unknowns(story, moves, given.starts, given.origins, radius)
     if timed:
         for move in moves:
             time = story.happenings[move.number - 1].time
             if time is not None:
-                made.fix(made.times[move.number], float(time))
+                layout.fix(layout.times[move.number], float(time))
     left, bottom, right, top = box(_known(given))
     extent = max(right - left, top - bottom) or 1.0
-    x = flights.solve(made, [0.6 * extent] * len(made.lengths), 0.02 * extent)
+    x = flights.solve(layout, [0.6 * extent] * len(layout.lengths), 0.02 * extent)
     if x is None:
         raise _no("no places fit to all that is told")
-    where = {key: floats(p @ x + c) for key, (p, c) in made.where.items()}
-    times = {number: float(row @ x) for number, row in made.times.items()}
+    where = {key: floats(p @ x + c) for key, (p, c) in layout.where.items()}
+    times = {number: float(row @ x) for number, row in layout.times.items()}
     left, bottom, right, top = box([*_known(given), *where.values()])
     extent = max(right - left, top - bottom)
     goes = max(length(v) for v in _last(moves).values())
@@ -267,14 +267,14 @@ def _freely(
     points = given.radius is None and _speaks_of_places(story.problem)
     walled = any(move.wall is not None for move in moves)
     usual = 0.0 if points else _AMONG_WALLS if walled else _RADIUS
-    found: tuple[Attempt, Stage] | None = None
+    best: tuple[Attempt, Stage] | None = None
     for share in _SIZES:
-        found = _clearest(story, moves, given, masses, usual * share) or found
-        if found is None or found[0].in_the_way is None or points:
+        best = _clearest(story, moves, given, masses, usual * share) or best
+        if best is None or best[0].in_the_way is None or points:
             break
-    if found is None:
+    if best is None:
         raise _no("no places fit to all that is told")
-    attempt, stage = found
+    attempt, stage = best
     return _possible(attempt), tuple(numbered(stage))
 
 
@@ -286,18 +286,18 @@ def _clearest(
     radius: float,
 ) -> tuple[Attempt, Stage] | None:
     """The best of several choices of lengths, for spheres of one size in the units on paper."""
-    made = flights.unknowns(story, moves, {}, {}, radius)
+    layout = flights.unknowns(story, moves, {}, {}, radius)
     fastest = max(length(v) for m in moves for v in (*m.before.values(), *m.after.values()))
     unit_length = (
         given.radius / radius if given.radius and radius else fastest * _SECONDS / _APPROACH
     )
     best: tuple[float, Attempt, Stage] | None = None
-    for factors in _factors(len(made.lengths)):
-        x = flights.solve(made, [_FLIGHT * factor for factor in factors], _SHORTEST)
+    for factors in _factors(len(layout.lengths)):
+        x = flights.solve(layout, [_FLIGHT * factor for factor in factors], _SHORTEST)
         if x is None:
             continue
-        where = {key: floats(p @ x + c) * unit_length for key, (p, c) in made.where.items()}
-        times = {number: float(row @ x) * unit_length for number, row in made.times.items()}
+        where = {key: floats(p @ x + c) * unit_length for key, (p, c) in layout.where.items()}
+        times = {number: float(row @ x) * unit_length for number, row in layout.times.items()}
         size, scale = radius * unit_length, 1 / unit_length
         stage = _in_time(Stage(story, moves, given, masses, where, times, size, scale, 0.0, 0.0))
         attempt = cleared(stage)
@@ -347,15 +347,15 @@ def _in_time(stage: Stage) -> Stage:
 
 def _asked(story: Story) -> list[float]:
     """The times of which a statement speaks, as in ``at 2``."""
-    found = []
+    asked = []
     for tree in trees(story.problem):
         for node in walk(tree):
             if isinstance(node, Quantity) and isinstance(node.stage, AtTime):
                 try:
-                    found.append(float(story.evaluator(0).scalar(node.stage.time)))
+                    asked.append(float(story.evaluator(0).scalar(node.stage.time)))
                 except (RestitutionError, ArithmeticError, LookupError, TypeError):
                     continue
-    return found
+    return asked
 
 
 def _speaks_of_places(problem: Problem) -> bool:

@@ -319,8 +319,8 @@ class _Course:
             for ball in struck:
                 self.in_a_row[ball] = self.in_a_row[ball] + 1 if touching else 0
         for ball, u, v, w in zip(struck, (u1, u2), (v1, v2), (w1, w2)):
-            made = _size(u) + _size(v) + float(w / (w1 + w2)) * _size(u1 - u2)
-            self.send(ball, v, max(made, self.speeds[ball] if faint else 0))
+            size = _size(u) + _size(v) + float(w / (w1 + w2)) * _size(u1 - u2)
+            self.send(ball, v, max(size, self.speeds[ball] if faint else 0))
         for ball in struck:
             others = set(range(self.bodies)) - {ball}
             if (first, second) not in self.inside:  # they part now, or stay together

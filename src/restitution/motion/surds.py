@@ -224,9 +224,9 @@ class Tower:
         """√x, adjoined to the tower where it does not lie in it. Raises ArithmeticError below 0."""
         if x < 0:
             raise ArithmeticError("square root of a negative number")
-        found = _root_within(x, self.roots)
-        if found is not None:
-            return abs(found)
+        within = _root_within(x, self.roots)
+        if within is not None:
+            return abs(within)
         outside, inside = _square_out(x)
         root = Root(inside, self.roots, new=True)
         if len(root.below) >= MOST_ROOTS:
@@ -265,11 +265,11 @@ def _root_within(x: Exact, roots: tuple[Root, ...]) -> Exact | None:
         return Fraction(above, below) if whole else None
     lower, top = roots[:-1], roots[-1]
     if not (isinstance(x, Surd) and x.root is top):
-        found = _root_within(x, lower)
-        if found is not None:
-            return found
-        found = _root_within(x / top.square, lower)
-        return None if found is None else _made(Fraction(0), found, top)
+        root = _root_within(x, lower)
+        if root is not None:
+            return root
+        root = _root_within(x / top.square, lower)
+        return None if root is None else _made(Fraction(0), root, top)
     n = _root_within(x.norm(), lower)
     if n is None:
         return None

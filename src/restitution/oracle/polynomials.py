@@ -643,7 +643,7 @@ def _bases(angles: set[sp.Rational]) -> list[sp.Rational]:
 
     All are given as multiples of π. So what holds between them is known to algebra.
     """
-    found: list[sp.Rational] = []
+    bases: list[sp.Rational] = []
     left = set(angles)
     while left:
         best: tuple[tuple[int, int, int], sp.Rational, set[sp.Rational]] | None = None
@@ -653,9 +653,9 @@ def _bases(angles: set[sp.Rational]) -> list[sp.Rational]:
             if best is None or order < best[0]:
                 best = order, base, set(counts)
         assert best is not None
-        found.append(best[1])
+        bases.append(best[1])
         left -= best[2]
-    return found
+    return bases
 
 
 def _count(angle: sp.Rational, base: sp.Rational) -> int | None:

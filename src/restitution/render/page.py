@@ -27,8 +27,8 @@ def _distinct(body: str) -> str:
     """The page with other ids for a picture that has stood in it before."""
     seen: Counter[str] = Counter()
 
-    def once(found: re.Match[str]) -> str:
-        picture, name = found[0], found[1]
+    def once(match: re.Match[str]) -> str:
+        picture, name = match[0], match[1]
         seen[name] += 1
         return picture if seen[name] == 1 else picture.replace(name, f"{name}n{seen[name]}")
 

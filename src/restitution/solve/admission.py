@@ -100,10 +100,10 @@ class Admission:
         goes another way than it was told.
         """
         every, program = self._program
-        found = program.near_signs(point)
+        near = program.near_signs(point)
         for n, own in self._constants.items():
-            found[n] = own
-        signs = dict(zip(every, found, strict=False))
+            near[n] = own
+        signs = dict(zip(every, near, strict=False))
         if not all(holds_with(each, signs) for each in self.assumed):
             raise LookupError("another telling")
         for demand in self.demands:
@@ -112,7 +112,7 @@ class Admission:
                 raise UndefinedError(demand.reason)
             if not holds:
                 return demand.reason, demand.kind
-        for sign in found[len(every) :]:
+        for sign in near[len(every) :]:
             if sign is None:
                 raise UndefinedError("an equation")
             if sign:

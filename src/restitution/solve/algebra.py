@@ -83,7 +83,7 @@ class Known:
 
 def _positive(roles: Mapping[str, Role], unknowns: frozenset[sp.Symbol]) -> frozenset[sp.Expr]:
     """The sines and cosines of data that are positive, by the ranges of the angles."""
-    found: set[sp.Expr] = set()
+    positive: set[sp.Expr] = set()
     names = {x.name for x in unknowns}
     for name, role in roles.items():
         if role.kind != "angle" or name in names or role.low is None or role.high is None:
@@ -92,8 +92,8 @@ def _positive(roles: Mapping[str, Role], unknowns: frozenset[sp.Symbol]) -> froz
             above = role.low > low or (role.low == low and not role.closed[0])
             below = role.high < high or (role.high == high and not role.closed[1])
             if bool(above) and bool(below):
-                found.add(function(role.symbol(name)))
-    return frozenset(found)
+                positive.add(function(role.symbol(name)))
+    return frozenset(positive)
 
 
 def solve_system(
@@ -180,7 +180,7 @@ def _solved(
     solutions: list[Found] = []
     for assignment, rest in _reduce(polynomials, order, {}, known):
         values: dict[str, sp.Expr] = {}
-        found_angles: dict[str, tuple[sp.Expr, sp.Expr]] = {}
+        known_angles: dict[str, tuple[sp.Expr, sp.Expr]] = {}
         for symbol in sought:
             if symbol in tangents:
                 t = assignment.get(tangents[symbol])
@@ -188,7 +188,7 @@ def _solved(
                     continue
                 values[symbol.name] = sp.atan(t)
                 size = sp.sqrt(neat(1 + t**2))
-                found_angles[symbol.name] = (1 / size, t / size)
+                known_angles[symbol.name] = (1 / size, t / size)
             elif symbol in pairs:
                 c, s = (assignment.get(x) for x in pairs[symbol])
                 if c is None or s is None:
@@ -196,7 +196,7 @@ def _solved(
                 q = scale[symbol]
                 values[symbol.name] = _within(q * _angle_of(c, s), roles[symbol.name])
                 if q == 1:
-                    found_angles[symbol.name] = (c, s)
+                    known_angles[symbol.name] = (c, s)
             elif symbol in assignment:
                 values[symbol.name] = assignment[symbol]
         # What stays free is spoken of as the angle, not as its tangent.
@@ -204,10 +204,10 @@ def _solved(
         for symbol, (c, s) in pairs.items():
             names |= {c: sp.cos(symbol / scale[symbol]), s: sp.sin(symbol / scale[symbol])}
         values = {name: value.xreplace(names) for name, value in values.items()}
-        found_angles = {
-            name: (c.xreplace(names), s.xreplace(names)) for name, (c, s) in found_angles.items()
+        known_angles = {
+            name: (c.xreplace(names), s.xreplace(names)) for name, (c, s) in known_angles.items()
         }
-        solution = Found(values, found_angles, tuple(rest))
+        solution = Found(values, known_angles, tuple(rest))
         if solution not in solutions:  # two factors may have a root in common
             solutions.append(solution)
     return tuple(solutions)
@@ -326,20 +326,20 @@ def _rational(x: sp.Expr, unknowns: set[sp.Symbol], depth: int = 6) -> list[sp.E
         else:
             even += coefficient * square ** (power // 2)
     if odd == 0:
-        made = [even]
+        rational = [even]
     elif even == 0:
-        made = [odd, square]
+        rational = [odd, square]
     elif isinstance(chosen, sp.Abs):
         inside = chosen.args[0]
-        made = [even - odd * inside, even + odd * inside]
-        whole = numerator(sp.Mul(*made))
-        conjugate = _hasrational_below(made[0]) and not _hasrational_below(whole)
+        rational = [even - odd * inside, even + odd * inside]
+        whole = numerator(sp.Mul(*rational))
+        conjugate = _hasrational_below(rational[0]) and not _hasrational_below(whole)
         if conjugate and not has_cosines(whole):
-            made = [whole]  # conjugates of each other, which are solved as one
+            rational = [whole]  # conjugates of each other, which are solved as one
     else:
         afford(sp.count_ops(even) ** 2 + sp.count_ops(odd) ** 2 * sp.count_ops(square))
-        made = [even**2 - odd**2 * square]
-    return [part for each in made for part in _rational(each, unknowns, depth - 1)]
+        rational = [even**2 - odd**2 * square]
+    return [part for each in rational for part in _rational(each, unknowns, depth - 1)]
 
 
 def _hasrational_below(x: sp.Expr) -> bool:
@@ -379,7 +379,7 @@ def _by_tangent_of_sum(x: sp.Expr, c: sp.Symbol, s: sp.Symbol, t: sp.Symbol) -> 
 def _reduce(
     equations: list[sp.Expr],
     unknowns: list[sp.Symbol],
-    found: Assignment,
+    assignment: Assignment,
     known: Known,
 ) -> list[tuple[Assignment, list[sp.Expr]]]:
     """Branches of (assignment, equations left over)."""
@@ -397,7 +397,7 @@ def _reduce(
             results = []
             for factor in parts:
                 others = simple + rest + equations[index + 1 :]
-                results += _reduce([factor, *others], unknowns, found, known)
+                results += _reduce([factor, *others], unknowns, assignment, known)
                 if len(results) > MOST_BRANCHES:
                     raise UnsupportedError("too many cases to distinguish")
             return results
@@ -410,34 +410,34 @@ def _reduce(
         else:
             return []
     if not simple:
-        return [(found, rest)]
+        return [(assignment, rest)]
     pivot = _pivot(simple, unknowns, known)
     kind, equation, x = pivot
     others = [each for each in simple if each is not equation] + rest
     left = [u for u in unknowns if u != x]
     if kind == "roots":
-        return _by_roots(equation, x, others, left, found, known)
+        return _by_roots(equation, x, others, left, assignment, known)
     if kind == "linear":
         a, b = _linear(equation, x)
-        return _substitute(x, neat(-b / a), others, left, found, known)
+        return _substitute(x, neat(-b / a), others, left, assignment, known)
     if kind == "linear?":
         a, b = _linear(equation, x)
-        results = _substitute(x, neat(-b / a), others, left, found, known)
+        results = _substitute(x, neat(-b / a), others, left, assignment, known)
         results = [(values, more) for values, more in results if not _lost(a, values, known)]
         if not known.nonzero(a):
-            results += _reduce([a, b, *others], unknowns, found, known)
+            results += _reduce([a, b, *others], unknowns, assignment, known)
         return results
     if kind == "square":
         a, _, b = coefficients(equation, x)
         square = neat(-b / a)
         mapped = [numerator(_even(each, x, square)) for each in others]
         results = []
-        for values, more in _reduce(mapped, left, found, known):
+        for values, more in _reduce(mapped, left, assignment, known):
             value = neat(square.xreplace(values))
             for candidate in _square_roots(value, x):
                 results.append(({**values, x: candidate}, more))
         return results
-    return _by_resultant(equation, x, others, left, found, known)
+    return _by_resultant(equation, x, others, left, assignment, known)
 
 
 def _lost(a: sp.Expr, values: Assignment, known: Known) -> bool:
@@ -477,7 +477,7 @@ def _substitute(
     value: sp.Expr,
     others: list[sp.Expr],
     left: list[sp.Symbol],
-    found: Assignment,
+    assignment: Assignment,
     known: Known,
 ) -> list[tuple[Assignment, list[sp.Expr]]]:
     if value.is_number and not _admissible(value, x):
@@ -485,7 +485,7 @@ def _substitute(
     put = {x: value}
     mapped = [numerator(each.xreplace(put)) if each.has(x) else each for each in others]
     results = []
-    for values, rest in _reduce(mapped, left, found, known):
+    for values, rest in _reduce(mapped, left, assignment, known):
         own = value.xreplace(values) if value.free_symbols else value
         if own.has(sp.zoo, sp.nan, sp.oo):
             continue
@@ -633,12 +633,12 @@ def _by_roots(
     x: sp.Symbol,
     others: list[sp.Expr],
     left: list[sp.Symbol],
-    found: Assignment,
+    assignment: Assignment,
     known: Known,
 ) -> list[tuple[Assignment, list[sp.Expr]]]:
     results = []
     for value in roots(equation, x):
-        results += _substitute(x, value, others, left, found, known)
+        results += _substitute(x, value, others, left, assignment, known)
     return results
 
 
@@ -647,7 +647,7 @@ def _by_resultant(
     x: sp.Symbol,
     others: list[sp.Expr],
     left: list[sp.Symbol],
-    found: Assignment,
+    assignment: Assignment,
     known: Known,
 ) -> list[tuple[Assignment, list[sp.Expr]]]:
     with_x = [each for each in others if each.has(x)]
@@ -655,7 +655,7 @@ def _by_resultant(
     if not with_x:
         # The only equation that holds x: the rest is solved first, then x from it.
         results = []
-        for values, rest in _reduce(without, left, found, known):
+        for values, rest in _reduce(without, left, assignment, known):
             reduced = numerator(equation.xreplace(values))
             for value in roots(reduced, x):
                 results.append(({**values, x: neat(value)}, rest))
@@ -666,7 +666,7 @@ def _by_resultant(
             raise UnsupportedError("equations with a common part")
         without.append(r)
     results = []
-    for values, rest in _reduce(without, left, found, known):
+    for values, rest in _reduce(without, left, assignment, known):
         candidates = [numerator(each.xreplace(values)) for each in (equation, *with_x)]
         candidates = [each for each in candidates if each.has(x)] or candidates
         simplest = min(candidates, key=lambda e: degree(e, x) if e.has(x) else 99)
@@ -693,10 +693,10 @@ def roots(equation: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
         a, b = parts
         return _in_degrees(equation, x, [_tidy_root(-b / a)])
     equation = gathered(equation)
-    found: list[sp.Expr] = []
+    values: list[sp.Expr] = []
     for factor in _factors_of(equation, x):
-        found += [each for each in _roots_of(factor, x) if each not in found]
-    return _in_degrees(equation, x, found)
+        values += [each for each in _roots_of(factor, x) if each not in values]
+    return _in_degrees(equation, x, values)
 
 
 def _in_degrees(equation: sp.Expr, x: sp.Symbol, values: list[sp.Expr]) -> list[sp.Expr]:
@@ -705,7 +705,7 @@ def _in_degrees(equation: sp.Expr, x: sp.Symbol, values: list[sp.Expr]) -> list[
         return values
     parts = coefficients(equation, x)
     numbers = [float(at(value, {}).fraction) for value in values]
-    found = list(values)
+    in_degrees = list(values)
     for number in numbers:
         angle = sp.Rational(round(2 * math.degrees(math.atan(number))), 360) * sp.pi
         c, s = sp.cos(angle), sp.sin(angle)
@@ -714,8 +714,8 @@ def _in_degrees(equation: sp.Expr, x: sp.Symbol, values: list[sp.Expr]) -> list[
         if gathered(sp.expand(total)) == 0:
             # It is a root: that which is nearest to it.
             gaps = [abs(other - math.tan(float(angle))) for other in numbers]
-            found[gaps.index(min(gaps))] = sp.tan(angle)
-    return found
+            in_degrees[gaps.index(min(gaps))] = sp.tan(angle)
+    return in_degrees
 
 
 def _factors_of(equation: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
@@ -737,13 +737,13 @@ def _roots_of(equation: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
         return _quadratic(*parts)
     if top == 4 and parts[1] == 0 and parts[3] == 0:
         squares = _quadratic(parts[0], parts[2], parts[4])
-        found = []
+        values = []
         for square in squares:
             if definite(square) < 0:
                 continue
             size = _sqrt(square)
-            found += [size, -size] if size != 0 else [size]
-        return found
+            values += [size, -size] if size != 0 else [size]
+        return values
     if equation.free_symbols != {x}:
         if any(each != 0 for each in parts[1:-1]):
             raise UnsupportedError(
@@ -753,11 +753,11 @@ def _roots_of(equation: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
     lone = without_cosines(equation, x) if has_cosines(equation) else None
     rational = norm(equation if lone is None else lone, x)
     afford(isolating(rational, x))
-    found = []
+    values = []
     for value, _ in sp.Poly(rational, x, domain="QQ").real_roots(multiple=False):
         if degree(rational, x) == top or (_may_be_root(parts, value) and _is_root(parts, value)):
-            found.append(value)
-    return found
+            values.append(value)
+    return values
 
 
 def _of_binomial(a: sp.Expr, b: sp.Expr, power: int) -> list[sp.Expr]:

@@ -85,11 +85,11 @@ def cases(region: Family) -> list[Case]:
         borders = _borders(region, finite, name)
         if 0 < len(borders) <= MOST_BORDERS:
             try:
-                found = _along(region, name, borders)
+                cases_ = _along(region, name, borders)
             except (RestitutionError, BeyondError, UndefinedError):
                 continue
-            if found:
-                return found
+            if cases_:
+                return cases_
     return []
 
 
@@ -97,11 +97,11 @@ def _borders(region: Family, ends: Sequence[sp.Expr], name: str) -> list[sp.Expr
     """Where ends meet or cease to have a value, as values of one letter."""
     symbol = region.roles[name].symbol(name)
     changing = [a - b for a, b in combinations(ends, 2)] + list(ends)
-    found: list[sp.Expr] = []
+    borders: list[sp.Expr] = []
     for each in dict.fromkeys(part for x in changing for part in deciding(x)):
         if each.has(symbol):
-            found += [x for x in zeros([each], [symbol], region.roles, name) if x not in found]
-    return found
+            borders += [x for x in zeros([each], [symbol], region.roles, name) if x not in borders]
+    return borders
 
 
 def _along(region: Family, name: str, borders: Sequence[sp.Expr]) -> list[Case]:
@@ -109,7 +109,7 @@ def _along(region: Family, name: str, borders: Sequence[sp.Expr]) -> list[Case]:
     drawn, order = _ordered(region, name, borders)
     role = region.roles[name]
     cells = _merged(list(_cells(region, name, role, order, drawn)), drawn, name)
-    found: list[Case] = []
+    cases_: list[Case] = []
     for where, pieces in cells:
         inside = inside_of(role.symbol(name), [where])
         if pieces:
@@ -117,10 +117,10 @@ def _along(region: Family, name: str, borders: Sequence[sp.Expr]) -> list[Case]:
             if verdict.answer != "proved":
                 return []
             plain = tuple(_without_bars(region, inside, piece) for piece in pieces)
-            found.append(Case(name, where, plain, verdict.proof))
+            cases_.append(Case(name, where, plain, verdict.proof))
         elif not _empty(region, inside):
             return []
-    return found
+    return cases_
 
 
 def _without_bars(region: Family, inside: Formula, piece: Piece) -> Piece:
@@ -201,21 +201,21 @@ def _between(low: End, high: End, drawn: Sample) -> Any:
 
 def _merged(cells: list[Cell], drawn: Sample, name: str) -> list[Cell]:
     """The cells, neighbours of one form as one."""
-    found: list[Cell] = []
+    merged: list[Cell] = []
     for where, pieces in cells:
-        if found:
-            (low, high), known = found[-1]
+        if merged:
+            (low, high), known = merged[-1]
             place = None if high.value.is_infinite else {**drawn, name: at(high.value, drawn)}
             point = where[0].value == where[1].value
             if pieces == known or (point and place and _same(known, pieces, place)):
-                found[-1] = ((low, where[1]), known)
+                merged[-1] = ((low, where[1]), known)
                 continue
             was_point = low.value == high.value
             if was_point and place and _same(pieces, known, place):
-                found[-1] = ((low, where[1]), pieces)
+                merged[-1] = ((low, where[1]), pieces)
                 continue
-        found.append((where, pieces))
-    return found
+        merged.append((where, pieces))
+    return merged
 
 
 def _same(form: Sequence[Piece], pieces: Sequence[Piece], drawn: Sample) -> bool:

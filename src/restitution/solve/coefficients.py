@@ -49,7 +49,7 @@ class Impossible:
 
 def impossible_coefficients(branch: Branch) -> list[Impossible]:
     """The coefficients outside [0, 1], in the order of the impacts."""
-    found = []
+    impossible = []
     for told, exactly in zip(branch.numbers.happenings, branch.story.happenings, strict=True):
         beyond = outside(told) or _outside_by_little(told, exactly)
         if beyond and isinstance(told.step, Impact):
@@ -59,10 +59,10 @@ def impossible_coefficients(branch: Branch) -> list[Impossible]:
             else:
                 shown = to_text(display(exact.tidy(exactly.e)))
             name = to_text(display(sp.Symbol(e.name))) if isinstance(e, Letter) else "e"
-            found.append(
+            impossible.append(
                 Impossible(f"{name} = {shown}", told.number, told.step, made_of(told.step))
             )
-    return found
+    return impossible
 
 
 def outside(told: Happening) -> bool:

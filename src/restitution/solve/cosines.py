@@ -50,13 +50,13 @@ def gathered(x: sp.Expr) -> sp.Expr:
         terms = terms_in(x, letters) if letters else {(): sp.expand(x)}
     except (sp.PolynomialError, TooLargeError):
         return x
-    found = sp.Add(
+    total = sp.Add(
         *[
             _shorter(c) * sp.Mul(*[g**p for g, p in zip(letters, m, strict=True)])
             for m, c in terms.items()
         ]
     )
-    return found if sp.count_ops(found) < sp.count_ops(x) else x
+    return total if sp.count_ops(total) < sp.count_ops(x) else x
 
 
 def without_cosines(x: sp.Expr, symbol: sp.Symbol) -> sp.Expr | None:
@@ -206,13 +206,13 @@ class _Circle:
 
     def _folded(self, terms: Iterable[tuple[int, Fraction]]) -> _Sum:
         """By cosines of at most a right angle."""
-        found: _Sum = {}
+        folded: _Sum = {}
         for k, c in terms:
             k = min(k % self.order, -k % self.order)
             if 4 * k > self.order:
                 k, c = self.order // 2 - k, -c
-            found[k] = found.get(k, Fraction(0)) + c
-        return {k: c for k, c in found.items() if c and 4 * k != self.order}
+            folded[k] = folded.get(k, Fraction(0)) + c
+        return {k: c for k, c in folded.items() if c and 4 * k != self.order}
 
     def _reduced(self, total: _Sum, size: int) -> _Sum:
         """By the cosines of the first multiples of the least angle, which are independent."""
@@ -228,8 +228,8 @@ class _Circle:
                     left[n - top + m] -= left[n] * part
                 left[n] = _NOTHING
         halves = left[size - 1 : 2 * size - 1]
-        found = {k: c * (1 if k == 0 else 2) for k, c in enumerate(halves) if c}
-        return self._folded(found.items())
+        reduced = {k: c * (1 if k == 0 else 2) for k, c in enumerate(halves) if c}
+        return self._folded(reduced.items())
 
     def _expression(self, total: _Sum) -> sp.Expr:
         return sp.Add(

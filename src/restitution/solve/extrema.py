@@ -59,16 +59,16 @@ def find_extremum(
     angles = {n for n, role in setting.roles.items() if role.kind == "angle"}
     angle = is_angle(item.expression, angles, walls)
     sign = 1 if item.kind == "maximum" else -1
-    found: list[tuple[Trial, tuple[Candidate, bool, Any, Sample]]] = []
+    candidates: list[tuple[Trial, tuple[Candidate, bool, Any, Sample]]] = []
     values: dict[int, sp.Expr] = {}
     for trial, value in _images(outcome, item.expression, now, f"the {item.kind}"):
         values[id(trial)] = value
         best = _best(replace(outcome, trials=(trial,)), value, name, sign)
         if best is not None:
-            found.append((trial, best))
-    if not found:
+            candidates.append((trial, best))
+    if not candidates:
         raise ContradictionError("no values satisfy all that is told")
-    trial, (candidate, reached, _, _) = max(found, key=lambda each: sign * each[1][2])
+    trial, (candidate, reached, _, _) = max(candidates, key=lambda each: sign * each[1][2])
     if candidate.value.is_infinite:
         grows = "grows" if candidate.value == sp.oo else "falls"
         raise ImpossibleError(f"it has no {item.kind}: it {grows} without bound")

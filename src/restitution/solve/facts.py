@@ -41,10 +41,10 @@ def requirements(
 
     Raises ImpossibleError where it clashes with a story that is impossible by itself.
     """
-    found = _requirements(relation, story, now, place)
-    if story.fault is not None and any(_never(each) for each in found):
+    requirements_ = _requirements(relation, story, now, place)
+    if story.fault is not None and any(_never(each) for each in requirements_):
         raise story.fault
-    return found
+    return requirements_
 
 
 def _never(each: Requirement) -> bool:
@@ -88,15 +88,15 @@ def _sphere(story: Story, name: Name) -> str:
 def _compare(relation: Compare, story: Story, now: int, place: Place | None) -> list[Requirement]:
     evaluator = story.evaluator(now)
     values = [evaluator.value(tree) for tree in relation.operands]
-    found: list[Requirement] = []
+    requirements_: list[Requirement] = []
     sizes = [_measured(*each) for each in zip(relation.operands, values, strict=True)]
     for n, op in enumerate(relation.operators):
         left, right = (values if op == "=" else sizes)[n : n + 2]
         if op == "=":
-            found.extend(equal(story, left, right, place))
+            requirements_.extend(equal(story, left, right, place))
         else:
-            found.append(_ordered(story, left, op, right))
-    return found
+            requirements_.append(_ordered(story, left, op, right))
+    return requirements_
 
 
 def _measured(tree: Expression, value: Value) -> Value:
@@ -181,12 +181,12 @@ def _aligned(relation: Aligned, story: Story, now: int, place: Place | None) -> 
         for each in (a, b):
             if story.still(each):
                 raise ImpossibleError("a body at rest has no direction of motion")
-    found: list[Requirement] = [Equation(cross, why, place, True)]
+    requirements_: list[Requirement] = [Equation(cross, why, place, True)]
     if relation.relation == "in the direction of":
-        found.append(Condition(dot, ">", "the directions would be opposite", "fact"))
+        requirements_.append(Condition(dot, ">", "the directions would be opposite", "fact"))
     elif relation.relation == "opposite to":
-        found.append(Condition(-dot, ">", "the directions would be the same", "fact"))
-    return found
+        requirements_.append(Condition(-dot, ">", "the directions would be the same", "fact"))
+    return requirements_
 
 
 def _meets(relation: Meets, story: Story, now: int) -> list[Requirement]:

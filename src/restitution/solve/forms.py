@@ -67,7 +67,7 @@ def open_in(value: Any, samples: Samples) -> list[str]:
         (s for s in set().union(*(x.free_symbols for x in sides)) if s.name.startswith("_")),
         key=lambda s: s.name,
     )
-    found = []
+    angles = []
     for symbol in present:
         other = sp.Symbol(f"{symbol.name}_besides", real=True)
         there = [each.xreplace({symbol: other}) for each in sides]
@@ -81,9 +81,9 @@ def open_in(value: Any, samples: Samples) -> list[str]:
                 continue
             moved = {**point, other.name: here + (abs(here) or 1) / 1024}
             if any(sign_at(each, [moved]) for each in differences):
-                found.append(symbol.name)
+                angles.append(symbol.name)
                 break
-    return found
+    return angles
 
 
 def plain(value: Any, samples: Samples) -> Any:
@@ -194,9 +194,9 @@ def angle(value: Angle, samples: Samples) -> sp.Expr:
         return sy * sp.pi - sy * _arc(sy * y, -x, 1)
     if sy is not None:
         # Beyond a right angle or not: the complement is right for both.
-        found = sy * sp.pi / 2 - sy * _arc(x, sy * y, None)
+        result = sy * sp.pi / 2 - sy * _arc(x, sy * y, None)
         others = _turned(x, y, samples) if sy == 1 else ()
-        return min((found, *others), key=exact.cost)
+        return min((result, *others), key=exact.cost)
     return sp.atan2(tidy(y), tidy(x))
 
 
@@ -206,9 +206,9 @@ def _arc(y: sp.Expr, x: sp.Expr, sy: int | None) -> sp.Expr:
     if _has_root(tangent):
         size = sp.sqrt(tidy(x**2 + y**2))
         for function, side in ((sp.asin, y), (sp.acos, x)):
-            found = tidy(side / size)
-            if not _has_root(found) and (function is sp.asin or sy == 1):
-                return exact.tidy_angle(function(found))
+            ratio = tidy(side / size)
+            if not _has_root(ratio) and (function is sp.asin or sy == 1):
+                return exact.tidy_angle(function(ratio))
     return exact.tidy_angle(sp.atan(tangent))
 
 
@@ -233,8 +233,8 @@ def _turned(x: sp.Expr, y: sp.Expr, samples: Samples) -> Iterator[sp.Expr]:
 
 
 def _angles_in(x: sp.Expr) -> list[sp.Symbol]:
-    found = {each.args[0] for each in x.atoms(sp.sin, sp.cos, sp.tan) if each.args[0].is_Symbol}
-    return sorted(found, key=lambda letter: letter.name)
+    angles = {each.args[0] for each in x.atoms(sp.sin, sp.cos, sp.tan) if each.args[0].is_Symbol}
+    return sorted(angles, key=lambda letter: letter.name)
 
 
 def _sum_of_letters(x: sp.Expr, y: sp.Expr, samples: Samples) -> sp.Expr | None:
@@ -251,10 +251,10 @@ def _sum_of_letters(x: sp.Expr, y: sp.Expr, samples: Samples) -> sp.Expr | None:
             continue
         own = [values[each.name] for each in angles]
         if chosen is None:
-            found = _whole_numbers(whole, own)
-            if found is None:
+            combination = _whole_numbers(whole, own)
+            if combination is None:
                 return None
-            chosen, twelfths = found
+            chosen, twelfths = combination
         rest = whole - sum(n * each for n, each in zip(chosen, own, strict=True))
         if (rest - twelfths * FIELD.pi / 12).sign:
             return None
@@ -286,7 +286,7 @@ def along_and_across(value: Vector, line: Vector, samples: Samples) -> sp.Expr:
     # √6 − √2 e as √2 (√3 − e): the root goes outside.
     scale, parts = min(
         ((s, [tidy(each * sp.sqrt(s)) for each in parts]) for s in (1, 2, 3)),
-        key=lambda found: sum(exact.cost(each) for each in found[1]),
+        key=lambda pair: sum(exact.cost(each) for each in pair[1]),
     )
     return plain(root((parts[0] ** 2 + parts[1] ** 2) / scale), samples)
 

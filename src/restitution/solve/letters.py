@@ -87,7 +87,7 @@ def _roles(problem: Problem) -> dict[str, Role]:
     measured = _measured(problem)
     # What a letter is let be is measured, whatever is asked of it.
     used -= {step.letter for _, step in problem.steps() if isinstance(step, Let)} & measured.keys()
-    found: dict[str, Role] = {}
+    roles: dict[str, Role] = {}
     for name in sorted(names):
         if name in coefficients:
             role = COEFFICIENT
@@ -99,8 +99,8 @@ def _roles(problem: Problem) -> dict[str, Role]:
             role = measured[name]
         else:
             role = POSITIVE
-        found[name] = role
-    return {name: _narrowed(role, name, problem) for name, role in found.items()}
+        roles[name] = role
+    return {name: _narrowed(role, name, problem) for name, role in roles.items()}
 
 
 def is_vector(tree: Expression, walls: frozenset[str] = frozenset()) -> bool:
@@ -232,14 +232,14 @@ def _linear_letters(tree: Expression) -> set[str]:
 
 
 def _coefficients(problem: Problem) -> set[str]:
-    found = set()
+    names = set()
     for _, step in problem.steps():
         if isinstance(step, Impact):
             if step.e is None:
-                found.add("e")
+                names.add("e")
             elif isinstance(step.e, Letter):
-                found.add(step.e.name)
-    return found
+                names.add(step.e.name)
+    return names
 
 
 def _components(problem: Problem) -> tuple[set[str], set[str]]:
@@ -314,7 +314,7 @@ def _lone(tree: Expression) -> bool:
 
 def _measured(problem: Problem) -> dict[str, Role]:
     """Letters that name a quantity have that quantity's range."""
-    found: dict[str, Role] = {}
+    roles: dict[str, Role] = {}
     walls = frozenset(wall.name for wall in problem.walls)
 
     def name_it(letter: str, tree: Expression) -> None:
@@ -337,9 +337,9 @@ def _measured(problem: Problem) -> dict[str, Role]:
             role = Role("angle", sp.Integer(0), sp.pi / 2, (True, True)) if sharp else TO_180
         else:
             role = POSITIVE
-        old = found.get(letter)
+        old = roles.get(letter)
         if old is None or (old is REAL and role is not REAL):
-            found[letter] = role
+            roles[letter] = role
 
     for _, step in problem.steps():
         if isinstance(step, Let):
@@ -350,7 +350,7 @@ def _measured(problem: Problem) -> dict[str, Role]:
                     if isinstance(one, Letter):
                         for other in relation.operands:
                             name_it(one.name, other)
-    return found
+    return roles
 
 
 def _narrowed(role: Role, name: str, problem: Problem) -> Role:

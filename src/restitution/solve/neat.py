@@ -61,8 +61,8 @@ def _reduced(x: sp.Expr) -> sp.Expr:
         above, below = (without_cos_squared(each, angle) for each in (above, below))
     if below == 0:
         return x
-    found = reduced(above / below)
-    return found if sp.count_ops(found) < sp.count_ops(x) else x
+    form = reduced(above / below)
+    return form if sp.count_ops(form) < sp.count_ops(x) else x
 
 
 def pythagoras(x: sp.Expr) -> sp.Expr:

@@ -129,19 +129,19 @@ def sample(
 def sign_at(x: Any, samples: Iterable[Mapping[str, Any]]) -> int | None:
     """The sign of an expression if it is the same at all points where it has one, else None."""
     x = sp.sympify(x, strict=True)
-    found: int | None = None
+    common: int | None = None
     for values in samples:
         try:
             sign = at(x, values).sign
         except UndefinedError:
             continue
-        if found is None:
-            found = sign
-        elif found != sign:
+        if common is None:
+            common = sign
+        elif common != sign:
             return None
         if x.is_number:
             break
-    return found
+    return common
 
 
 def vanishes(x: sp.Expr, roles: Mapping[str, Role], seed: int = 1) -> bool:

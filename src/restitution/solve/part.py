@@ -253,14 +253,14 @@ class Setting:
 
     def requirements(self, story: Story) -> list[Equation | Condition | AnyOf]:
         """What the facts and the names in force ask for, in this telling."""
-        found: list[Equation | Condition | AnyOf] = []
+        requirements_: list[Equation | Condition | AnyOf] = []
         for given, now in self.facts:
             for relation in given.relations:
-                found += requirements(relation, story, now, given.place)
+                requirements_ += requirements(relation, story, now, given.place)
         for let, now in self.named:
             relation = Compare((Letter(let.letter), let.expression), ("=",))
-            found += requirements(relation, story, now, let.place)
-        return found
+            requirements_ += requirements(relation, story, now, let.place)
+        return requirements_
 
     # --- checking --------------------------------------------------------------------------
 
@@ -303,7 +303,7 @@ class Setting:
 
     def admission(
         self,
-        found: Found,
+        assignment: Found,
         letters_: Letters,
         told: Letters,
         story: Story,
@@ -321,13 +321,13 @@ class Setting:
             return None
         demands, equations = demands_for([*story.conditions, *story.equations, *needs])
         known = {**letters_.all_roles(), **told.all_roles()}
-        own = demands_of(found.values, found.angles, known, letters_.phrases)
+        own = demands_of(assignment.values, assignment.angles, known, letters_.phrases)
         assumed = tuple(dict.fromkeys(told.assumed))
         return Admission(known, (*own, *demands), tuple(equations), assumed)
 
     def try_out(
         self,
-        found: Found,
+        assignment: Found,
         letters_: Letters,
         open_story: Story | None = None,
         wanted: Sequence[Equation | Condition | AnyOf] | None = None,
@@ -337,11 +337,11 @@ class Setting:
         ``open_story`` is the story told with ``letters_``, ``wanted`` its requirements: nothing
         new is told where no values have been added to those of the letters.
         """
-        long = any(sp.count_ops(each) > UNWIELDY for each in found.values.values())
-        if long or by_nested_roots(found.values):
-            return self._tried(found, letters_)
-        told = Letters(self.roles, found.values, found.angles)
-        alike = letters_.values == found.values and letters_.angles == found.angles
+        long = any(sp.count_ops(each) > UNWIELDY for each in assignment.values.values())
+        if long or by_nested_roots(assignment.values):
+            return self._tried(assignment, letters_)
+        told = Letters(self.roles, assignment.values, assignment.angles)
+        alike = letters_.values == assignment.values and letters_.angles == assignment.angles
         if open_story is not None and alike and letters_.sought is None:
             told, story = letters_, open_story
         else:
@@ -349,24 +349,24 @@ class Setting:
             try:
                 story = self.tell(told)
             except ImpossibleError as error:
-                return Trial(found, (), error.message, "place")
+                return Trial(assignment, (), error.message, "place")
         try:
-            admission = self.admission(found, letters_, told, story, wanted)
+            admission = self.admission(assignment, letters_, told, story, wanted)
         except ImpossibleError as error:
-            return Trial(found, (), error.message, "equation")
+            return Trial(assignment, (), error.message, "equation")
         except BeyondError:
-            return self._tried(found, letters_)
+            return self._tried(assignment, letters_)
         if admission is None:
-            return self._tried(found, letters_)
-        return self._admitted(found, letters_, admission, story)
+            return self._tried(assignment, letters_)
+        return self._admitted(assignment, letters_, admission, story)
 
     def _admitted(
-        self, found: Found, letters_: Letters, admission: Admission, story: Story
+        self, assignment: Found, letters_: Letters, admission: Admission, story: Story
     ) -> Trial:
         known = admission.roles
         if any(role.kind == "restitution" and _is_empty(role) for role in known.values()):
-            return Trial(found, (), COEFFICIENT_RULE, "coefficient", admission)
-        free = sorted((set(self.roles) | set(known)) - set(found.values) - set(self.lets))
+            return Trial(assignment, (), COEFFICIENT_RULE, "coefficient", admission)
+        free = sorted((set(self.roles) | set(known)) - set(assignment.values) - set(self.lets))
         reasons: Counter[tuple[str, str]] = Counter()
         accepted: list[Sample] = []
         stories: list[Story] = []
@@ -376,7 +376,7 @@ class Setting:
             if not attempt:  # a working is written at the first: where signs are as they look
                 values = {n: x if x.sign >= 0 else -x for n, x in values.items()}
             numbers = stories[0] if stories else None
-            trial = Trial(found, (), None, None, admission, story, None, numbers)
+            trial = Trial(assignment, (), None, None, admission, story, None, numbers)
             reason = self._objection(trial, values, stories)
             if reason is None:
                 accepted.append(values)
@@ -385,14 +385,14 @@ class Setting:
             else:
                 reasons[reason] += 1
         if not accepted:
-            pinned = self._pinned(found, letters_, admission, free)
+            pinned = self._pinned(assignment, letters_, admission, free)
             if pinned is not None:
                 return pinned
             possible = admission.oracle.possible
             if possible.answer == "proved" and possible.witness is not None:
                 values = sample(free, known, rng)
                 values |= {name: number_of(each) for name, each in possible.witness.items()}
-                trial = Trial(found, (), None, None, admission, story)
+                trial = Trial(assignment, (), None, None, admission, story)
                 reason = self._objection(trial, values, stories, possible.witness)
                 if reason is None:
                     accepted.append(values)
@@ -400,15 +400,17 @@ class Setting:
                     reasons[reason] += 1
         if accepted:
             rare = reasons.most_common(1)[0][0] if len(accepted) == 1 and free else None
-            return Trial(found, tuple(accepted), None, None, admission, story, rare, stories[0])
+            return Trial(
+                assignment, tuple(accepted), None, None, admission, story, rare, stories[0]
+            )
         (reason_, kind), _ = reasons.most_common(1)[0]
         refusal = None if kind == "equation" else admission.refusal()
         if refusal is not None:
-            return Trial(found, (), refusal.reason, refusal.kind, admission)
-        return Trial(found, (), reason_, kind, admission)
+            return Trial(assignment, (), refusal.reason, refusal.kind, admission)
+        return Trial(assignment, (), reason_, kind, admission)
 
     def _pinned(
-        self, found: Found, letters_: Letters, admission: Admission, free: Sequence[str]
+        self, assignment: Found, letters_: Letters, admission: Admission, free: Sequence[str]
     ) -> Trial | None:
         """The solution in which letters that are sought have the one value that is possible.
 
@@ -429,9 +431,11 @@ class Setting:
         if not pinned:
             return None
         put = {admission.roles[name].symbol(name): value for name, value in pinned.items()}
-        values = {name: value.xreplace(put) for name, value in found.values.items()}
-        angles = {name: (c.xreplace(put), s.xreplace(put)) for name, (c, s) in found.angles.items()}
-        return self.try_out(Found({**values, **pinned}, angles, found.leftover), letters_)
+        values = {name: value.xreplace(put) for name, value in assignment.values.items()}
+        angles = {
+            name: (c.xreplace(put), s.xreplace(put)) for name, (c, s) in assignment.angles.items()
+        }
+        return self.try_out(Found({**values, **pinned}, angles, assignment.leftover), letters_)
 
     def _objection(
         self, trial: Trial, values: Sample, stories: list[Story], point: Point | None = None
@@ -441,7 +445,7 @@ class Setting:
         ``point`` has the exact values of some of them. The story told with them is added to
         ``stories``, where it takes one to see that they are possible.
         """
-        found, suffices = trial.found, trial.formulas_suffice and self.sought is None
+        assignment, suffices = trial.found, trial.formulas_suffice and self.sought is None
         try:
             if trial.admission is not None:
                 try:
@@ -450,11 +454,11 @@ class Setting:
                         return reason
                 except LookupError:
                     suffices = False
-            for name, value in found.values.items():
+            for name, value in assignment.values.items():
                 values[name] = at(value, values)
             if suffices:
                 return None
-            solved = [name for name in found.values if not name.startswith("_")]
+            solved = [name for name in assignment.values if not name.startswith("_")]
             return self.examine(values, solved, None, stories)
         except (StatementError, ImpossibleError) as error:
             return error.message, "equation"
@@ -463,7 +467,7 @@ class Setting:
 
     def _tried(
         self,
-        found: Found,
+        assignment: Found,
         letters_: Letters,
         wanted: int = SAMPLES_WANTED,
         trial: Trial | None = None,
@@ -475,10 +479,10 @@ class Setting:
         known = letters_.all_roles()
         rng = random.Random(11)
         free = sorted(
-            (set(self.roles) | set(letters_.hidden_roles)) - set(found.values) - set(self.lets)
+            (set(self.roles) | set(letters_.hidden_roles)) - set(assignment.values) - set(self.lets)
         )
-        solved = [name for name in found.values if not name.startswith("_")]
-        hidden = [name for name in found.values if name.startswith("_")]
+        solved = [name for name in assignment.values if not name.startswith("_")]
+        hidden = [name for name in assignment.values if name.startswith("_")]
         reasons: Counter[tuple[str, str]] = Counter()
         accepted: list[Sample] = []
         last_error: RestitutionError | None = None
@@ -495,7 +499,7 @@ class Setting:
             edges_left -= at_edge and edges_left > 0
             values = sample(free, known, rng, at_edge)
             try:
-                for name, value in found.values.items():
+                for name, value in assignment.values.items():
                     values[name] = at(value, values)
                 wrong = next(
                     (
@@ -521,11 +525,11 @@ class Setting:
             else:
                 reasons[wrong] += 1
         if accepted:
-            return Trial(found, tuple(accepted))
+            return Trial(assignment, tuple(accepted))
         (reason, kind), _ = reasons.most_common(1)[0]
-        if last_error is not None and not found.values:
+        if last_error is not None and not assignment.values:
             raise last_error
-        return Trial(found, (), reason, kind)
+        return Trial(assignment, (), reason, kind)
 
     def _used_letters(self) -> set[str]:
         return set(self.roles) - set(self.lets)
@@ -765,12 +769,12 @@ class Desk:
             if failed == setting:
                 raise error
         try:
-            found = work_out(setting)
+            outcomes = work_out(setting)
         except RestitutionError as error:
             self.failures.append((setting, error))
             raise
-        self.outcomes.append(found)
-        return found
+        self.outcomes.append(outcomes)
+        return outcomes
 
 
 @dataclass(frozen=True)
@@ -825,9 +829,11 @@ def work_out(setting: Setting) -> Outcome:
             if isinstance(each, Equation)
         ]
         deciding |= {s.name for each in equations for s in each.free_symbols}
-        for found in _solve_equations(setting, letters_, equations, decisions, story.conditions):
+        for assignment in _solve_equations(
+            setting, letters_, equations, decisions, story.conditions
+        ):
             # Letters replaced by what the facts between letters say are back-substituted.
-            combined = _combine(values, angles, found)
+            combined = _combine(values, angles, assignment)
             trials.append(setting.try_out(combined, letters_, story, wanted))
         # What is asked of the story later, such as an impulse, names unknowns of its own.
         kept = replace(
@@ -905,18 +911,18 @@ def _clashing_bounds(setting: Setting) -> list[int]:
 
 
 def _combine(
-    values: Mapping[str, sp.Expr], angles: Mapping[str, tuple[sp.Expr, sp.Expr]], found: Found
+    values: Mapping[str, sp.Expr], angles: Mapping[str, tuple[sp.Expr, sp.Expr]], assignment: Found
 ) -> Found:
     put: dict[sp.Symbol, sp.Expr] = {}
-    combined = dict(found.values)
-    pairs = dict(found.angles)
+    combined = dict(assignment.values)
+    pairs = dict(assignment.angles)
     for name, value in values.items():
-        symbols = {s for s in value.free_symbols if s.name in found.values}
-        put = {s: found.values[s.name] for s in symbols}
+        symbols = {s for s in value.free_symbols if s.name in assignment.values}
+        put = {s: assignment.values[s.name] for s in symbols}
         combined[name] = value.xreplace(put) if put else value
         if name in angles and not put:
             pairs[name] = angles[name]
-    return Found(combined, pairs, found.leftover)
+    return Found(combined, pairs, assignment.leftover)
 
 
 def _equations_of_letters(setting: Setting) -> list[tuple[Expression, Expression]]:
@@ -1000,10 +1006,10 @@ def _letter_branches(
                     continue
                 (x,) = free
                 progress = True
-                for found in _one_letter(setting, current, x):
-                    value = found.values[x.name]
+                for assignment in _one_letter(setting, current, x):
+                    value = assignment.values[x.name]
                     deeper = {n: v.xreplace({x: value}) for n, v in values.items()}
-                    new.append(({**deeper, **found.values}, {**angles, **found.angles}))
+                    new.append(({**deeper, **assignment.values}, {**angles, **assignment.angles}))
             if any(len(b[0]) != len(a[0]) for a, b in zip(branches, new, strict=False)) or len(
                 new
             ) != len(branches):
@@ -1046,18 +1052,18 @@ def _one_letter(setting: Setting, equation: sp.Expr, x: sp.Symbol) -> list[Found
         is_angle = False
     acute = frozenset({x}) if _acute(role) else frozenset()
     kept = []
-    for found in solve_system(
+    for assignment in solve_system(
         [equation], [x], frozenset({x}) if is_angle else frozenset(), acute, setting.roles
     ):
-        if x.name not in found.values:
+        if x.name not in assignment.values:
             continue
         try:
-            value = at(found.values[x.name], {})
+            value = at(assignment.values[x.name], {})
         except (UndefinedError, KeyError):
             continue
         wrong = out_of_range(x.name, value, role)
         if wrong is None or wrong[1] == "coefficient":  # which is refused with its reason, later
-            kept.append(found)
+            kept.append(assignment)
     return kept
 
 
@@ -1095,21 +1101,21 @@ def _solve_equations(
             chosen = chosen | {letter}
             continue
         try:
-            found = solve_in_stages(values, unknowns, angles, acute, known, conditions)
+            assignments = solve_in_stages(values, unknowns, angles, acute, known, conditions)
         except UnsupportedError as error:
             if len(unknowns) <= len(values):
                 raise
             raise missing.too_many(
                 letters_.phrases.get(s.name, s.name) for s in unknowns
             ) from error
-        leftover = [each for one in found for each in one.leftover]
+        leftover = [each for one in assignments for each in one.leftover]
         if not leftover:
-            return found
+            return assignments
         present = frozenset(s.name for each in leftover for s in each.free_symbols)
         letter = _to_fix(setting, present, chosen)
         decisions.append(Decision(present, chosen, letter))
         if letter is None:
-            kept = [one for one in found if not one.leftover]
+            kept = [one for one in assignments if not one.leftover]
             return kept
         chosen = chosen | {letter}
     raise UnsupportedError("the facts fix more letters than can be sorted out")

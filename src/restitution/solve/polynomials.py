@@ -274,11 +274,11 @@ class Field:
             dense.append(parts)
         afford(relation.power**3 * (1 + (bits(a) + bits(modulus)) / WORD))
         try:
-            found = dup_invert(*dense, QQ)
+            inverted = dup_invert(*dense, QQ)
         except NotInvertible:
             return None
         inverse = self.ring.zero
-        for power, c in enumerate(reversed(found)):
+        for power, c in enumerate(reversed(inverted)):
             inverse = inverse + self.ring.gens[index] ** power * c
         return inverse
 
@@ -512,7 +512,7 @@ def factors(x: sp.Expr) -> tuple[sp.Expr, ...]:
     Surds count as letters here. In the order of SymPy's factor_list. Raises PolynomialError for
     what is no polynomial, and TooLargeError for what is too large.
     """
-    found: dict[sp.Expr, Any] = {}
+    factors_: dict[sp.Expr, Any] = {}
     for each in sp.Mul.make_args(x):
         base = each.base if each.is_Pow and each.exp.is_Integer and each.exp > 0 else each
         field = Field([base])
@@ -522,12 +522,14 @@ def factors(x: sp.Expr) -> tuple[sp.Expr, ...]:
         if above.is_ground:
             continue
         for key, factor in _split(above):
-            made = field.expression(_whole(factor))
-            if not made.is_number:
-                found.setdefault(made, key)
-    lone = sp.Mul(*[each for each in found if not each.is_Add]).args
+            expression = field.expression(_whole(factor))
+            if not expression.is_number:
+                factors_.setdefault(expression, key)
+    lone = sp.Mul(*[each for each in factors_ if not each.is_Add]).args
     places = {each: place for place, each in enumerate(lone)}
-    return tuple(sorted(found, key=lambda x: (found[x][:3], places.get(x, 0), found[x][3])))
+    return tuple(
+        sorted(factors_, key=lambda x: (factors_[x][:3], places.get(x, 0), factors_[x][3]))
+    )
 
 
 def split(a: Element) -> list[Element]:
@@ -540,7 +542,7 @@ def _split(a: Element) -> list[tuple[Any, Element]]:
     afford(factoring(a))
     ring = a.ring
     common = [min(powers) for powers in zip(*a, strict=True)]
-    made: list[tuple[Any, Element]] = [
+    parts: list[tuple[Any, Element]] = [
         ((2, 1, power, []), ring.gens[index]) for index, power in enumerate(common) if power
     ]
     used = [n for n, (low, top) in enumerate(zip(common, a.degrees(), strict=True)) if top > low]
@@ -550,19 +552,19 @@ def _split(a: Element) -> list[tuple[Any, Element]]:
         for factor, power in rest.factor_list()[1]:
             dense = factor.to_dense()
             key = (len(dense), len(used), power, dense)
-            made.append((key, _into(ring, factor, used)))
-    return made
+            parts.append((key, _into(ring, factor, used)))
+    return parts
 
 
 def _into(ring: PolyRing, a: Element, places: Sequence[int]) -> Element:
     """A polynomial of a ring in some of the letters, as one in all of them."""
-    found = ring.zero
+    polynomial = ring.zero
     for monomial, c in a.items():
         own = [0] * ring.ngens
         for place, power in zip(places, monomial, strict=True):
             own[place] = power
-        found[tuple(own)] = c
-    return found
+        polynomial[tuple(own)] = c
+    return polynomial
 
 
 def factoring(a: Element) -> float:
@@ -731,7 +733,7 @@ def _definite(field: Field, a: Element, known_positive: frozenset[sp.Expr]) -> i
         number = tuple(power if n in numbers else 0 for n, power in enumerate(monomial))
         terms.setdefault(kept, field.ring.zero)[number] = c
     signs = [atom in known_positive or _sign_of_atom(atom, known_positive) for atom in field.atoms]
-    found, strict = 0, False
+    common, strict = 0, False
     for monomial, part in terms.items():
         own = sign(field.expression(part))
         if own is None:
@@ -744,10 +746,10 @@ def _definite(field: Field, a: Element, known_positive: frozenset[sp.Expr]) -> i
                 if known is None and power % 2:
                     return 0
                 positive = False
-        if found not in (0, own):
+        if common not in (0, own):
             return 0
-        found, strict = own, strict or positive
-    return found if strict else 0
+        common, strict = own, strict or positive
+    return common if strict else 0
 
 
 def _sign_of_atom(x: sp.Expr, positive: frozenset[sp.Expr]) -> bool | None:
@@ -810,15 +812,15 @@ def split_over_numbers(x: sp.Expr, symbol: sp.Symbol) -> list[sp.Expr]:
         afford(factoring(lone) * 4)
         if not lone.is_squarefree:
             continue
-        found = []
+        factors_ = []
         for factor in split(lone):
             common = _gcd(field, moved, _by_powers(_into(field.ring, factor, [0])))
             if common is None:
                 return [x]
             if len(common) > 1:
-                found.append(_moved(field, common, surds * -shift))
-        found.sort(key=lambda parts: (len(parts), [_coordinates(part) for part in parts]))
-        return [field.expression(_from_powers(parts)) for parts in found]
+                factors_.append(_moved(field, common, surds * -shift))
+        factors_.sort(key=lambda parts: (len(parts), [_coordinates(part) for part in parts]))
+        return [field.expression(_from_powers(parts)) for parts in factors_]
     return [x]
 
 
@@ -908,11 +910,11 @@ def _without_squares(field: Field, a: Sequence[Element]) -> list[Element] | None
 
 
 def _quotient(field: Field, a: Sequence[Element], b: Sequence[Element]) -> list[Element]:
-    left, found = list(a), []
+    left, quotient = list(a), []
     while len(left) >= len(b):
         top = left[0]
-        found.append(top)
+        quotient.append(top)
         left = [
             part - field.times(top, b[n]) if n < len(b) else part for n, part in enumerate(left)
         ][1:]
-    return found
+    return quotient

@@ -174,11 +174,11 @@ def _range_of_letter(
 
 def _by_case(several: Sequence[Case], roles: Mapping[str, Role]) -> tuple[list[Form], Proof]:
     """The values in each case with what it asks of the data, and what they all rest on."""
-    found: list[Form] = [
+    forms: list[Form] = [
         (to_set(c.pieces), (bounds_of(c.letter, c.values, roles),)) for c in several
     ]
     proofs: list[Proof] = [each.proof for each in several]
-    return found, next((proof for proof in proofs if proof != "algebra"), proofs[0])
+    return forms, next((proof for proof in proofs if proof != "algebra"), proofs[0])
 
 
 def _forms(region: Region | _Image) -> tuple[sp.Set, list[Case]]:
@@ -229,9 +229,9 @@ def _range_of_quantity(
     setting = desk.settle(in_terms_of, item)
     named = letters(tree) - set(setting.lets) if not has_quantity(tree) else frozenset()
     if len(named) > 1 and not letters(tree) & set(setting.lets):
-        found = _range_of_ratio(desk, item)
-        if found is not None:
-            return [(found[0], ())], False, found[1]
+        answer = _range_of_ratio(desk, item)
+        if answer is not None:
+            return [(answer[0], ())], False, answer[1]
     walls = frozenset(wall.name for wall in desk.problem.walls)
     angles = {name for name, role in setting.roles.items() if role.kind == "angle"}
     angle = is_angle(tree, angles, walls)
@@ -255,18 +255,18 @@ def _range_of_quantity(
 def _restricted(outcome: Outcome) -> set[str]:
     """Letters that a fact keeps between bounds, and coefficients: what a range is asked over."""
     setting = outcome.setting
-    found = {name for name, role in setting.roles.items() if role.kind == "restitution"}
+    names = {name for name, role in setting.roles.items() if role.kind == "restitution"}
     for given, _ in setting.facts:
         for relation in given.relations:
             if isinstance(relation, Compare) and set(relation.operators) != {"="}:
-                found |= {each.name for each in relation.operands if isinstance(each, Letter)}
-    return found
+                names |= {each.name for each in relation.operands if isinstance(each, Letter)}
+    return names
 
 
 def _images(
     outcome: Outcome, tree: Expression, now: int, asked: str = "the range"
 ) -> list[tuple[Trial, sp.Expr]]:
-    found = []
+    images = []
     for trial in outcome.accepted:
         told = Letters(outcome.setting.roles, trial.found.values, trial.found.angles, trial.samples)
         story = outcome.setting.tell(told)
@@ -278,10 +278,10 @@ def _images(
         value = forms.plain(raw, outcome.witnesses(trial))
         if isinstance(value, tuple):
             raise UnsupportedError("the range of a vector is not a set of numbers")
-        found.append((trial, value))
-    if not found:
+        images.append((trial, value))
+    if not images:
         raise ContradictionError("no values satisfy all that is told")
-    return found
+    return images
 
 
 def _image(
@@ -459,7 +459,7 @@ def _seen(
 ) -> list[Any]:
     """Values that do occur: at many random points, and at one that is known."""
     rng = random.Random(29)
-    found = []
+    seen = []
     points = [{name: draw(region.setting.roles[name], rng) for name in free} for _ in range(60)]
     if known:
         points.append({name: number_of(known[name]) for name in free if name in known})
@@ -469,10 +469,10 @@ def _seen(
             continue
         if region._possible(values):
             try:
-                found.append(at(value, values))
+                seen.append(at(value, values))
             except (UndefinedError, KeyError):
                 continue
-    return found
+    return seen
 
 
 def _candidates(
@@ -710,19 +710,19 @@ def same_value(a: Any, b: Any, roles: Mapping[str, Role]) -> bool | None:
     return {"proved": True, "refuted": False, "undecided": None}[verdict.answer]
 
 
-def same_set(claimed: sp.Set, found: sp.Set, roles: Mapping[str, Role]) -> bool | None:
+def same_set(claimed: sp.Set, true_set: sp.Set, roles: Mapping[str, Role]) -> bool | None:
     """Whether two sets are equal, None if that is open.
 
     A claim without a lower end means down to zero.
     """
-    if not isinstance(claimed, sp.Interval) or not isinstance(found, sp.Interval):
-        return bool(claimed == found)
-    if claimed.start != -sp.oo and claimed.left_open != found.left_open:
+    if not isinstance(claimed, sp.Interval) or not isinstance(true_set, sp.Interval):
+        return bool(claimed == true_set)
+    if claimed.start != -sp.oo and claimed.left_open != true_set.left_open:
         return False
-    if claimed.right_open != found.right_open:
+    if claimed.right_open != true_set.right_open:
         return False
     open_ = False
-    for a, b in ((claimed.start, found.start), (claimed.end, found.end)):
+    for a, b in ((claimed.start, true_set.start), (claimed.end, true_set.end)):
         if a in (sp.oo, -sp.oo) or b in (sp.oo, -sp.oo):
             if a != b and not (a == -sp.oo and b == 0):
                 return False

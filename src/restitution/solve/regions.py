@@ -95,41 +95,41 @@ class Region:
 
     def _atoms(self) -> list[sp.Expr]:
         """The expressions whose signs decide, with what was solved put in."""
-        found: list[sp.Expr] = []
+        atoms: list[sp.Expr] = []
         for trial in self.trials:
             demands = self._demands(trial)
             if demands is not None:
-                found += [each.value for d in demands for each in relations(d.formula)]
+                atoms += [each.value for d in demands for each in relations(d.formula)]
                 continue
             told = Letters(self.setting.roles, trial.found.values, trial.found.angles)
             story = self.setting.tell(told)
             needs = [*story.conditions, *self.setting.requirements(story)]
             for need in needs:
                 if isinstance(need, Condition):
-                    found.append(sp.sympify(need.value, strict=True))
+                    atoms.append(sp.sympify(need.value, strict=True))
                 elif isinstance(need, AnyOf):
-                    found += [sp.sympify(option.value, strict=True) for option in need.options]
+                    atoms += [sp.sympify(option.value, strict=True) for option in need.options]
             for name, value in trial.found.values.items():
                 role = self.setting.roles.get(name) or told.hidden_roles.get(name)
                 if role is None:
                     continue
                 if role.kind == "angle":
                     if name in trial.found.angles:
-                        found += list(trial.found.angles[name])
+                        atoms += list(trial.found.angles[name])
                     continue
                 if role.low is not None:
-                    found.append(value - role.low)
+                    atoms.append(value - role.low)
                 if role.high is not None:
-                    found.append(value - role.high)
+                    atoms.append(value - role.high)
         for name in self.free:
             role, symbol = self.setting.roles[name], self.setting.roles[name].symbol(name)
             for bound in (role.low, role.high):
                 if bound is not None and name in {
-                    s.name for each in found for s in each.free_symbols
+                    s.name for each in atoms for s in each.free_symbols
                 }:
-                    found.append(symbol - bound)
+                    atoms.append(symbol - bound)
         unique: list[sp.Expr] = []
-        for each in found:
+        for each in atoms:
             for part in deciding(each):
                 for factor in _essential(part):
                     if factor not in unique:
@@ -356,9 +356,9 @@ class Region:
             drawn = sample(data, self.roles, rng)
             if self.base is not None and not self._in_base(drawn):
                 continue
-            found = self.pieces_at(drawn)
-            if found:
-                shapes.append((found, drawn))
+            pieces = self.pieces_at(drawn)
+            if pieces:
+                shapes.append((pieces, drawn))
             if len(shapes) == DRAWS:
                 return shapes
         if shapes or not data or self.formula is None:
@@ -366,8 +366,8 @@ class Region:
         possible = Oracle(self.roles, (*self.given, self.formula)).possible
         if possible.witness is not None:
             drawn = self._drawn(possible.witness)
-            found = self.pieces_at(drawn)
-            return [(found, drawn)] if found else []
+            pieces = self.pieces_at(drawn)
+            return [(pieces, drawn)] if pieces else []
         return []
 
     @property
@@ -512,15 +512,15 @@ def zeros(
     )
     if bare:
         angles = acute = frozenset()
-    found = []
+    values = []
     try:
         for solution in solve_system(list(equations), list(unknowns), angles, acute, roles):
             value = solution.values.get(wanted)
             if value is not None:
-                found.append(exact.tidy_angle(value) if value.has(sp.atan, sp.atan2) else value)
+                values.append(exact.tidy_angle(value) if value.has(sp.atan, sp.atan2) else value)
     except (UnsupportedError, sp.PolynomialError, NotImplementedError):
         return []
-    return found
+    return values
 
 
 @lru_cache(maxsize=1024)
@@ -548,7 +548,7 @@ def _essential(x: sp.Expr) -> tuple[sp.Expr, ...]:
 
 def _numeric_zeros(atoms: Sequence[sp.Expr], x: sp.Symbol, values: Mapping[str, Any]) -> list[Any]:
     """Where expressions vanish, in numbers, as one letter varies and the others are put in."""
-    found = []
+    roots = []
     for atom in atoms:
         if not atom.has(x):
             continue
@@ -587,24 +587,24 @@ def _numeric_zeros(atoms: Sequence[sp.Expr], x: sp.Symbol, values: Mapping[str, 
         for root in roots_:
             if abs(sp.im(root)) < 1e-18:
                 value = at(sp.re(root), {})
-                found.append(2 * at(sp.atan(sp.re(root)), {}) if angle else value)
-    return found
+                roots.append(2 * at(sp.atan(sp.re(root)), {}) if angle else value)
+    return roots
 
 
 def _representatives(numbers: list[Any], role: Role) -> list[Any]:
     """Numbers, points between them and points beyond them."""
     if not numbers:
         return [at(sp.Rational(1, 3), {})]
-    found = [numbers[0] - 1, numbers[-1] + 1, numbers[-1] * 2 + 3]
+    points = [numbers[0] - 1, numbers[-1] + 1, numbers[-1] * 2 + 3]
     for a, b in pairwise(numbers):
-        found += [a, (a + b) / 2]
+        points += [a, (a + b) / 2]
         # Where a root hides a border, it may lie as near to an end as one likes.
         for power in NEAR:
-            found += [a + (b - a) / 10**power, b - (b - a) / 10**power]
-    found.append(numbers[-1])
+            points += [a + (b - a) / 10**power, b - (b - a) / 10**power]
+    points.append(numbers[-1])
     low = None if role.low is None else at(role.low, {})
     high = None if role.high is None else at(role.high, {})
-    return [x for x in found if (low is None or x >= low) and (high is None or x <= high)]
+    return [x for x in points if (low is None or x >= low) and (high is None or x <= high)]
 
 
 def _joined(cells: list[tuple[sp.Expr | None, bool]]) -> list[Piece]:
@@ -668,14 +668,14 @@ def _end_at(end: End, drawn: Sample) -> Any:
 
 def to_set(pieces: Sequence[Piece]) -> sp.Set:
     """Intervals as one SymPy set, the ends in textbook form."""
-    made = []
+    sets = []
     for low, high in pieces:
         a, b = (forms.bound(each.value) for each in (low, high))
         if a == b:
-            made.append(sp.FiniteSet(a))
+            sets.append(sp.FiniteSet(a))
         else:
-            made.append(sp.Interval(a, b, not low.closed, not high.closed))
-    return sp.Union(*made) if made else sp.S.EmptySet
+            sets.append(sp.Interval(a, b, not low.closed, not high.closed))
+    return sp.Union(*sets) if sets else sp.S.EmptySet
 
 
 def with_solved(trial: Trial, values: Sample) -> Sample:

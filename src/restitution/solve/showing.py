@@ -277,9 +277,9 @@ def _show_found(worker: _Worker, step: Show, now: int, line: int | None) -> Item
     subject = step.subject
     assert subject is not None
     assert isinstance(step.relation, Compare)
-    found = worker._item(subject, now, step.in_terms_of)
-    if found.error is not None:
-        raise found.error
+    result = worker._item(subject, now, step.in_terms_of)
+    if result.error is not None:
+        raise result.error
     roles = worker.desk.settle(step.in_terms_of, subject).roles
     letters_ = Letters(roles)
     from restitution.expression.evaluate import Evaluator, Symbolic
@@ -289,20 +289,20 @@ def _show_found(worker: _Worker, step: Show, now: int, line: int | None) -> Item
 
     if isinstance(subject, Extremum):
         claimed = evaluator.scalar(step.relation.operands[-1])
-        value = found.answers[0].value
-        return _compared(step, line, found, same_value(claimed, value, roles))
+        value = result.answers[0].value
+        return _compared(step, line, result, same_value(claimed, value, roles))
     assert isinstance(subject, Range)
     claimed = claimed_set(step.relation, subject, evaluator)
-    (first, *more) = [each.value for each in found.answers]
+    (first, *more) = [each.value for each in result.answers]
     ok = same_set(claimed, first, roles)
     if more:  # its form depends on the data: one without max and min is not that of all
         ok = None if claimed.has(sp.Max, sp.Min) else False
-    return _compared(step, line, found, ok)
+    return _compared(step, line, result, ok)
 
 
-def _compared(step: Show, line: int | None, found: ItemResult, ok: bool | None) -> ItemResult:
+def _compared(step: Show, line: int | None, result: ItemResult, ok: bool | None) -> ItemResult:
     """A claim beside what was found: where it is false, the truth is its answer."""
-    if found.proof == "undecided" or ok is None:
+    if result.proof == "undecided" or ok is None:
         return ItemResult(step, line, step.text, "show", proof="undecided")
-    true = () if ok else found.answers
-    return ItemResult(step, line, step.text, "show", true, holds=ok, proof=found.proof)
+    true = () if ok else result.answers
+    return ItemResult(step, line, step.text, "show", true, holds=ok, proof=result.proof)

@@ -194,11 +194,11 @@ class Solution:
                 yield part, item
 
     def __getitem__(self, text: str) -> ItemResult:
-        found = [item for _, item in self.items() if _plain(item.text) == _plain(text)]
-        if not found:
+        items = [item for _, item in self.items() if _plain(item.text) == _plain(text)]
+        if not items:
             known = ", ".join(repr(item.text) for _, item in self.items()) or "nothing"
             raise KeyError(f"{text!r} is not asked; asked: {known}")
-        return found[-1]
+        return items[-1]
 
     def __str__(self) -> str:
         lines = [self.problem.title] if self.problem.title else []

@@ -113,7 +113,7 @@ def _solved(problem: Problem) -> Solution:
     parts: dict[str | None, PartSolution] = {}
     warnings = list(problem.warnings)
     carried: frozenset[str] = frozenset()
-    found: dict[str, str] = {}
+    relations: dict[str, str] = {}
     asking = [part for part in problem.parts if _asks(part)]
     if not asking:
         warnings.append("nothing is asked: a line such as 'find velocity(A)' would ask for it")
@@ -122,8 +122,8 @@ def _solved(problem: Problem) -> Solution:
         worker = _Worker(Desk(problem, part, carried))
         parts[part.label] = worker.solve()
         warnings += [each for each in worker.warnings if each not in warnings]
-        warnings += _met_again(parts[part.label], found)
-        found |= _under_own_facts(parts[part.label])
+        warnings += _met_again(parts[part.label], relations)
+        relations |= _under_own_facts(parts[part.label])
         carried = carried | worker.asked_of_all()
     return Solution(problem, parts, tuple(warnings))
 
@@ -141,7 +141,7 @@ def _solved_letters(part: PartSolution) -> list[str]:
     return [name for name in names if not name.startswith("_")]
 
 
-def _met_again(part: PartSolution, found: dict[str, str]) -> list[str]:
+def _met_again(part: PartSolution, relations: dict[str, str]) -> list[str]:
     """Notes of letters in the answers of a part that had a value in an earlier one only."""
     met = {
         symbol.name
@@ -152,9 +152,9 @@ def _met_again(part: PartSolution, found: dict[str, str]) -> list[str]:
     }
     met |= {name for item in part.items if item.holds is not None for name in _letters_in(item)}
     return [
-        f"{letter} was found in part {found[letter]} under its own facts; "
+        f"{letter} was found in part {relations[letter]} under its own facts; "
         f"in part {part.part.label} it is a letter again"
-        for letter in sorted(met & found.keys() - set(_solved_letters(part)))
+        for letter in sorted(met & relations.keys() - set(_solved_letters(part)))
     ]
 
 
@@ -235,14 +235,14 @@ class _Worker:
 
     def _kept(self, make: Callable[[], ItemResult]) -> ItemResult:
         """An item, unless something of it was broken off and passed over."""
-        made = make()
+        result = make()
         try:
             work.confirm()
         except RestitutionError as error:
-            if made.error is None or made.error.kind != error.kind:
-                error.line = made.line
-                made = ItemResult(made.item, made.line, made.text, made.kind, error=error)
-        return made
+            if result.error is None or result.error.kind != error.kind:
+                error.line = result.line
+                result = ItemResult(result.item, result.line, result.text, result.kind, error=error)
+        return result
 
     def _whole(self, results: tuple[ItemResult, ...]) -> PartSolution:
         """The part as it is explained: with what all the values asked for have in common."""
@@ -252,10 +252,10 @@ class _Worker:
         except (RestitutionError, *UNFORESEEN) as failure:
             error = failure if isinstance(failure, RestitutionError) else unforeseen(failure)
             pairs = ((each, self.branches.get(id(each.trials))) for each in self.desk.outcomes)
-            found = next(((one, made) for one, made in pairs if isinstance(made, list)), None)
-            if found is None:
+            pair = next(((one, made) for one, made in pairs if isinstance(made, list)), None)
+            if pair is None:
                 return PartSolution(self.part, results, (), (), {}, None, error)
-            outcome, branches = found
+            outcome, branches = pair
         return PartSolution(
             self.part,
             results,
@@ -317,10 +317,10 @@ class _Worker:
             accepted = self._with_impossible_coefficient(outcome)
             if not accepted:
                 raise impossible(outcome.setting, outcome.trials, self.part.place)
-        made = [self._branch(outcome.setting, each, n) for n, each in enumerate(accepted, 1)]
+        branches = [self._branch(outcome.setting, each, n) for n, each in enumerate(accepted, 1)]
         if not outcome.accepted:
-            self._warn_of_coefficient(made)
-        return made
+            self._warn_of_coefficient(branches)
+        return branches
 
     def _branch(self, setting: Setting, trial: Trial, number: int) -> Branch:
         told = Letters(setting.roles, trial.found.values, trial.found.angles, trial.samples)
@@ -596,7 +596,7 @@ class _Worker:
     ) -> tuple[Rejected, ...]:
         if not outcome.refused:
             return ()
-        found: list[Rejected] = []
+        rejected: list[Rejected] = []
         known = outcome.letters.all_roles()
         rng = random.Random(43)
         samples = [sample(sorted(known), known, rng) for _ in range(3)]
@@ -620,11 +620,13 @@ class _Worker:
                 continue
             if any(each.has(sp.nan, sp.zoo) for each in parts):
                 continue
-            made = _answer(0, value, kind, angle, item.percentage)
-            if not any(made.exact == each.exact for each in found):
+            answer = _answer(0, value, kind, angle, item.percentage)
+            if not any(answer.exact == each.exact for each in rejected):
                 reason = trial.reason or ""
-                found.append(Rejected(made.value, made.exact, made.display, reason, made.angle))
-        return tuple(found)
+                rejected.append(
+                    Rejected(answer.value, answer.exact, answer.display, reason, answer.angle)
+                )
+        return tuple(rejected)
 
     # --- show ---------------------------------------------------------------------------------
 

@@ -79,15 +79,15 @@ def _staged(
         return _solved(current, unknowns, system)
     inside = {symbol for n in group for symbol in current[n].free_symbols & free}
     block = [x for x in unknowns if x in inside]
-    found = _solved([current[n] for n in group], block, system)
-    if any(one.leftover or len(one.values) < len(block) for one in found):
+    assignments = _solved([current[n] for n in group], block, system)
+    if any(one.leftover or len(one.values) < len(block) for one in assignments):
         return _solved(current, unknowns, system)
     rest = [each for n, each in enumerate(current) if n not in group]
     left = [x for x in unknowns if x not in inside]
     if all(x.name.startswith("_") for x in block):
-        found = [one for one in found if _possible(one, block, system)] or found
+        assignments = [one for one in assignments if _possible(one, block, system)] or assignments
     results: list[Found] = []
-    for one in found:
+    for one in assignments:
         put = _replacing(one, block)
         if any(has_roots(each) for each in one.values.values()) and rest:
             # Roots of roots grow by being worked out: they are put in when all is solved.

@@ -220,9 +220,9 @@ def _plainly(base: Oracle, trial: Trial, demands: Sequence[Demand]) -> Iterator[
 def _inequalities(base: Oracle, trial: Trial, facts: Sequence[Relation]) -> Iterator[Limitation]:
     """Inequalities themselves; two that bound what was found for a letter as one, if shorter."""
     left = list(facts)
-    for name, found in trial.found.values.items():
-        for low in [each for each in left if each.value == found]:
-            high = next((each for each in left if (each.value + found).is_number), None)
+    for name, root in trial.found.values.items():
+        for low in [each for each in left if each.value == root]:
+            high = next((each for each in left if (each.value + root).is_number), None)
             if high is None or not {low.operator, high.operator} <= {">", ">="}:
                 continue
             plain = _inequality(base, low), _inequality(base, high)

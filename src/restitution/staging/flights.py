@@ -185,7 +185,7 @@ def unknowns(
         dict.fromkeys(m.wall for m in moves if m.wall and m.place is None and m.wall not in origins)
     )
     count = 2 * len(bodies) + len(moves) + len(free_walls)
-    made = Layout(count)
+    layout = Layout(count)
     speed = max(length(v) for m in moves for v in (*m.before.values(), *m.after.values()))
     normals: dict[str, Vector] = {}
 
@@ -197,7 +197,7 @@ def unknowns(
             row[2 * len(bodies) + order[number]] = 1 / speed
         return row
 
-    made.times = {move.number: time(move.number) for move in moves}
+    layout.times = {move.number: time(move.number) for move in moves}
     for index, body in enumerate(bodies):
         known = starts.get(body)
         latest, place, constant = 0, np.zeros((2, count)), np.zeros(2)
@@ -212,22 +212,22 @@ def unknowns(
                 flight = time(move.number) - time(latest)
                 place = place + np.outer([velocity.x, velocity.y], flight)
                 if still(velocity):
-                    made.order.append((flight * speed, 0.0))
+                    layout.order.append((flight * speed, 0.0))
                 else:
-                    made.lengths.append((flight * length(velocity), 0.0))
-            made.where[body, move.number] = place, constant
+                    layout.lengths.append((flight * length(velocity), 0.0))
+            layout.where[body, move.number] = place, constant
             latest = move.number
     for move in moves:
-        place, constant = made.where[move.bodies[0], move.number]
+        place, constant = layout.where[move.bodies[0], move.number]
         if move.place is not None:
             for axis in (0, 1):
-                made.fix(place[axis], move.place[axis] - constant[axis])
+                layout.fix(place[axis], move.place[axis] - constant[axis])
         elif move.kind == "spheres":
             assert move.normal is not None
-            other, beside = made.where[move.bodies[1], move.number]
+            other, beside = layout.where[move.bodies[1], move.number]
             for axis in (0, 1):
                 apart = 2 * radius * move.normal[axis] + constant[axis] - beside[axis]
-                made.fix(other[axis] - place[axis], apart)
+                layout.fix(other[axis] - place[axis], apart)
         elif move.wall is not None:
             assert move.normal is not None
             n = np.array(move.normal)
@@ -240,17 +240,17 @@ def unknowns(
                 row[2 * len(bodies) + len(moves) + free_walls.index(move.wall)] = -(
                     1.0 if normal.dot(move.normal) > 0 else -1.0
                 )
-            made.fix(row, value)
-    return made
+            layout.fix(row, value)
+    return layout
 
 
-def solve(made: Layout, targets: Sequence[float], shortest: float) -> Any | None:
+def solve(layout: Layout, targets: Sequence[float], shortest: float) -> Any | None:
     """Unknowns for which the flights are near their targets; None if one would go backwards.
 
     Projects in turn on what the story says and on what is readable.
     """
-    if made.rows:
-        matrix, values = np.array(made.rows), np.array(made.values)
+    if layout.rows:
+        matrix, values = np.array(layout.rows), np.array(layout.values)
         left, sizes, right = np.linalg.svd(matrix)
         rank = int((sizes > 1e-9 * max(sizes[0], 1e-30)).sum())
         x0 = right[:rank].T @ ((left[:, :rank].T @ values) / sizes[:rank])
@@ -258,15 +258,15 @@ def solve(made: Layout, targets: Sequence[float], shortest: float) -> Any | None
             return None
         free = right[rank:].T
     else:
-        x0, free = np.zeros(made.count), np.eye(made.count)
-    if not made.lengths and not made.order:
+        x0, free = np.zeros(layout.count), np.eye(layout.count)
+    if not layout.lengths and not layout.order:
         return x0
-    rows = np.array([row for row, _ in (*made.lengths, *made.order)])
-    wanted = np.array([*targets, *([shortest] * len(made.order))])
-    low = np.array([shortest] * len(made.lengths) + [0.0] * len(made.order))
+    rows = np.array([row for row, _ in (*layout.lengths, *layout.order)])
+    wanted = np.array([*targets, *([shortest] * len(layout.order))])
+    low = np.array([shortest] * len(layout.lengths) + [0.0] * len(layout.order))
     if not free.size or np.abs(rows @ free).max() < 1e-12:
         lengths = rows @ x0
-        return x0 if (lengths[: len(made.lengths)] > -1e-9 * shortest).all() else None
+        return x0 if (lengths[: len(layout.lengths)] > -1e-9 * shortest).all() else None
     back = np.linalg.pinv(rows @ free, rcond=1e-9)
     for part in (1.0, 0.5, 0.2, 0.02):
         goal = wanted

@@ -60,8 +60,8 @@ def lay_out(story: Story, since: int = 0) -> Plan | None:
         plans = [_freely(story, group, given, width) for group in shown]
     except np.linalg.LinAlgError:
         return None
-    made = [plan for plan in plans if plan is not None]
-    return _side_by_side(made) if made else None
+    plans_ = [plan for plan in plans if plan is not None]
+    return _side_by_side(plans_) if plans_ else None
 
 
 def connected(moves: Sequence[Move]) -> list[list[Move]]:
@@ -114,15 +114,15 @@ def _freely(story: Story, moves: Sequence[Move], given: Given, width: float) -> 
     """A plan where the statement gives directions only: the clearest of several."""
     sized = given.radius is not None or any(move.kind == "spheres" for move in moves)
     radius = _RADIUS if sized else 0.0
-    made = unknowns(story, moves, {}, {}, radius)
-    flights = len(made.lengths)
+    layout = unknowns(story, moves, {}, {}, radius)
+    flights = len(layout.lengths)
     shares = (1.0, 0.7, 1.4) if flights <= 3 else (1.0,)
     best: tuple[float, Plan, tuple[float, ...]] | None = None
     for factors in itertools.product(shares, repeat=flights):
-        x = solve(made, [_FLIGHT * factor for factor in factors], _SHORTEST)
+        x = solve(layout, [_FLIGHT * factor for factor in factors], _SHORTEST)
         if x is None:
             continue
-        plan, cost = _on_paper(story, moves, given, made, x, 1.0, radius, 1.0)
+        plan, cost = _on_paper(story, moves, given, layout, x, 1.0, radius, 1.0)
         cost += 2 * sum(abs(math.log(factor)) for factor in factors)
         if best is None or cost < best[0]:
             best = cost, plan, factors
@@ -132,10 +132,10 @@ def _freely(story: Story, moves: Sequence[Move], given: Given, width: float) -> 
     size = 1.0
     for _ in range(4):
         size = min(size / _fill(plan, width), _LARGEST)
-        x = solve(made, [_FLIGHT * factor * size for factor in factors], _SHORTEST * size)
+        x = solve(layout, [_FLIGHT * factor * size for factor in factors], _SHORTEST * size)
         if x is None:
             break
-        plan, _ = _on_paper(story, moves, given, made, x, 1.0, radius, size)
+        plan, _ = _on_paper(story, moves, given, layout, x, 1.0, radius, size)
         if 0.97 < _fill(plan, width) < 1.03:
             break
     return _in_lanes(plan)
@@ -150,17 +150,17 @@ def _fill(plan: Plan, width: float = _WIDTH) -> float:
 def _to_scale(story: Story, moves: Sequence[Move], given: Given) -> Plan | None:
     """A plan where places are known."""
     radius = given.radius or 0.0
-    made = unknowns(story, moves, given.starts, given.origins, radius)
+    layout = unknowns(story, moves, given.starts, given.origins, radius)
     known = [*given.starts.values(), *given.points.values(), *given.origins.values()]
     known += [end for ends in given.segments.values() for end in ends]
     known += [c + d * r for c, r in given.circles.values() for d in (Vector(1, 1), Vector(-1, -1))]
     left, bottom, right, top = box(known)
     extent = max(right - left, top - bottom) or 1.0
-    targets = [0.6 * extent] * len(made.lengths)
-    x = solve(made, targets, 0.02 * extent)
+    targets = [0.6 * extent] * len(layout.lengths)
+    x = solve(layout, targets, 0.02 * extent)
     if x is None:
         return None
-    places = [floats(p @ x + c) for p, c in made.where.values()]
+    places = [floats(p @ x + c) for p, c in layout.where.values()]
     if given.starts or any(move.place is not None for move in moves):
         known = [p for p in known if p not in given.origins.values()] or known
     known += places
@@ -170,7 +170,7 @@ def _to_scale(story: Story, moves: Sequence[Move], given: Given) -> Plan | None:
         left, bottom, right, top = box(known)
         across, up = max(right - left, 1e-9), max(top - bottom, 1e-9)
         scale = min(_WIDTH / across, _HEIGHT / up) if scale == 1.0 else scale
-        plan, _ = _on_paper(story, moves, given, made, x, scale, radius, 1.0)
+        plan, _ = _on_paper(story, moves, given, layout, x, scale, radius, 1.0)
         over = _fill(plan)
         if 0.97 < over < 1.03:
             break
@@ -202,14 +202,14 @@ def _on_paper(
     story: Story,
     moves: Sequence[Move],
     given: Given,
-    made: Layout,
+    layout: Layout,
     x: Any,
     scale: float,
     radius: float,
     shrunk: float,
 ) -> tuple[Plan, float]:
     """The plan for these unknowns, and how far it is from a clear one."""
-    where = {key: floats(p @ x + c) * scale for key, (p, c) in made.where.items()}
+    where = {key: floats(p @ x + c) * scale for key, (p, c) in layout.where.items()}
     radius *= scale
     stops = [stop_of(move, where, radius) for move in moves]
     legs = _flights(moves, given, where, scale)

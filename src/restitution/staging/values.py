@@ -108,12 +108,12 @@ def motion(solution: Solution, part: PartSolution, branch: Branch) -> Motion:
         (_chosen(name, pleasant.get(name), values[name], roles[name]), moved)
         for name, moved in _varied(branch, roles, values)
     )
-    found = tuple(
+    chosen = tuple(
         _chosen(name, None, values[name], roles[name])
         for name in branch.values
         if len(part.branches) > 1 and name in roles and not name.startswith("_")
     )
-    return Motion(model_, numbers, story, free, found)
+    return Motion(model_, numbers, story, free, chosen)
 
 
 def drawn_for(
@@ -282,7 +282,7 @@ def velocities(
 
 def _components(story: Story) -> list[float]:
     """Every component of every velocity, along and across the line of centres."""
-    found = []
+    components = []
     for happening in story.happenings:
         c = happening.centres if happening.centres is not None else happening.impulse
         if c is None:
@@ -291,8 +291,8 @@ def _components(story: Story) -> list[float]:
         size = math.hypot(*n) or 1.0
         for v in (*happening.before.values(), *happening.after.values()):
             u = floats(v)
-            found += [u.dot(n) / size, u.cross(n) / size, math.hypot(*u)]
-    return found
+            components += [u.dot(n) / size, u.cross(n) / size, math.hypot(*u)]
+    return components
 
 
 def _pattern(story: Story) -> tuple[bool, ...]:

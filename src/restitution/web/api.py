@@ -154,8 +154,8 @@ def _reading(read: Callable[[str], Made]) -> Callable[[Request], Awaitable[Respo
 
         async def reply() -> Made:
             about = await asked(request, "statement", {}, staff.settings)
-            made = staff.clerks.run(read, about["statement"], limit=_CHECKING)
-            return await _while_wanted(request, made)
+            reply_ = staff.clerks.run(read, about["statement"], limit=_CHECKING)
+            return await _while_wanted(request, reply_)
 
         return await _answered(request, reply)
 
@@ -173,8 +173,8 @@ def _doing(task: _Task) -> Callable[[Request], Awaitable[Response]]:
             others = tuple(asked_for.get(name, usual) for name, (_, usual) in task.optional.items())
             key = (task.function.__name__, json.dumps(asked_for, sort_keys=True))
             about = asked_for[task.about]
-            made = staff.replies.get(key, lambda: _worked(staff, task, about, others))
-            return await _while_wanted(request, made)
+            reply_ = staff.replies.get(key, lambda: _worked(staff, task, about, others))
+            return await _while_wanted(request, reply_)
 
         return await _answered(request, reply)
 
@@ -196,10 +196,10 @@ async def _explain(request: Request) -> Response:
             finally:
                 early.unlink(missing_ok=True)
 
-        made = staff.replies.get((task.function.__name__, statement), once)
+        reply_ = staff.replies.get((task.function.__name__, statement), once)
         if not about.get("early"):
-            return await _while_wanted(request, made)
-        rest = asyncio.ensure_future(_while_wanted(request, made))
+            return await _while_wanted(request, reply_)
+        rest = asyncio.ensure_future(_while_wanted(request, reply_))
         began = time.monotonic()
         try:
             await asyncio.wait({rest}, timeout=_UNASKED)
@@ -233,10 +233,10 @@ async def _worked(staff: Staff, task: _Task, about: Any, others: tuple[Any, ...]
 
 async def _answered(request: Request, reply: Callable[[], Awaitable[Made | _Begun]]) -> Response:
     try:
-        made = await reply()
-        if isinstance(made, _Begun):
+        answer = await reply()
+        if isinstance(answer, _Begun):
             # A proxy is not to wait for all of it.
-            return StreamingResponse(_lines(request, made), headers={"X-Accel-Buffering": "no"})
+            return StreamingResponse(_lines(request, answer), headers={"X-Accel-Buffering": "no"})
     except RefusedError as error:
         return refusal(error.status, error.kind, error.message, {})
     except BusyError as error:
@@ -251,15 +251,15 @@ async def _answered(request: Request, reply: Callable[[], Awaitable[Made | _Begu
     except (TimeoutError, LostError) as error:
         _log.error("a statement could not be read: %r", error)
         return refusal(500, "internal", "this statement could not be read; please report it", {})
-    if made.fault:
-        _log.error("%s", made.fault)
-    if not made.packed:
-        return Response(made.content, made.status, media_type=made.kind)
+    if answer.fault:
+        _log.error("%s", answer.fault)
+    if not answer.packed:
+        return Response(answer.content, answer.status, media_type=answer.kind)
     headers = {"Vary": "Accept-Encoding"}
     if not unpacks(request):
-        return Response(gzip.decompress(made.content), made.status, headers, made.kind)
+        return Response(gzip.decompress(answer.content), answer.status, headers, answer.kind)
     headers["Content-Encoding"] = "gzip"
-    return Response(made.content, made.status, headers, made.kind)
+    return Response(answer.content, answer.status, headers, answer.kind)
 
 
 async def _lines(request: Request, begun: _Begun) -> AsyncIterator[bytes]:

@@ -37,10 +37,10 @@ async def asked(
     if kind != "application/json":
         raise RefusedError(415, "content type", "send JSON, with Content-Type: application/json")
     kinds: dict[str, Kind] = {about: str if about == "statement" else dict, **optional}
-    found = _object(await _body(request, settings), about)
-    if about not in found:
+    fields = _object(await _body(request, settings), about)
+    if about not in fields:
         raise RefusedError(400, "malformed", f'the object has no "{about}"')
-    for name, value in found.items():
+    for name, value in fields.items():
         wanted = kinds.get(name)
         if wanted is None:
             known = ", ".join(f'"{each}"' for each in kinds)
@@ -53,11 +53,11 @@ async def asked(
         # In Python a truth value is a number too.
         if not isinstance(value, wanted) or (wanted is int and isinstance(value, bool)):
             raise RefusedError(400, "malformed", f'"{name}" has to be {_NAMES[wanted]}')
-    length = len(found["statement"]) if about == "statement" else 0
+    length = len(fields["statement"]) if about == "statement" else 0
     if length > settings.longest:
         message = f"a statement has at most {settings.longest} characters, this one {length}"
         raise RefusedError(413, "too large", message)
-    return found
+    return fields
 
 
 _NAMES = {str: "a text", int: "a whole number", bool: "true or false", dict: "an object"}
@@ -84,16 +84,16 @@ async def _body(request: Request, settings: Settings) -> bytes:
 
 def _object(body: bytes, about: str) -> dict[str, Any]:
     try:
-        found = json.loads(body.decode("utf-8"), parse_constant=_no_number)
+        content = json.loads(body.decode("utf-8"), parse_constant=_no_number)
         # Half of a character, which JSON lets through, is in no text.
-        json.dumps(found, ensure_ascii=False).encode("utf-8")
+        json.dumps(content, ensure_ascii=False).encode("utf-8")
     except UnicodeError:
         raise RefusedError(400, "malformed", "the request is not UTF-8") from None
     except (ValueError, RecursionError):
         raise RefusedError(400, "malformed", "the request is not JSON") from None
-    if not isinstance(found, dict):
+    if not isinstance(content, dict):
         raise RefusedError(400, "malformed", f'send an object: {{"{about}": …}}')
-    return found
+    return content
 
 
 def _no_number(name: str) -> None:

@@ -70,13 +70,13 @@ def files_of(folders: Mapping[str, Path]) -> dict[str, Stored]:
 
 def imported(files: Mapping[str, Stored], path: str) -> list[str]:
     """The modules that a module needs from its start, itself among them, each once."""
-    found = [path]
-    for each in found:  # which grows meanwhile
+    paths = [path]
+    for each in paths:  # which grows meanwhile
         for name in _IMPORT.findall(files[each].content.decode()):
             needed = normpath(join(dirname(each), name))
-            if needed not in found:
-                found.append(needed)
-    return found
+            if needed not in paths:
+                paths.append(needed)
+    return paths
 
 
 def digest(files: Mapping[str, Stored]) -> str:

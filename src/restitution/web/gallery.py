@@ -47,11 +47,11 @@ def routes() -> list[Route]:
                 return await _made(staff, name)
 
         try:
-            found = await staff.replies.get((pictured.__name__, name), made)
+            picture_ = await staff.replies.get((pictured.__name__, name), made)
         except BusyError as error:
             return refusal(503, "busy", "please ask again", {"Retry-After": str(error.again)})
-        kept = "no-store" if found.tired else _FOR_A_DAY  # another time more may come of it
-        return stored(found.content, found.kind).reply(request, kept)
+        kept = "no-store" if picture_.tired else _FOR_A_DAY  # another time more may come of it
+        return stored(picture_.content, picture_.kind).reply(request, kept)
 
     table = stored(_table(), "application/json")
 

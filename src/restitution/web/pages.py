@@ -51,8 +51,8 @@ def _form() -> dict[str, Any]:
 
 def routes() -> list[Route]:
     """The pages; all addresses in them are relative, so that they may stand under any path."""
-    found = files_of(_FOLDERS)
-    name = digest(found)
+    files = files_of(_FOLDERS)
+    name = digest(files)
     environment = Environment(
         loader=PackageLoader("restitution.web"),
         autoescape=select_autoescape(default=True),
@@ -61,7 +61,7 @@ def routes() -> list[Route]:
         lstrip_blocks=True,
     )
     # Fetched at once, and not each after the one that needs it.
-    environment.globals["modules"] = lambda main: imported(found, main)
+    environment.globals["modules"] = lambda main: imported(files, main)
 
     def written(template: str, up: str = "", **more: Any) -> bytes:
         static = f"{up}static/{name}"
@@ -88,11 +88,11 @@ def routes() -> list[Route]:
 
     async def file(request: Request) -> Response:
         path = request.path_params["path"]
-        if path not in found:
+        if path not in files:
             return await missing(request)
         # A page that was opened before an upgrade asks by the old name: better these than none.
         current = request.path_params["digest"] == name
-        return found[path].reply(request, _FOR_EVER if current else _ASK)
+        return files[path].reply(request, _FOR_EVER if current else _ASK)
 
     async def missing(request: Request) -> Response:
         up = "../" * (request.url.path.count("/") - 1)

@@ -68,11 +68,11 @@ class BusyError(Exception):
 @asynccontextmanager
 async def pool(workers: int, waiting: int, patience: float) -> AsyncIterator[Pool]:
     """So many processes, which begin at once, and are killed in the end."""
-    made = Pool(workers, waiting, patience)
+    pool_ = Pool(workers, waiting, patience)
     try:
-        yield made
+        yield pool_
     finally:
-        await made.close()
+        await pool_.close()
 
 
 class Pool:
@@ -195,13 +195,13 @@ class _Hand:
         loop = asyncio.get_running_loop()
         request = function, arguments
         try:
-            made: _Made = await loop.run_in_executor(
+            reply: _Made = await loop.run_in_executor(
                 self._thread, self._ask, turn, request, seconds
             )
         except asyncio.CancelledError:
             self._give_up(turn)
             raise
-        return made
+        return reply
 
     def dismiss(self) -> None:
         """End the process and the thread; lasts until both have ended."""
@@ -229,9 +229,9 @@ class _Hand:
             raise BusyError(_AFTERWARDS)
         is_fit = False
         try:
-            made = worker.ask(request, seconds)
-            is_fit = not made.tired
-            return made
+            reply = worker.ask(request, seconds)
+            is_fit = not reply.tired
+            return reply
         finally:
             self._tasks += 1
             with self._lock:

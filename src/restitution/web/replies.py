@@ -47,18 +47,18 @@ class Replies:
     async def _make(self, key: Hashable, make: Callable[[], Awaitable[Made]]) -> Made:
         mine = asyncio.current_task()
         try:
-            made = await make()
+            reply = await make()
         finally:
             shared = self._under_way.get(key)
             if shared is not None and shared.task is mine:
                 del self._under_way[key]
-        if not made.tired and not made.fault:
-            self._keep(key, made)
-        return made
+        if not reply.tired and not reply.fault:
+            self._keep(key, reply)
+        return reply
 
-    def _keep(self, key: Hashable, made: Made) -> None:
-        self._kept[key] = made
-        self._taken += len(made.content)
+    def _keep(self, key: Hashable, reply: Made) -> None:
+        self._kept[key] = reply
+        self._taken += len(reply.content)
         while self._taken > self._room:
             _, oldest = self._kept.popitem(last=False)
             self._taken -= len(oldest.content)

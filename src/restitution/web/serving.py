@@ -141,8 +141,8 @@ def _outward(family: socket.AddressFamily) -> str | None:
             probe.connect((beyond, 9))
         except OSError:
             return None
-        found: str = probe.getsockname()[0]
-        return found
+        address: str = probe.getsockname()[0]
+        return address
 
 
 def listening(host: str, port: int) -> socket.socket:

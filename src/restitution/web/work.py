@@ -141,12 +141,12 @@ def given_up(
     error = (TimeLimitError if late else UnsupportedError)(message)
     if task not in (solved, drawn, explained):
         return _failed(error)
-    found = contract.unfinished(FILE, parse(about), error)
+    content = contract.unfinished(FILE, parse(about), error)
     if task is explained:
-        return _json(_nothing(found), tired=True)
+        return _json(_nothing(content), tired=True)
     if task is solved and True in others[1:2]:  # the working too
-        found = contract.with_derivations(found)
-    return _json({**found, **(_NO_PICTURES if task is drawn else {})}, tired=True)
+        content = contract.with_derivations(content)
+    return _json({**content, **(_NO_PICTURES if task is drawn else {})}, tired=True)
 
 
 _NO_PICTURES: dict[str, Any] = {"pictures": [], "pictures_error": None}
@@ -182,15 +182,15 @@ def _made(statement: str, task: Task, limit: float, **beside: Any) -> Made:
         _require_part(problem, part)
         reply = serve(Job(FILE, problem, task, limit))
     except RestitutionError as error:
-        found = (
+        content = (
             contract.unreadable(FILE, error)
             if problem is None or isinstance(error, StatementError)
             else contract.unfinished(FILE, problem, error, part)
         )
         if isinstance(task, Writing) and task.working:
-            found = contract.with_derivations(found)
+            content = contract.with_derivations(content)
         tired = error.kind == TimeLimitError.kind
-        return _json(_nothing(found) if whole else {**found, **beside}, tired)
+        return _json(_nothing(content) if whole else {**content, **beside}, tired)
     if isinstance(reply.content, str):
         return _packed(reply.content.rstrip("\n").encode(), reply.tired)
     return replace(_json(reply.content, reply.tired), fault=reply.fault)

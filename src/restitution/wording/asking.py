@@ -56,8 +56,8 @@ def _shown(scene: Scene, show: Show) -> Words:
         case Extremum() as extreme, Compare((_, value), _, figures):
             dimension = dimension_of_any((extreme.expression,))
             greatest = values.value(scene.style, value, dimension)
-            found = _extreme(scene, extreme)
-            return words(found.head, " is ", greatest, to_figures(figures), _where(found))
+            noun = _extreme(scene, extreme)
+            return words(noun.head, " is ", greatest, to_figures(figures), _where(noun))
         case Range(subject), Compare() as chain if has_quantity(subject):
             limits = bounds(scene, chain, subject)
             only = words(" can have any value that is ", limits, ", and no other")
@@ -66,8 +66,8 @@ def _shown(scene: Scene, show: Show) -> Words:
                 return words(named.head, only, _where(named))
             return words(named.words(), only)
         case Range(subject), chain:
-            found = _range(scene, subject)
-            return words(found.words(), " is given by ", clause(scene, chain))
+            noun = _range(scene, subject)
+            return words(noun.words(), " is given by ", clause(scene, chain))
     return clause(scene, show.relation)
 
 
@@ -77,30 +77,30 @@ def _shown(scene: Scene, show: Show) -> Words:
 def _item(scene: Scene, item: Item, plain: bool) -> Noun:
     match item:
         case Range(expression):
-            found = _range(scene, expression)
+            noun = _range(scene, expression)
         case Extremum():
             corresponding = words(", and the corresponding value of ", phrase(scene, item.over))
             extreme = _extreme(scene, item)
-            found = replace(extreme, head=words(extreme.head, corresponding))
+            noun = replace(extreme, head=words(extreme.head, corresponding))
         case Value(expression):
             if item.percentage and sayable(scene, expression):
                 shared = share(scene, expression)
                 if shared is not None:
                     return shared
-            found = _value(scene, expression, plain)
-    return _percentage(found) if item.percentage else found
+            noun = _value(scene, expression, plain)
+    return _percentage(noun) if item.percentage else noun
 
 
-def _percentage(found: Noun) -> Noun:
-    first = found.head[0]
+def _percentage(noun: Noun) -> Noun:
+    first = noun.head[0]
     if isinstance(first, str) and first.startswith("the fraction of "):
         return Noun(
-            words("the percentage of ", first.removeprefix("the fraction of "), found.head[1:]),
-            found.when,
+            words("the percentage of ", first.removeprefix("the fraction of "), noun.head[1:]),
+            noun.when,
         )
-    if found.where:
-        return replace(found, head=words(found.head, " as a percentage"))
-    return Noun(words(found.words(), " (as a percentage)"))
+    if noun.where:
+        return replace(noun, head=words(noun.head, " as a percentage"))
+    return Noun(words(noun.words(), " (as a percentage)"))
 
 
 def _value(scene: Scene, tree: Expression, plain: bool) -> Noun:
@@ -112,31 +112,31 @@ def _value(scene: Scene, tree: Expression, plain: bool) -> Noun:
         if scene.is_wall(name):
             return Noun(words("a vector parallel to ", Named(name)))
         return line(scene, Quantity("velocity", tree.arguments, tree.stage))
-    found = noun_phrase(scene, tree)
-    if found.where and not plain and not values.is_vector(tree):
-        return replace(found, head=words("the value of ", found.head))
-    return found
+    noun = noun_phrase(scene, tree)
+    if noun.where and not plain and not values.is_vector(tree):
+        return replace(noun, head=words("the value of ", noun.head))
+    return noun
 
 
-def _where(found: Noun) -> Words:
+def _where(noun: Noun) -> Words:
     """What letters denote, behind a comma."""
-    return words(", ", found.where) if found.where else ()
+    return words(", ", noun.where) if noun.where else ()
 
 
 def _range(scene: Scene, tree: Expression) -> Noun:
-    found = noun_phrase(scene, tree)
+    noun = noun_phrase(scene, tree)
     lead = "the range of possible values of "
-    if found.where:
-        return replace(found, head=words(lead, found.head))
-    return Noun(words(lead, found.words()))
+    if noun.where:
+        return replace(noun, head=words(lead, noun.head))
+    return Noun(words(lead, noun.words()))
 
 
 def _extreme(scene: Scene, item: Extremum) -> Noun:
     degree = "greatest" if item.kind == "maximum" else "least"
-    found = noun_phrase(scene, item.expression)
-    subject = found.head if found.where else found.words()
+    noun = noun_phrase(scene, item.expression)
+    subject = noun.head if noun.where else noun.words()
     of = words(f"the {degree} possible value of ", subject)
-    return Noun(words(of, " as ", phrase(scene, item.over), " varies"), where=found.where)
+    return Noun(words(of, " as ", phrase(scene, item.over), " varies"), where=noun.where)
 
 
 # --- several at once ------------------------------------------------------------------------------

@@ -97,21 +97,24 @@ def clauses(scene: Scene, relations: Sequence[Relation]) -> list[Words]:
 
 def _velocities(scene: Scene, relations: Sequence[Relation]) -> list[tuple[Noun, Words]]:
     """The first relations, as far as each gives another body's velocity at the same moment."""
-    found: list[tuple[Noun, Words]] = []
+    clauses_: list[tuple[Noun, Words]] = []
     for relation in relations:
         match relation:
             case Compare((Quantity("velocity") as moving, value), ("=",)) if not (
                 has_quantity(value) or isinstance(value, Polar)
             ):
                 subject = noun(scene, moving)
-                if found and (subject.kind, subject.when) != (found[0][0].kind, found[0][0].when):
+                if clauses_ and (subject.kind, subject.when) != (
+                    clauses_[0][0].kind,
+                    clauses_[0][0].when,
+                ):
                     break
-                if not subject.when or subject.body in [one.body for one, _ in found]:
+                if not subject.when or subject.body in [one.body for one, _ in clauses_]:
                     break
-                found.append((subject, values.value(scene.style, value, SPEED)))
+                clauses_.append((subject, values.value(scene.style, value, SPEED)))
             case _:
                 break
-    return found
+    return clauses_
 
 
 def mathematics(relation: Compare) -> lay.Layout:

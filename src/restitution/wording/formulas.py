@@ -207,9 +207,9 @@ def _free(scene: Scene, kind: str, group: Sequence[Expression]) -> list[str]:
     if len(set(bodies)) == len(group):
         ends = bodies
     for base in bases:
-        found = [f"{base}_{end}" for end in ends]
-        if not taken.intersection(found) and base not in taken:
-            return found
+        names = [f"{base}_{end}" for end in ends]
+        if not taken.intersection(names) and base not in taken:
+            return names
     numbered = (f"{bases[0]}_{number}" for number in range(1, 10_000))
     return [each for each, _ in zip((n for n in numbered if n not in taken), group, strict=False)]
 

@@ -29,16 +29,16 @@ def acute_letters(problem: Problem) -> frozenset[str]:
 
     A fact may let one be wider: ``given 0 < theta < 180°``.
     """
-    found = [
+    nodes = [
         node.angle for tree in trees(problem) for node in walk(tree) if isinstance(node, Polar)
     ]
     for sphere in problem.spheres:
         if isinstance(sphere.velocity, Expression):
-            found += [node for node in walk(sphere.velocity) if is_ratio(node)]
+            nodes += [node for node in walk(sphere.velocity) if is_ratio(node)]
     runs = [wall.along for wall in problem.walls]
     runs += [step.along for _, step in problem.steps() if isinstance(step, Impact)]
-    found += [run for run in runs if isinstance(run, Expression) and not _has_axes(run)]
-    names = frozenset().union(*(letters(each) for each in found)) - named_letters(problem)
+    nodes += [run for run in runs if isinstance(run, Expression) and not _has_axes(run)]
+    names = frozenset().union(*(letters(each) for each in nodes)) - named_letters(problem)
     return frozenset(name for name in names if not _wide(problem, name))
 
 

@@ -310,14 +310,14 @@ def ends(scene: Scene, tree: Expression) -> tuple[Expression, Expression] | None
     origin = Pair(Number(Fraction(0)), Number(Fraction(0)))
     match tree:
         case Binary("-", end, begin) if _is_place(scene, end) and _is_place(scene, begin):
-            found = (begin, end)
+            pair = (begin, end)
         case Negate(begin) if _is_somewhere(scene, begin):
-            found = (begin, origin)
+            pair = (begin, origin)
         case _ if _is_somewhere(scene, tree):
-            found = (origin, tree)
+            pair = (origin, tree)
         case _:
             return None
-    return found if any(_is_somewhere(scene, each) for each in found) else None
+    return pair if any(_is_somewhere(scene, each) for each in pair) else None
 
 
 def _is_somewhere(scene: Scene, tree: Expression) -> bool:
@@ -333,10 +333,10 @@ def _is_place(scene: Scene, tree: Expression) -> bool:
 
 def displacement(scene: Scene, tree: Expression) -> Noun | None:
     """``the vector from O to the position of S when it hits W``."""
-    found = ends(scene, tree)
-    if found is None:
+    pair = ends(scene, tree)
+    if pair is None:
         return None
-    begin, end = found
+    begin, end = pair
     to = somewhere(scene, end)
     match begin, end:
         case Quantity("position", (Name(a),)), Quantity("position", (Name(b),)) if a == b:

@@ -272,8 +272,8 @@ def locus(problem: Problem, tree: Any) -> Vector | None:
     """The coordinates of a point, given or named."""
     if isinstance(tree, Name):
         tree = next((point.position for point in problem.points if point.name == tree.name), None)
-    found = exact(tree)
-    return found if isinstance(found, Vector) else None
+    place = exact(tree)
+    return place if isinstance(place, Vector) else None
 
 
 def exact(tree: Any) -> Any:

@@ -86,14 +86,14 @@ def asked(problem: Problem) -> dict[str | None, tuple[Words, ...]]:
     check(problem)
     _exact(problem)
     scene = scene_of(problem)
-    found: dict[str | None, tuple[Words, ...]] = {}
+    asked_: dict[str | None, tuple[Words, ...]] = {}
     for part in problem.parts:
         items: list[Words] = []
         for step, now, own in problem.timeline(part):
             if own is part and isinstance(step, Find | Show):
                 items += names_of(scene.at(now), step)
-        found[part.label] = tuple(items)
-    return found
+        asked_[part.label] = tuple(items)
+    return asked_
 
 
 def _exact(problem: Problem) -> None:
@@ -130,8 +130,8 @@ def _drafts(scene: Scene) -> Iterator[_Draft]:
     for part in scene.problem.parts:
         blocks: list[Block] = []
         for run in _runs(part):
-            now, made = _run(scene, now, run, lets)
-            blocks += made
+            now, more = _run(scene, now, run, lets)
+            blocks += more
         yield _draft(part.label, _numbered(blocks, number))
 
 

@@ -61,7 +61,7 @@ def _row(head: str, body: str, widest: str = "") -> str:
 
 def part(part: QuestionPart) -> str:
     """A part, with its label at the left and its marks at the right."""
-    body = "\n\n".join(made for block in part.flow() for made in _block(block))
+    body = "\n\n".join(line for block in part.flow() for line in _block(block))
     if part.marks is not None:
         body += f"\n\n#align(right)[{text(count_of_marks(part.marks))}]"
     return body if part.label is None else _row(part.label, body)

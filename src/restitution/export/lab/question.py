@@ -183,8 +183,8 @@ def _after(hit: _Hit) -> tuple[Vector, ...]:
     weights = [1 / mass for mass in hit.masses] + [Fraction(0)]
     both = [*hit.velocities, _REST]
     impulse = law.impulse(both[0], both[1], weights[0], weights[1], hit.line, hit.e)
-    found = law.after_impulse(both[0], both[1], weights[0], weights[1], impulse)
-    return tuple(found[: len(hit.names)])
+    velocities = law.after_impulse(both[0], both[1], weights[0], weights[1], impulse)
+    return tuple(velocities[: len(hit.names)])
 
 
 _REST = Vector(Fraction(0), Fraction(0))

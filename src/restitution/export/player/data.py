@@ -68,18 +68,20 @@ def of_motions(
     Those that would take too many steps to work out are left out, as are, on a machine that is
     too slow, those that are not known after so many ``seconds``; a note says so.
     """
-    made = [_of_motion(each, label) for each, label in zip(motions, _labels(motions), strict=True)]
+    contents = [
+        _of_motion(each, label) for each, label in zip(motions, _labels(motions), strict=True)
+    ]
     try:
         with limited(seconds, _STEPS) as own:
-            for shown, each in zip(made, motions, strict=True):
+            for shown, each in zip(contents, motions, strict=True):
                 _add_exact(shown, each)
         hurried = own.broken
     except (TimeLimitError, UnsupportedError):
         hurried = True
     if hurried:  # numbers are there for all of it
-        for shown in made:
+        for shown in contents:
             shown["notes"].append(_NO_TIME)
-    return {"title": title, "motions": made}
+    return {"title": title, "motions": contents}
 
 
 def is_hurried(data: Object) -> bool:
@@ -206,21 +208,21 @@ def _of_motion(motion: PartMotion, label: str) -> Object:
     from restitution.render.layout import Phrase
     from restitution.render.text import to_text
 
-    made = _motion(motion.motion, [event for _, event in motion.events], motion.masses)
-    made["label"] = label
+    content = _motion(motion.motion, [event for _, event in motion.events], motion.masses)
+    content["label"] = label
     words = values_of(_chosen(motion))
-    made["drawn"] = to_text(Phrase(words)) if words else ""
-    return made
+    content["drawn"] = to_text(Phrase(words)) if words else ""
+    return content
 
 
-def _add_exact(made: Object, motion: PartMotion) -> None:
+def _add_exact(content: Object, motion: PartMotion) -> None:
     """Puts exact values into the data of a motion, as far as they are short."""
     exact = _Exact(motion)
-    for sphere, track in zip(made["spheres"], motion.motion.tracks, strict=True):
+    for sphere, track in zip(content["spheres"], motion.motion.tracks, strict=True):
         sphere["said"] = [
             exact.velocity(track.name, stage) for stage in _stages(motion, track.name)
         ]
-    for shown, (number, event) in zip(made["events"], motion.events, strict=True):
+    for shown, (number, event) in zip(content["events"], motion.events, strict=True):
         if isinstance(event, Struck):
             shown["said"] = exact.impact(number, event)
 
@@ -327,21 +329,21 @@ class _Exact:
             if value_.count_ops() > _LONG:
                 return None
             # Of either sign in general, perhaps; at the values that are shown it has to be right.
-            found = plain(
+            exact = plain(
                 value_, [self.part_motion.branch.sample, self.part_motion.numbers.numbers]
             )
         except (RestitutionError, ArithmeticError):
             return None
-        if any(symbol.name.startswith("_") for symbol in found.free_symbols):
+        if any(symbol.name.startswith("_") for symbol in exact.free_symbols):
             return None
-        text = to_text(from_sympy(found))
+        text = to_text(from_sympy(exact))
         return text if len(text) <= _SHORT else None
 
 
 def _labels(motions: Sequence[PartMotion]) -> list[str]:
     """What tells the motions of a problem apart; nothing where there is one only."""
-    made = [list(_label(each, motions)) for each in motions]
-    return [", ".join(words) for words in made] if len(motions) > 1 else [""]
+    labels = [list(_label(each, motions)) for each in motions]
+    return [", ".join(words) for words in labels] if len(motions) > 1 else [""]
 
 
 def _label(one: PartMotion, all_: Sequence[PartMotion]) -> Iterator[str]:

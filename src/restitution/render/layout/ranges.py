@@ -82,5 +82,5 @@ def _from_union(values: Any, subject: Layout, degrees: bool) -> Layout:
 def _set_order(value: Any) -> float:
     if value is S.NegativeInfinity:
         return float("-inf")
-    found = exact.decimal(value) if isinstance(value, Expr) else None
-    return found if found is not None else 0.0
+    number = exact.decimal(value) if isinstance(value, Expr) else None
+    return number if number is not None else 0.0
