@@ -589,7 +589,9 @@ class Leads:
                 facts = tuple(self._fact(each) for each in source.facts)
                 self._given |= {*source.facts}
                 spoken = self._spoken_of(source)
-                letters = tuple(self._named(each) for each in source.letters if each not in spoken)
+                letters = tuple(
+                    self._named(each) for each in source.letters if spoken.isdisjoint(walk(each))
+                )
                 told = any(isinstance(e, Sentence) and e.topic == "claim" for e in facts)
                 moves = self._moves(source.facts)
                 if len(facts) == 1 and told:

@@ -361,7 +361,7 @@ class _Awarding:
                     # What needs no method is independent.
                     own = not earned[part] or self._is_read_off(line, out)
                     kind: Literal["A", "B"] = "B" if own and not (star or marks) else "A"
-                    marks.append(Mark(kind, star=star, ft=not star and self._follows(line)))
+                    marks.append(Mark(kind, star=star, ft=not star and self._follows(line, out)))
                 else:
                     marks.append(Mark("B"))
             earned[part] = earned[part] or bool(marks)
@@ -498,8 +498,8 @@ class _Awarding:
                 open_ += [each.number for each in self.cited(self.lines[number])]
         return tuple(sorted(set(found)))
 
-    def _follows(self, line: Line) -> bool:
-        """Whether a value is put in that an earlier part or item has found."""
+    def _follows(self, line: Line, marks: Mapping[int, Marks]) -> bool:
+        """Whether a value is put in that an earlier part or item has found, and earned by."""
         seen: set[int] = set()
         open_ = [line.number]
         while open_:
@@ -514,6 +514,7 @@ class _Awarding:
                     self._is_value(each)
                     and self._earlier(each, line)
                     and not self._is_of_data(each)
+                    and self._has_earned(each, marks)
                 ):
                     return True
         return False
@@ -524,6 +525,19 @@ class _Awarding:
             isinstance(each.relation, Meaning) or self._is_of_data(each)
             for each in self.cited(line)
         )
+
+    def _has_earned(self, line: Line, marks: Mapping[int, Marks]) -> bool:
+        """Whether a line, or one on which it rests, has a mark that may be lost."""
+        seen: set[int] = set()
+        open_ = [line]
+        while open_:
+            own = open_.pop()
+            if marks.get(own.number):
+                return True
+            if own.number not in seen:
+                seen.add(own.number)
+                open_ += self.cited(own)
+        return False
 
     def _is_solved_by(self, line: Line, other: Line) -> bool:
         """Whether a line is the one of two values of which the other one is, in the same part."""
@@ -738,9 +752,10 @@ def _solved_before(work: _Awarding, line: Line) -> list[Line]:
 
 
 def _of_one_letter(work: _Awarding, line: Line) -> bool:
-    """Two lines say what one letter is: what they say is equal."""
+    """Two lines say what one letter is: what they say is equal; none solves two principles."""
     subjects = [_subject(e) for e in work.cited(line) if isinstance(e.relation, Relation)]
-    return len(subjects) >= 2 and isinstance(subjects[0], Letter) and subjects[0] == subjects[1]
+    equal = len(subjects) >= 2 and isinstance(subjects[0], Letter) and subjects[0] == subjects[1]
+    return equal and not _solves(work, line)
 
 
 def _sought(work: _Awarding, line: Line) -> bool:

@@ -24,6 +24,8 @@ class Rules:
 
     world: World
     found: list[tuple[int, int, Quotient]] = field(default_factory=list)
+    apart: frozenset[str] = frozenset()
+    """Letters of components: the difference of two of them, as it is cited, tells one of them."""
 
     def add(self, left: Expression, right: Expression, sense: int = 1) -> None:
         """Take up ``left = right`` (times the sense) where the left side is a subject."""
@@ -94,6 +96,8 @@ class Rules:
             # Of the time from one event to another the later one is told.
             last = max(keys, key=lambda n: keys[n][1].stage)
             return (last, 1) if powers[last] == {1} else None
+        if len(keys) == 2 and all(k[0] == "letter" and k[1] in self.apart for k in keys.values()):
+            return (max(keys), 1) if all(each == {1} for each in powers.values()) else None
         for n, key in keys.items():
             if n not in powers or len(powers[n]) != 1:
                 continue

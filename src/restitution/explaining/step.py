@@ -408,7 +408,7 @@ class Step:
         """What is cited as values: of a letter or a quantity by a number or other letters."""
         if cited is None:
             return self._rules
-        rules = Rules(self.world)
+        rules = Rules(self.world, apart=self._letters_apart)
         self._put_together(cited, rules)
         for each in cited:
             if isinstance(each.relation, Meaning):
@@ -424,6 +424,19 @@ class Step:
         for left, right in self._stays(tuple(cited), rules):
             rules.add(left, right)
         return rules
+
+    @cached_property
+    def _letters_apart(self) -> frozenset[str]:
+        """The letters of components that are cited, in a line about how far, or how fast, apart."""
+        sizes = any(
+            isinstance(each, Apply) and each.function == "abs"
+            for link in self.links
+            for side in (link.left, link.right)
+            for each in walk(side)
+        )
+        if not sizes and self.move.record not in ("distance", "size"):
+            return frozenset()
+        return frozenset(each.letter for each in self.lets)
 
     def _put_together(self, cited: Sequence[Cited], rules: Rules) -> None:
         """Vectors of which both components are cited, in directions that are told in letters.

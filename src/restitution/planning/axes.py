@@ -237,16 +237,51 @@ def take_impulse(scene: Scene, given: GivenEquation) -> None:
     """The velocity after an impulse that is given as a vector: impulse = change of momentum."""
     match given.link:
         case Link(Quantity("impulse", (Name(body),), int(event)), "=", right):
-            mass, early = scene.mass(body), scene.initial(body)
+            _take(scene, body, event, right, given.refs)
         case _:
             raise NotPlannedError("no impulse of a body")
+
+
+def take_opposite(scene: Scene, given: GivenEquation) -> str | None:
+    """The same of the other sphere, on which the impulse is equal and opposite: which one that is.
+
+    None where nothing is written, as its mass is open, or its velocity before is not of the data.
+    """
+    match given.link:
+        case Link(Quantity("impulse", (Name(body),), int(event)), "=", right):
+            others = [each for each in scene.spheres(event) if each != body]
+        case _:
+            return None
+    if len(others) != 1:
+        return None
+    (other,) = others
+    velocity = f"velocity {other}"
+    if scene.last_event(other, event - 1) or velocity not in scene.facts:
+        return None
+    (start,) = scene.facts[velocity].relation.only
+    polar = any(isinstance(each, Polar) for each in walk(start.right))
+    if polar or scene.unknown(scene.mass(other).value):
+        return None
+    opposite = tree_of(tuple(tidy(-each) for each in scene.vector(right)))
+    impulse = right.operand if isinstance(right, Negate) else opposite
+    line = scene.desk.write(
+        Move("law", "opposite-impulses", event, scene.bodies(event)),
+        given.refs,
+        Relation(((Link(Quantity("impulse", (Name(other),), event), "=", impulse),),)),
+    )
+    _take(scene, other, event, impulse, (line,))
+    return other
+
+
+def _take(scene: Scene, body: str, event: int, impulse: Expression, told: tuple[Ref, ...]) -> None:
+    mass, early = scene.mass(body), scene.initial(body)
     if scene.last_event(body, event - 1):
         raise NotPlannedError("an impulse after an earlier event")
     velocity = Quantity("velocity", (Name(body),), event)
-    impulse = scene.value(right)
     if scene.unknown(mass.value):
         raise NotPlannedError("an impulse on a sphere whose mass is open")
-    late = Vector(*(tidy(u + p / mass.value) for u, p in zip(early.value, impulse, strict=True)))
+    push = scene.vector(impulse)
+    late = Vector(*(tidy(u + p / mass.value) for u, p in zip(early.value, push, strict=True)))
     before = tree_of(early.value)
     change: Expression = velocity
     if any(early.value):
@@ -255,8 +290,8 @@ def take_impulse(scene: Scene, given: GivenEquation) -> None:
             change = Binary("+", velocity, before.operand)
     line = scene.desk.write(
         Move("law", "impulse-vector", event, (body,)),
-        together(given.refs, mass.refs, early.refs),
-        Relation(((Link(right, "=", Binary("*", tree_of(mass.value), change)),),)),
+        together(told, mass.refs, early.refs),
+        Relation(((Link(impulse, "=", Binary("*", tree_of(mass.value), change)),),)),
     )
     line = scene.desk.write(
         Move("rearrange"), (line,), Relation(((Link(velocity, "=", tree_of(late)),),))
@@ -264,4 +299,4 @@ def take_impulse(scene: Scene, given: GivenEquation) -> None:
     scene.desk.know(velocity, late, (line,))
 
 
-__all__ = ["found_frame", "take_impulse"]
+__all__ = ["found_frame", "take_impulse", "take_opposite"]

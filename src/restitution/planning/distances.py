@@ -19,7 +19,7 @@ from restitution.planning.place_trees import duration_tree, time_tree
 from restitution.planning.places import spot, time_of
 from restitution.planning.polynomials import expanded, factored
 from restitution.planning.scene import Scene
-from restitution.planning.separations import separation_direction, separation_known
+from restitution.planning.separations import separation_known
 from restitution.planning.whereabouts import are_apart, standing, tidied
 
 
@@ -170,11 +170,7 @@ def _distance_since_contact(scene: Scene, asked: Quantity) -> Source | None:
     else:
         along = [Source(sp.Integer(0)), apart]
     a, b = ([x, y] for x, y in zip(along, across, strict=True))
-    named = [frame.component("across", names[0], met).arguments[-1]]
-    if apart is None:
-        named.append(frame.component("along", names[0], met).arguments[-1])
-    else:
-        named.append(separation_direction(frame))
+    named = [frame.component(each, names[0], met).arguments[-1] for each in ("across", "along")]
     used = together(
         more,
         (f"contact {met}",),

@@ -28,6 +28,7 @@ from restitution.planning.place_trees import is_duration
 from restitution.planning.polynomials import expanded
 from restitution.planning.quantities import formula, velocity_source, write_formula
 from restitution.planning.scene import Scene
+from restitution.planning.separations import relative_speed
 from restitution.planning.turning import angle_line, write_decimal
 from restitution.vector import Vector
 
@@ -117,13 +118,18 @@ def size_of(scene: Scene, asked: Apply, inside: Vector) -> tuple[tuple[Ref, ...]
 
 def _write_size(scene: Scene, asked: Apply, inside: Vector) -> tuple[int, Any]:
     """The size of a vector, by its components."""
-    refs, parts = size_of(scene, asked, inside)
-    final = tree_of(tidy(sp.sqrt(expanded(sum(each**2 for each in parts)))))
-    moving = [each for each in parts if each != 0]
+    apart = relative_speed(scene, asked.argument)
+    if apart is not None:
+        parts, refs = apart
+    else:
+        refs, values = size_of(scene, asked, inside)
+        parts = [(tree_of(value), value) for value in values]
+    final = tree_of(tidy(sp.sqrt(expanded(sum(value**2 for _, value in parts)))))
+    moving = [tree for tree, value in parts if value != 0]
     if len(moving) < 2:
         relation = chain(asked, (final, None))
     else:
-        root = Apply("sqrt", total(square(tree_of(each)) for each in parts))
+        root = Apply("sqrt", total(square(tree) for tree in moving))
         relation = chain(asked, (root, None), (final, "rearrange"))
     return scene.desk.write(Move("define", "size"), refs, relation), final
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import Any
 
@@ -284,6 +284,27 @@ def alike(a: Expression, b: Expression) -> bool:
     and ``2u`` are not.
     """
     return _factors(a) == _factors(b)
+
+
+def reordered(a: Expression, b: Expression) -> bool:
+    """Whether two sums, or two quotients of sums with one divisor, have the same terms."""
+    match a, b:
+        case Binary("/", above, below), Binary("/", other, divisor) if below == divisor:
+            return reordered(above, other)
+    terms, others = ([_factors(each) for each in _signed_terms(tree)] for tree in (a, b))
+    return len(terms) > 1 and sorted(terms) == sorted(others)
+
+
+def _signed_terms(tree: Expression) -> Iterator[Expression]:
+    match tree:
+        case Binary("+", left, right):
+            yield from _signed_terms(left)
+            yield from _signed_terms(right)
+        case Binary("-", left, right):
+            yield from _signed_terms(left)
+            yield Negate(right)
+        case _:
+            yield tree
 
 
 def _factors(tree: Expression) -> tuple[int, list[str], list[str]]:

@@ -55,6 +55,7 @@ from restitution.planning.premises import background
 from restitution.planning.quantities import Formula, formula, squares
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.separations import relative_speed
 from restitution.planning.ties import write_tie
 from restitution.planning.wall_turns import doubled_at_a_wall
 from restitution.solve.letters import roles
@@ -228,9 +229,13 @@ def _size(scene: Scene, each: GivenEquation, size: Apply) -> int:
     """The size of a vector that is given, by its components."""
     if has_quantity(each.link.right):
         raise NotPlannedError("a size as a multiple of another quantity")
-    inside = scene.value(size.argument)
-    refs, parts = size_of(scene, size, inside)
-    root = Apply("sqrt", total(square(tree_of(each)) for each in parts if each != 0))
+    apart = relative_speed(scene, size.argument)
+    if apart is not None:
+        parts, refs = apart
+    else:
+        refs, values = size_of(scene, size, scene.value(size.argument))
+        parts = [(tree_of(value), value) for value in values]
+    root = Apply("sqrt", total(square(tree) for tree, value in parts if value != 0))
     relation = chain(swept(root), (each.link.right, None))
     return scene.desk.write(Move("put"), together(each.refs, refs), relation)
 

@@ -33,6 +33,7 @@ from restitution.planning.forms import (
     neat,
     negative,
     product,
+    reordered,
     swept,
     total,
     tree_of,
@@ -63,7 +64,7 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
     """A component, after ``stage`` events, in one of the directions of a frame."""
     last = scene.last_event(body, stage)
     tree = frame.component(kind, body, last)
-    known = _settled(scene, tree)
+    known = settled(scene, tree)
     if known is not None:
         return _put(scene, known)
     direction = frame.direction(kind)
@@ -77,7 +78,7 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
             return Source(sp.Integer(0), initial.refs)  # at rest: in every direction
         value = neat(initial.value.dot(direction))
         by_places = frame.write is not None
-        if frame.is_slanted and (by_places or not _is_polar(scene, body)):
+        if frame.is_slanted and (by_places or not is_polar(scene, body)):
             form = by_degrees(scene, kind, body, frame, value)
             return _by_scalar_product(scene, tree, initial, frame, direction, form)
         form = by_degrees(scene, kind, body, frame, value)
@@ -91,7 +92,7 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
     for each in ("along", "across"):
         sign = _parallel(scene, own.direction(each), direction)
         if sign:
-            source = _settled(scene, own.component(each, body, last)) or after(
+            source = settled(scene, own.component(each, body, last)) or after(
                 scene, each, body, own
             )
             axis = source.axis
@@ -137,7 +138,7 @@ def _sought(scene: Scene, body: str, direction: Vector) -> Source | None:
     return Source(own.value * (direction.x + direction.y), own.refs)
 
 
-def _is_polar(scene: Scene, body: str) -> bool:
+def is_polar(scene: Scene, body: str) -> bool:
     """Whether a velocity at the start is given by its size and an angle."""
     fact = scene.facts.get(f"velocity {body}")
     if fact is None:
@@ -165,10 +166,12 @@ def _by_scalar_product(
     value = tidy(value)
     terms = total(product(tree_of(a), tree_of(b)) for a, b in zip(whole, source.value, strict=True))
     first = swept(terms if length == 1 else Binary("/", terms, tree_of(length)))
+    written = form or first
+    last = written if reordered(written, tree_of(value)) else tree_of(value)
     number = scene.desk.write(
         Move("define", "component", frame.number, _body(quantity)),
         together(source.refs, frame.refs),
-        chain(quantity, (form or first, None), (tree_of(value), "rearrange")),
+        chain(quantity, (written, None), (last, "rearrange")),
         # What is at rest has no component in any direction: nobody writes that down.
         "line" if any(source.value) else "silent",
     )
@@ -226,7 +229,7 @@ def _content(parts: Iterable[sp.Expr]) -> sp.Expr:
     return sp.gcd_list(factors) if factors else sp.Integer(1)
 
 
-def _settled(scene: Scene, tree: Expression) -> Source | None:
+def settled(scene: Scene, tree: Expression) -> Source | None:
     """What a component, or a letter, is known to be; None where it is not.
 
     Where letters in it have been found since, what that makes of it is a line of its own, unless
@@ -237,7 +240,7 @@ def _settled(scene: Scene, tree: Expression) -> Source | None:
         return None
     own = known.value if known.value.is_Symbol else -known.value
     if own.is_Symbol:
-        _settled(scene, Letter(own.name))
+        settled(scene, Letter(own.name))
         return known
     value, refs = scene.put(known.value)
     lines = [each for each in known.refs if isinstance(each, int)]
@@ -280,7 +283,7 @@ def _by_ratio(
     None where the velocity is not given by its size and an angle, or where the component keeps
     the ratio, or stands in a line of its own.
     """
-    if scene.last_event(body, frame.number - 1) or not _is_polar(scene, body):
+    if scene.last_event(body, frame.number - 1) or not is_polar(scene, body):
         return None
     if source.form is not None or scene.desk.known(frame.component(kind, body, 0)) is not None:
         return None

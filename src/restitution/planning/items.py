@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from restitution.exact import tidy
 from restitution.explaining.derivation import Fact, Link, Meaning, Move, Relation
 from restitution.expression.tree import (
     Apply,
@@ -29,6 +30,7 @@ from restitution.planning.order import Solver
 from restitution.planning.quantities import formula, write_formula
 from restitution.planning.ratios import inverse
 from restitution.planning.scene import Scene
+from restitution.planning.separations import event_of_relative
 from restitution.planning.turning import is_angle, quantity_of, write_angle, write_ratio
 from restitution.solve.letters import roles
 from restitution.vector import Vector
@@ -48,6 +50,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
         determine(scene, solver, asked)
         _determine_velocities(scene, solver, asked)
     named = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
+    asked = _in_a_frame(scene, asked)
     match asked:
         case Letter() | Quantity() if is_angle(scene, asked) and not _is_wall(scene, asked):
             scene.desk.end(name, *write_angle(scene, asked))
@@ -259,6 +262,26 @@ def _axis(scene: Scene, number: int, name: str) -> None:
     scene.desk.end(name, line, scene.desk.relation(line))
 
 
+def _in_a_frame(scene: Scene, asked: Expression) -> Expression:
+    """A component that is asked as lines say it, where its direction is one of its impact."""
+    match asked:
+        case Quantity("along" | "across" as kind, (Quantity("velocity", (Name(body),), at), way)):
+            stage = scene.last_event(body, at) if isinstance(at, int) else 0
+            if stage not in scene.model.frames:
+                return asked
+            frame = scene.frame(stage)
+            own = scene.model.story.direction(way, scene.events)
+            own = own if kind == "along" else own.turned_left()
+            for each in ("along", "across"):
+                named, direction = frame.component(each, body, stage), frame.direction(each)
+                known = scene.desk.known(named)
+                if known is None or len(known.refs) != 1:
+                    continue
+                if tidy(own.cross(direction)) == 0 and scene.model.sign(own.dot(direction)) > 0:
+                    return named
+    return asked
+
+
 def _is_named(scene: Scene, asked: Quantity) -> bool:
     """Whether a component that is asked is one for which the working has a letter."""
     known = scene.desk.known(asked)
@@ -308,6 +331,8 @@ def determine(scene: Scene, solver: Solver, asked: Expression) -> None:
         case Quantity("angle", (Quantity("velocity") as a, Quantity("velocity") as b)):
             wanted = [*goals(scene, a), *goals(scene, b)]
         case Quantity() | Letter():
+            pass
+        case Apply("abs", velocity) if event_of_relative(scene, velocity) is not None:
             pass
         case _:
             wanted = [

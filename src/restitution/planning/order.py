@@ -18,12 +18,12 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Meaning, Move, Route
 from restitution.expression.tree import Letter, Name, Quantity, walk
 from restitution.planning import paths, place_trees, rounds, separations
-from restitution.planning.axes import take_impulse
+from restitution.planning.axes import take_impulse, take_opposite
 from restitution.planning.blows import write_blows
 from restitution.planning.checking import require_true
 from restitution.planning.closing import close, with_known
 from restitution.planning.deflections import turned_at_a_wall
-from restitution.planning.desk import Mark, NotPlannedError, chain, together
+from restitution.planning.desk import Mark, NotPlannedError, Source, chain, together
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.given_momenta import take_mass, take_momentum, write_masses
@@ -36,6 +36,7 @@ from restitution.planning.impacts import (
     rebound,
     residual,
     restitution,
+    settled,
 )
 from restitution.planning.pairs import close_two
 from restitution.planning.polynomials import expanded, factor_powers, one_fraction
@@ -155,7 +156,7 @@ class Solver:
         self.goals = goals
         self._express_waiting(goals)
         write_blows(self.scene)
-        if not any(self.scene.unknown(each) for each in goals):
+        if not any(self.scene.unknown(self._by_separation(each)) for each in goals):
             return
         scene = self.scene
         first: NotPlannedError | None = None
@@ -187,7 +188,7 @@ class Solver:
         while left:
             self.reasons.clear()
             step = self._step(left)
-            if step is None and (self._separation(left) or self._widened(left)):
+            if step is None and (self._separation(left, goals) or self._widened(left)):
                 continue
             if step is None and self.resort:
                 step = self._together(left, goals)
@@ -357,7 +358,16 @@ class Solver:
         return tuple(left)
 
     def _open(self, own: Candidate) -> frozenset[sp.Symbol]:
-        return frozenset(s for x in own.residuals for s in self.scene.unknown(x))
+        apart = self._separating()
+        put = [self._by_separation(x) if apart else x for x in own.residuals]
+        return frozenset(s for x in put for s in self.scene.unknown(x))
+
+    def _by_separation(self, value: sp.Expr) -> sp.Expr:
+        """A value with the speed of separation put in, where that is all of its two components."""
+        for number, frame in self.scene.model.frames.items():
+            if frame.wall is None and self._only_apart(value, number):
+                value = separations.with_separation(self.scene, self.scene.frame(number), value)
+        return value
 
     def _essential(self, own: Candidate) -> frozenset[sp.Symbol]:
         """The unknowns of an equation without factors that do not vanish."""
@@ -423,8 +433,17 @@ class Solver:
                     else:
                         take_impulse(self.scene, given)
                     self._take_components(body, event)
-                    return (own,)
+                    return (own, *self._by_opposite_impulses(given, left, event))
         return None
+
+    def _by_opposite_impulses(
+        self, given: GivenEquation, left: Sequence[Candidate], event: int
+    ) -> Iterator[Candidate]:
+        """Momentum, where the impulse on the other sphere tells all that it does."""
+        for own in left:
+            if own.id == f"momentum {event}" and (other := take_opposite(self.scene, given)):
+                self._take_components(other, event)
+                yield own
 
     def _is_blow_to_take(self, body: str, event: int) -> bool:
         """Whether the velocity after a blow tells the impulse, or the velocity before it."""
@@ -443,7 +462,7 @@ class Solver:
             if given is None or len(open_) != 1:
                 continue
             (symbol,) = open_
-            if self._is_of_either_sense(own, symbol, left):
+            if self._is_of_either_sense(own, symbol, left) or self._waits(symbol, left):
                 continue
             if self._is_value(given) and self._take_value(given, symbol):
                 return (own,)
@@ -452,6 +471,12 @@ class Solver:
                 if number is not None and self._closes(number, symbol):
                     return (own,)
         return None
+
+    def _waits(self, symbol: sp.Symbol, left: Sequence[Candidate]) -> bool:
+        """Whether it is the component after a wall that a sphere reaches as it is still to come."""
+        number, _ = self._letters.get(symbol, (0, ""))
+        laws = (self._law(own) for own in left if own.id == f"wall {number}")
+        return any(law is not None and self._earlier(law) for law in laws)
 
     def _is_of_either_sense(
         self, own: Candidate, symbol: sp.Symbol, left: Sequence[Candidate]
@@ -593,7 +618,12 @@ class Solver:
         if component is None:
             return
         frame = scene.frame(event)
-        source = after(scene, "along", body, frame)
+        velocity = scene.desk.known(Quantity("velocity", (Name(body),), event))
+        if velocity is not None and frame.is_slanted:
+            # Its scalar product is written where a law needs it.
+            source = Source(velocity.value.dot(frame.n), together(velocity.refs, frame.refs))
+        else:
+            source = after(scene, "along", body, frame)
         value = frame.letter_sign * source.value
         scene.desk.know(Letter(component.symbol.name), value, source.refs)
 
@@ -667,23 +697,38 @@ class Solver:
             return
         wanted = [symbol for each in values for symbol in self.scene.unknown(each)]
         for symbol in [each for each in self.waiting if each in wanted]:
-            self._express(symbol)
+            self._express(symbol, {s for each in values for s in each.free_symbols})
 
-    def _express(self, symbol: sp.Symbol) -> None:
-        """A component from both laws: by leaving out the other, or by putting in its number."""
+    def _express(self, symbol: sp.Symbol, wanted: Iterable[sp.Basic]) -> None:
+        """A component from both laws: by leaving out the other, or by putting in what that is.
+
+        It is put in where it is no sum, or where that is wanted too and is none any more.
+        """
         scene = self.scene
         _frame, lines, symbols = self.waiting.pop(symbol)
         residuals = [residual(scene, each) for each in lines]
         value = tidy(_two_by_two(tuple(residuals), tuple(symbols))[symbol])
         (other,) = (each for each in symbols if each != symbol)
-        known = scene.desk.known(Letter(other.name))
-        relation = chain(Letter(symbol.name), (tree_of(value), None))
-        if known is not None and not value.free_symbols:
-            line = scene.desk.write(Move("put"), (lines[1], *known.refs), relation)
-        else:
-            move = Move("combine", eliminated=other.name)
-            line = scene.desk.write(move, lines, relation)
-        scene.desk.know(Letter(symbol.name), value, (line,))
+        letter, tree = Letter(symbol.name), Letter(other.name)
+        known = scene.desk.known(tree)
+        now, _ = (value, ()) if known is None else scene.put(known.value)
+        if (
+            known is not None
+            and (not known.value.has(sp.Add) or not value.free_symbols or other in wanted)
+            and not (now.has(sp.Add) and now.free_symbols)
+        ):
+            source = settled(scene, tree) or known
+            put, more = scene.put(value)
+            relation = chain(letter, (tree_of(put), None))
+            premises = (lines[1], *source.refs)
+            refs = scene.judge.enough(Move("put"), premises, relation, more)
+            if refs is not None:
+                line = scene.desk.write(Move("put"), refs, relation)
+                scene.desk.know(letter, put, (line,))
+                return
+        move = Move("combine", eliminated=other.name)
+        line = scene.desk.write(move, lines, chain(letter, (tree_of(value), None)))
+        scene.desk.know(letter, value, (line,))
 
     def _single(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """A law of two spheres with one component open after it: that is expressed."""
@@ -708,17 +753,30 @@ class Solver:
             return (own,)
         return None
 
-    def _separation(self, left: list[Candidate]) -> bool:
+    def _separation(self, left: list[Candidate], goals: Sequence[sp.Expr]) -> bool:
         """Writes the law of restitution alone, where only the speed of separation is wanted."""
-        (own, *others) = left
-        law = self._law(own)
-        if others or law is None or law.kind != "restitution" or self._earlier(law):
-            return False
-        if not self._open(own) <= self._after(law.number).keys():
-            return False
-        separations.write_separation(self.scene, self.scene.frame(law.number))
-        left.clear()
-        return True
+        ids = {each.id for each in left}
+        for own in left:
+            law = self._law(own)
+            if law is None or law.kind != "restitution" or f"momentum {law.number}" in ids:
+                continue
+            pair = self._after(law.number).keys()
+            rest = [x for each in left if each != own for x in each.residuals]
+            if self._earlier(law) or not pair <= {
+                s for x in own.residuals for s in self.scene.unknown(x)
+            }:
+                continue
+            if all(self._only_apart(x, law.number) for x in [*rest, *goals]):
+                if not pair <= self._separating():
+                    separations.write_separation(self.scene, self.scene.frame(law.number))
+                left.remove(own)
+                return True
+        return False
+
+    def _only_apart(self, value: sp.Expr, number: int) -> bool:
+        """Whether a value has only the difference of the components after an impact in it."""
+        put = self.scene.with_values(value)[0]
+        return not sum(sp.diff(put, each) for each in self._after(number)).expand()
 
     def _closing(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """An equation with one unknown letter."""

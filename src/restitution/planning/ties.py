@@ -12,9 +12,10 @@ from restitution.expression.tree import Expression, Name, Negate, Polar, Quantit
 from restitution.planning.desk import NotPlannedError, Source, link, together
 from restitution.planning.forms import ONE, ZERO, product, total, tree_of
 from restitution.planning.frames import Frame
-from restitution.planning.impacts import in_direction, whole_direction
+from restitution.planning.impacts import in_direction, is_polar, whole_direction
 from restitution.planning.quantities import body_and_stage, frame_after, in_the_plane
 from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.whereabouts import source_of
 from restitution.vector import Vector
 
 _KINDS = ("along", "across")
@@ -67,9 +68,11 @@ def _two_velocities(
     scene: Scene, each: GivenEquation, record: str, both: list[tuple[str, int]]
 ) -> int:
     frame = frame_after(scene, *max(both, key=lambda own: own[1]))
-    sources = [
-        [in_direction(scene, kind, name, when, frame) for kind in _KINDS] for name, when in both
-    ]
+    sources = _as_vectors(scene, both) if frame.is_slanted else None
+    if sources is None:
+        sources = [
+            [in_direction(scene, kind, name, when, frame) for kind in _KINDS] for name, when in both
+        ]
     (a, b), (c, d) = sources
     pairs = ((a, c), (b, d)) if record == "perpendicular" else ((a, d), (b, c))
     cited = [_cited(pair) for pair in pairs]
@@ -79,6 +82,18 @@ def _two_velocities(
     move = Move("define", record, frame.number, bodies)
     own = link(total((first, second)), ZERO) if record == "perpendicular" else link(first, second)
     return scene.desk.write(move, refs, Relation(((own,),)))
+
+
+def _as_vectors(scene: Scene, both: list[tuple[str, int]]) -> list[list[Source]] | None:
+    """The parts of velocities that are vectors of the data or of lines; None where one is not."""
+    vectors = []
+    for body, stage in both:
+        vector = scene.desk.known(Quantity("velocity", (Name(body),), stage))
+        if vector is None and (stage or is_polar(scene, body)):
+            return None
+        own = scene.initial(body) if vector is None else vector
+        vectors.append([source_of(scene, each, own.refs) for each in own.value])
+    return vectors
 
 
 def _cited(pair: tuple[Source, Source]) -> tuple[Source, ...]:
@@ -108,9 +123,13 @@ def _to_a_direction(
         refs = together(each.refs, source.whole, frame.names_axis(kind))
         return scene.desk.write(move, refs, Relation(((link(tree_of(source.value), ZERO),),)))
     direction, about = _direction(scene, other)
-    if frame.is_slanted:
+    vector = scene.desk.known(Quantity("velocity", (Name(body),), stage))
+    if frame.is_slanted and vector is None:
         return _across_a_frame(scene, each, move, body, stage, frame, direction, about)
-    x, y = in_the_plane(scene, body, stage)
+    if vector is not None:
+        x, y = (source_of(scene, each, vector.refs) for each in vector.value)
+    else:
+        x, y = in_the_plane(scene, body, stage)
     refs = together(each.refs, about)
     if record == "perpendicular":
         terms = [(x, direction.x), (y, direction.y)]
