@@ -40,6 +40,7 @@ from restitution.oracle import (
 )
 from restitution.oracle.roles import ACUTE, DIRECTION, POSITIVE, REAL, Role
 from restitution.problem import Find, Impact, Let, Part, Problem, Show, trees
+from restitution.shapes import Circle
 from restitution.solve.numbers import FIELD, at, number_of, plain_sign
 from restitution.solve.solution import Branch
 from restitution.solve.story import Happening, Sign, Standing, Story, lets_of
@@ -421,7 +422,7 @@ class Model:
         """
         frame = self.frames[number]
         wall = self.story.walls.get(frame.wall or "")
-        if wall is None or wall.centre is None:
+        if wall is None or not isinstance(wall.shape, Circle):
             return None
         latest = self.story.latest(body, number - 1)
         if latest is not None:
@@ -438,8 +439,8 @@ class Model:
         start = self.story.place(body, 0)
         if start is None or self.story.radius(body) is not None:
             return None
-        inwards = self.story.read_vector(wall.centre, "the centre") - start[0]
-        size = self.story.read(wall.radius, "the radius")
+        circle = self.story.circle(wall.name)
+        inwards, size = circle.centre - start[0], circle.radius
         u = self.happening(number).before[body]
         if tidy(inwards.dot(inwards) - size**2) != 0 or self.sign(u.dot(inwards)) <= 0:
             return None
@@ -561,7 +562,7 @@ def _by_values(model: Model, number: int, step: Impact) -> dict[str, Standing]:
     wall = story.walls.get(step.second)
     bodies = [b for b in (step.first, step.second) if b in story.spheres]
     if wall is not None:
-        if wall.centre is None:
+        if not isinstance(wall.shape, Circle):
             return {}
     elif step.along is not None or not all(story.tracks[b].places for b in bodies):
         return {}

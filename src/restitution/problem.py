@@ -16,6 +16,7 @@ from typing import Any, Literal, NamedTuple
 from restitution.errors import StatementError
 from restitution.expression.tree import Expression, Name, Pair, Place, rational
 from restitution.mending import Note
+from restitution.shapes import Circle, Line, Segment, Shape
 
 _NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
 _TO_A_WALL = re.compile(r"\bto\s+([A-Z][A-Za-z0-9]*)")
@@ -100,6 +101,21 @@ class Wall:
 
     def __post_init__(self) -> None:
         _convert(self, ("along", "radius"), ("through", "start", "end", "centre"))
+
+    @property
+    def shape(self) -> Shape:
+        """Where it is: a whole line, also where nothing is given of it, a segment or a circle."""
+        if self.centre is not None or self.radius is not None:
+            return Circle(self.centre, self.radius)
+        if self.start is not None or self.end is not None:
+            return Segment(self.start, self.end)
+        return Line(self.along, self.through)
+
+    @property
+    def lengths(self) -> tuple[Any, ...]:
+        """Its places and its radius, as far as they are given."""
+        values = (self.through, self.start, self.end, self.centre, self.radius)
+        return tuple(value for value in values if value is not None)
 
 
 @dataclass(frozen=True)
@@ -371,14 +387,7 @@ def trees(problem: Problem) -> Iterator[Expression]:
             if isinstance(value, Expression):
                 yield value
     for wall in problem.walls:
-        for value in (
-            wall.along,
-            wall.through,
-            wall.start,
-            wall.end,
-            wall.centre,
-            wall.radius,
-        ):
+        for value in (wall.along, *wall.lengths):
             if isinstance(value, Expression):
                 yield value
     for point in problem.points:

@@ -11,6 +11,7 @@ from restitution.draw.scene import Label, Line, RoundWall, StraightWall
 from restitution.render import layout as lay
 from restitution.render.glyphs import outline
 from restitution.render.layout import Layout
+from restitution.shapes import Circle
 from restitution.staging.geometry import floats
 from restitution.vector import Vector
 
@@ -47,7 +48,7 @@ def put_wall(view: View, drawing: Drawing) -> None:
     name = view.motion.model.frames[view.number].wall or ""
     wall = view.motion.story.walls[name]
     half = WALL
-    if wall.centre is None:
+    if not isinstance(wall.shape, Circle):
         ends = view.t * half
         drawing.shapes.append(StraightWall(name, -ends, ends, -view.n))
         at = ends * 0.9

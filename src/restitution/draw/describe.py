@@ -16,6 +16,7 @@ from restitution.problem import Impact, Kick
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.render.text import to_text
+from restitution.shapes import Circle
 from restitution.staging.values import Chosen, Motion, When, axes, drawn_for, unit_of_speed
 from restitution.vector import Vector
 
@@ -135,7 +136,7 @@ def _setting(motion: Motion, number: int) -> str:
     if frame.wall is not None:
         wall = motion.story.walls[frame.wall]
         lies = _inclination(n.turned_left())
-        if wall.centre is not None:
+        if isinstance(wall.shape, Circle):
             return (
                 f"{step.first} touches the circular wall {wall.name}, whose tangent there {lies}."
             )

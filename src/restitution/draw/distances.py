@@ -13,6 +13,7 @@ from restitution.expression.tree import Name
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.render.text import to_text
+from restitution.shapes import Circle, Line, Segment
 from restitution.solve.forms import plain
 from restitution.solve.solution import Branch
 from restitution.solve.story import Story
@@ -208,14 +209,14 @@ class _Exact:
         for name, point in story.points.items():
             places[name] = story.evaluator(0).vector(point.position)
         origins, ends, circles = {}, {}, {}
-        for name, wall in story.walls.items():
-            if wall.centre is not None:
-                circles[name] = story.read_vector(wall.centre, ""), story.read(wall.radius, "")
-            elif wall.start is not None:
-                origins[name] = story.read_vector(wall.start, "")
-                ends[name] = story.read_vector(wall.end, "")
-            elif wall.through is not None:
-                origins[name] = story.read_vector(wall.through, "")
+        for name in story.walls:
+            match story.shape(name):
+                case Circle(centre, radius):
+                    circles[name] = centre, radius
+                case Segment(start, end):
+                    origins[name], ends[name] = start, end
+                case Line(_, Vector() as through):
+                    origins[name] = through
         return cls(story, places, origins, ends, circles)
 
     def direction(self, wall: str) -> Vector:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
+from restitution import shapes
 from restitution.draw.bodies import name_of
 from restitution.draw.describe import listed
 from restitution.draw.distances import distances
@@ -88,7 +89,9 @@ def path_figure(
     direction of a wall is sought.
     """
     problem = solution.problem
-    unknown = [w for w in problem.walls if w.along is None and w.start is None and w.centre is None]
+    unknown = [
+        w for w in problem.walls if isinstance(w.shape, shapes.Line) and w.shape.along is None
+    ]
     if unknown or not _is_plannable(solution):
         return None
     told = motion(solution, part, branch) if told is None else told

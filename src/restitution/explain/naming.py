@@ -44,6 +44,7 @@ from restitution.expression.tree import (
 from restitution.problem import Arrival, Given, Meets, Problem
 from restitution.problem import trees as trees_of_problem
 from restitution.render import layout as lay
+from restitution.shapes import Circle
 
 # Letters for angles between two directions.
 _ANGLES = ("beta", "theta", "phi", "psi", "gamma")
@@ -406,7 +407,7 @@ class Naming:
     @property
     def _circles(self) -> set[str]:
         """The walls that are circular."""
-        return {each.name for each in self.problem.walls if each.centre is not None}
+        return {each.name for each in self.problem.walls if isinstance(each.shape, Circle)}
 
     def at_contact(self, fact: Fact) -> Sentence | None:
         """What a contact tells of the place of a body: how far it is from a centre, or on a wall.

@@ -48,6 +48,7 @@ from restitution.problem import (
     Relation as Said,
 )
 from restitution.problem import trees as all_trees
+from restitution.shapes import Circle, Segment
 
 # Of these, a stage left out is the one reached where the quantity stands.
 _STAGED = frozenset(
@@ -189,10 +190,10 @@ class _Facts:
             elif isinstance(place := self._place(step.target), Expression):
                 yield own, place
             return
-        if wall.centre is not None:
+        if isinstance(wall.shape, Circle):
             yield from self._on_the_circle(first, wall, number)
             return
-        place = self._place(wall.through) or self._place(wall.start)
+        place = self._place(wall.shape.point)
         along = self._along(wall)
         if not isinstance(place, Pair) or along is None:
             return
@@ -276,7 +277,7 @@ class _Facts:
     def _within(self, step: Impact, number: int) -> Relation | None:
         """That a sphere comes to a wall between its ends, where that is along **i** or **j**."""
         wall = self.walls.get(step.second)
-        if wall is None or wall.end is None or self.radius is not None:
+        if wall is None or not isinstance(wall.shape, Segment) or self.radius is not None:
             return None
         if not isinstance(self._sphere(step.first).position, Expression):
             return None
@@ -442,7 +443,7 @@ class _Facts:
                 centres = self._beside(step, number)
                 if centres is not None:
                     yield self._fact(f"axis {number}", axis, centres, step.place, "=", "geometry")
-            elif step.second in self.walls and self.walls[step.second].centre is not None:
+            elif step.second in self.walls and isinstance(self.walls[step.second].shape, Circle):
                 yield from self._of_circle(step, number)
             elif step.second not in self.walls and self._touching(step) is not None:
                 yield from self._of_touching(step, number)

@@ -97,12 +97,11 @@ def _sphere(sphere: Sphere) -> Object:
 
 
 def _wall(wall: Wall) -> Object:
-    elsewhere = (wall.through, wall.start, wall.end, wall.centre, wall.radius)
     return {
         "name": wall.name,
         "line": _line(wall),
         "along": _direction(wall.along),
-        "placed": any(each is not None for each in elsewhere),
+        "placed": wall.shape.is_placed,
     }
 
 

@@ -36,6 +36,7 @@ from restitution.problem import (
     Value,
     Wall,
 )
+from restitution.shapes import Circle, Line, Segment
 
 _LABEL = re.compile(r"[^\W_](?:[\w.'-]*\w)?")
 _SIGNS = {"mu": "μ", "nu": "ν", "xi": "ξ"}
@@ -129,17 +130,19 @@ def _sphere(sphere: Sphere) -> Iterator[str]:
 
 def _wall(wall: Wall) -> Iterator[str]:
     name = wall.name
-    if wall.along is not None:
-        yield f"along {write_expression(_tree(wall.along, f'direction of {name}'))}"
-    if wall.through is not None:
-        yield f"through {write_sum(_tree(wall.through, f'place of {name}'))}"
-    if wall.start is not None:
-        start, end = _tree(wall.start, f"start of {name}"), _tree(wall.end, f"end of {name}")
-        yield f"from {write_sum(start)} to {write_sum(end)}"
-    if wall.centre is not None:
-        centre = write_sum(_tree(wall.centre, f"centre of {name}"))
-        radius = write_expression(_tree(wall.radius, f"radius of {name}"))
-        yield f"circle centre {centre} radius {radius}"
+    match wall.shape:
+        case Line(along, through):
+            if along is not None:
+                yield f"along {write_expression(_tree(along, f'direction of {name}'))}"
+            if through is not None:
+                yield f"through {write_sum(_tree(through, f'place of {name}'))}"
+        case Segment(start, end):
+            ends = (_tree(start, f"start of {name}"), _tree(end, f"end of {name}"))
+            yield "from {} to {}".format(*map(write_sum, ends))
+        case Circle(centre, radius):
+            place = write_sum(_tree(centre, f"centre of {name}"))
+            size = write_expression(_tree(radius, f"radius of {name}"))
+            yield f"circle centre {place} radius {size}"
 
 
 def _step(kinds: Mapping[str, str], step: Step) -> str:

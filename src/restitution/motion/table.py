@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import combinations
 from typing import Any, NamedTuple
 
@@ -12,6 +13,7 @@ from restitution.errors import ImpossibleError, MissingError, StatementError
 from restitution.motion.arithmetic import Arithmetic, ExactNumbers, Floats, direction, vector
 from restitution.motion.contact import Face
 from restitution.problem import Sphere, Wall
+from restitution.shapes import Circle, Line, Segment
 from restitution.vector import Vector
 
 Pairs = Mapping[str | tuple[str, str], Any]
@@ -265,18 +267,16 @@ def _shape(wall: Wall, kind: Arithmetic) -> tuple[Face | Ring, tuple[Vector, ...
         for part in parts:
             if getattr(wall, part) is None:
                 raise MissingError(f"where the wall {name} is was not given: say Wall(…, {part}=…)")
-    if wall.centre is not None:
-        centre = vector(wall.centre, f"the centre of {name}", kind)
-        radius = kind.number(wall.radius, f"the radius of {name}")
-        _check_positive(radius, f"the radius of {name}", kind)
-        return Ring(centre, radius), ()
-    if wall.start is not None:
-        start = vector(wall.start, f"the start of {name}", kind)
-        end = vector(wall.end, f"the end of {name}", kind)
-        return _face(start, end - start, name, kind, bounded=True), (start, end)
-    start = vector(wall.through, f"a point of {name}", kind)
-    along = direction(wall.along, f"the direction of {name}", kind)
-    return _face(start, along, name, kind, bounded=False), ()
+    shape = wall.shape.read(name, partial(vector, kind=kind), kind.number)
+    match shape:
+        case Circle(centre, radius):
+            _check_positive(radius, f"the radius of {name}", kind)
+            return Ring(centre, radius), ()
+        case Segment(start, end):
+            return _face(start, end - start, name, kind, bounded=True), (start, end)
+        case Line(along, through):
+            along = direction(along, f"the direction of {name}", kind)
+            return _face(through, along, name, kind, bounded=False), ()
 
 
 def _face(start: Vector, along: Vector, name: str, kind: Arithmetic, *, bounded: bool) -> Face:

@@ -32,6 +32,7 @@ from restitution.expression.writing import write_expression
 from restitution.problem import Compare, Given, Impact, Part, Problem, Sphere, Wall
 from restitution.render.layout import display, display_point
 from restitution.render.text import to_text
+from restitution.shapes import Line, Segment
 from restitution.solve.neat import neat
 from restitution.vector import Vector
 
@@ -124,20 +125,22 @@ def _positive(story: Story, tree: Any, what: str, noun: str, place: Place | None
 
 def _extended(story: Story, wall: Wall) -> None:
     """A wall has a direction, and a segment a length."""
-    if wall.along is not None and not _rests_on(story, wall.along):
-        if isinstance(wall.along, Expression):
-            along = story.evaluator(0).direction(wall.along)
-        else:
-            along = story.read_vector(wall.along, f"the direction of {wall.name}")
-        require_direction(along, f"the wall {wall.name}", wall.along, wall.place)
-    elif wall.start is not None and wall.end is not None:
-        if _rests_on(story, wall.start) or _rests_on(story, wall.end):
-            return
-        start, end = (story.read_vector(each, wall.name) for each in (wall.start, wall.end))
-        if _is_zero(end - start):
-            shown = to_text(display_point(*start))
-            said = f"the wall {wall.name} goes from {shown} to {shown}: a wall must have a length"
-            raise _impossible(said, wall.start, wall.place)
+    match wall.shape:
+        case Line(along) if along is not None and not _rests_on(story, along):
+            along = story.wall_direction(Name(wall.name))
+            require_direction(along, f"the wall {wall.name}", wall.along, wall.place)
+        case Segment(start, end) if _are_fixed(story, start, end):
+            start, end = (story.read_vector(point, wall.name) for point in (start, end))
+            if _is_zero(end - start):
+                shown = to_text(display_point(*start))
+                text = (
+                    f"the wall {wall.name} goes from {shown} to {shown}: a wall must have a length"
+                )
+                raise _impossible(text, wall.start, wall.place)
+
+
+def _are_fixed(story: Story, *places: Any) -> bool:
+    return not any(place is None or _rests_on(story, place) for place in places)
 
 
 def _apart(story: Story) -> None:

@@ -23,6 +23,7 @@ import sympy as sp
 from restitution.expression.evaluate import Scalar
 from restitution.expression.tree import Name
 from restitution.problem import Arrival, Impact, Part, Problem
+from restitution.shapes import Circle
 from restitution.solve.conditions import Condition, Equation
 from restitution.vector import Vector
 
@@ -42,7 +43,7 @@ class Contact:
 def ends_at_a_point(problem: Problem, part: Part) -> bool:
     """Whether a body comes to a point after an impact whose place follows by a root."""
     by_root: set[str] = set()
-    round_walls = {wall.name for wall in problem.walls if wall.centre is not None}
+    round_walls = {wall.name for wall in problem.walls if isinstance(wall.shape, Circle)}
     spheres = {sphere.name for sphere in problem.spheres}
     for step, _, _ in problem.timeline(part):
         if isinstance(step, Impact):

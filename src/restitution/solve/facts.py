@@ -21,6 +21,7 @@ from restitution.problem import (
     Problem,
     Relation,
 )
+from restitution.shapes import Circle, Segment
 from restitution.solve import places
 from restitution.solve.conditions import AnyOf, Condition, Equation
 from restitution.solve.story import Happening, Story
@@ -256,7 +257,7 @@ def _placed(story: Story, event: Happening, now: int) -> bool:
             return False
         for name in each.bodies:
             wall, sphere = story.walls.get(name), story.spheres.get(name)
-            if wall is not None and wall.through is wall.start is wall.centre is None:
+            if wall is not None and not wall.shape.is_placed:
                 return False
             if sphere is not None and sphere.position is None:
                 return False
@@ -307,18 +308,17 @@ def _towards_wall(
     reason, refused = f"{name} does not hit {wall}{again}", f"{name} hits {wall}{again}"
     if relation.again and own is None:
         raise StatementError(f"{name} has not hit {wall} before this line")
-    body = story.walls[wall]
-    if body.centre is not None and own is not None:
+    shape = story.walls[wall].shape
+    if isinstance(shape, Circle) and own is not None:
         return [v.dot(v)], reason, refused  # inside a circle every way leads to it
-    origin = body.through if body.through is not None else body.start
     normal = story.wall_direction(relation.second).turned_left()
     known = story.place(name, now)
-    bounded = body.start is not None and not story.implied
-    if origin is not None and known is not None and (own is None or bounded):
-        through = story.evaluator(0).vector(origin)
+    bounded = isinstance(shape, Segment) and not story.implied
+    if shape.point is not None and known is not None and (own is None or bounded):
+        through = story.evaluator(0).vector(shape.point)
         gap, speed = normal.dot(through - known[0]), normal.dot(v)
         conditions = [gap * speed]
-        if body.start is not None and not story.field.is_zero(speed):
+        if isinstance(shape, Segment) and not story.field.is_zero(speed):
             along = normal.turned_left() * -1
             share = (known[0] + v * (gap / speed) - through).dot(along)
             conditions += [share, along.dot(along) - share]

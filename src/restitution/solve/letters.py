@@ -254,7 +254,7 @@ def _components(problem: Problem) -> tuple[set[str], set[str]]:
             for part in (sphere.position.x, sphere.position.y):
                 (real if _lone(part) else positive).update(letters(part))
     for wall in problem.walls:
-        for value in (wall.through, wall.start, wall.end, wall.centre, wall.radius):
+        for value in wall.lengths:
             if isinstance(value, Expression):
                 positive.update(letters(value))
     for point in problem.points:

@@ -13,6 +13,7 @@ from restitution.errors import ImpossibleError
 from restitution.expression.evaluate import Scalar
 from restitution.expression.tree import Name, Place, line_and_column
 from restitution.problem import Arrival, Impact, Wall
+from restitution.shapes import Circle, Segment
 from restitution.solve import contacts
 from restitution.solve.conditions import AnyOf, Condition, Equation
 from restitution.solve.neat import neat
@@ -70,13 +71,13 @@ def time_to_wall(story: Story, number: int, name: str, wall: Wall) -> Scalar | N
     if known is not None and not story.implied and _is_at(story, number, name, wall):
         story.tracks[name].places.append((number, *known))
         return known[1]
-    if wall.centre is not None:
+    shape = wall.shape
+    if isinstance(shape, Circle):
         return _time_to_circle(story, number, name, wall, known, velocity, radius)
-    origin = wall.through if wall.through is not None else wall.start
     if known is None or story.implied:
         _lose(story, number, name)
         return None
-    if origin is None:
+    if shape.point is None:
         time = story.unknowns.hidden(
             f"t_{number}", f"the place of the wall {wall.name}", "positive"
         )
@@ -84,7 +85,7 @@ def time_to_wall(story: Story, number: int, name: str, wall: Wall) -> Scalar | N
         _flight(story, name, time - known[1], number, "times must be in order")
         story.tracks[name].places.append((number, where, time))
         return time
-    through = story.read_vector(origin, f"the place of {wall.name}")
+    through = story.read_vector(shape.point, f"the place of {wall.name}")
     along = story.wall_direction(Name(wall.name))
     normal = along.turned_left()
     gap = normal.dot(known[0] - through)
@@ -101,7 +102,7 @@ def time_to_wall(story: Story, number: int, name: str, wall: Wall) -> Scalar | N
     where = known[0] + velocity * flight
     if story.field.exact:
         where = story.neat(where)
-    if wall.start is not None:
+    if isinstance(shape, Segment):
         share = story.rational((where - through).dot(along))
         reason = f"{name} passes the end of {wall.name}"
         story.conditions += [
@@ -140,12 +141,12 @@ def _nothing_first(
     left = story.latest(name, number - 1)
     _no_sphere_first(story, name, partners, flight, number)
     for wall in story.walls.values():
-        origin = wall.through if wall.through is not None else wall.start
-        if wall is target or origin is None:
+        shape = wall.shape
+        if wall is target or shape.point is None:
             continue
         if left is not None and wall.name in left.bodies:
             continue  # it has just left that wall
-        through = story.read_vector(origin, "")
+        through = story.read_vector(shape.point, "")
         along = story.wall_direction(Name(wall.name))
         normal = along.turned_left()
         gap, speed = normal.dot(start - through), normal.dot(velocity)
@@ -162,7 +163,7 @@ def _nothing_first(
             Condition(-crossing, ">=", reason, "place"),
             Condition(crossing - flight, ">", reason, "place"),
         ]
-        if wall.start is not None:
+        if isinstance(shape, Segment):
             share = story.rational((start + velocity * crossing - through).dot(along))
             options.append(Condition(-share, ">=", reason, "place"))
             options.append(Condition(share - along.dot(along), ">=", reason, "place"))
@@ -216,8 +217,8 @@ def _time_to_circle(
     velocity: Vector,
     radius: Scalar | None,
 ) -> Scalar | None:
-    centre = story.read_vector(wall.centre, f"the centre of {wall.name}")
-    size = story.read(wall.radius, f"the radius of {wall.name}")
+    circle = story.circle(wall.name)
+    centre, size = circle.centre, circle.radius
     if known is None:
         return None
     out = known[0] - centre
@@ -404,10 +405,7 @@ def _meeting_half_known(
 ) -> Scalar | None:
     if one is None and other is None:
         placed = any(track.places for track in story.tracks.values())
-        fixed = any(
-            w.through is not None or w.start is not None or w.centre is not None
-            for w in story.problem.walls
-        )
+        fixed = any(wall.shape.is_placed for wall in story.problem.walls)
         if number == 1 and not placed and not fixed:
             story.implied = True
             return story.field.zero

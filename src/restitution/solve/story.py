@@ -51,6 +51,7 @@ from restitution.problem import (
     trees,
     trees_of_step,
 )
+from restitution.shapes import Circle, Line, Segment, Shape
 from restitution.solve import bodies, contacts, places, quantities
 from restitution.solve.conditions import AnyOf, Condition, Equation
 from restitution.solve.neat import neat
@@ -307,37 +308,55 @@ class Story:
             value = next((s.radius for s in self.problem.spheres if s.radius is not None), None)
         return None if value is None else self.read(value, f"the radius of {name}")
 
+    def shape(self, wall: str) -> Shape:
+        """Where a wall is, with the vectors of its places; a direction stays as it is given."""
+        return self.walls[wall].shape.read(wall, self.read_vector, self.read)
+
+    def circle(self, wall: str) -> Circle:
+        """A circular wall, with the vector of its centre and its radius."""
+        shape = self.shape(wall)
+        assert isinstance(shape, Circle)
+        return shape
+
     def wall_direction(self, tree: Expression) -> Vector:
         """A direction vector of a wall."""
         if not isinstance(tree, Name) or tree.name not in self.walls:
             raise StatementError(
                 "a wall is needed here", *line_and_column(getattr(tree, "place", None))
             )
-        wall = self.walls[tree.name]
-        if wall.along is not None:
-            if isinstance(wall.along, tuple | list):
-                return self.read_vector(wall.along, f"the direction of {wall.name}")
-            return self.evaluator(0).direction(wall.along)
-        if wall.start is not None:
-            start, end = self.read_vector(wall.start, ""), self.read_vector(wall.end, "")
-            return end - start
-        if wall.centre is not None:
-            hit = next((h for h in reversed(self.happenings) if wall.name in h.bodies), None)
-            if hit is not None and hit.centres is not None:
-                return hit.centres.turned_left()
-            raise StatementError(
-                f"the wall {wall.name} is a circle and has no one direction",
-                *line_and_column(tree.place),
-            )
-        if wall.name in self._normals:
-            return self._normals[wall.name].turned_left()
+        name = tree.name
+        match self.walls[name].shape:
+            case Line(None):
+                return self._sought_direction(name)
+            case Line(tuple() | list() as along):
+                return self.read_vector(along, f"the direction of {name}")
+            case Line(along):
+                return self.evaluator(0).direction(along)
+            case Segment(start, end):
+                return self.read_vector(end, "") - self.read_vector(start, "")
+            case Circle():
+                return self._tangent(name, tree.place)
+
+    def _tangent(self, name: str, place: Any) -> Vector:
+        """The tangent of a circular wall where it was struck last."""
+        hit = next((h for h in reversed(self.happenings) if name in h.bodies), None)
+        if hit is not None and hit.centres is not None:
+            return hit.centres.turned_left()
+        raise StatementError(
+            f"the wall {name} is a circle and has no one direction", *line_and_column(place)
+        )
+
+    def _sought_direction(self, name: str) -> Vector:
+        """The direction of a wall of which none is given: hidden unknowns, where it matters."""
+        if name in self._normals:
+            return self._normals[name].turned_left()
         if not self._frame_matters():
             return Vector(self.field.number(Fraction(1)), self.field.zero)
-        phrase = f"the direction of the wall {wall.name}"
-        p = self.unknowns.hidden(f"d_{wall.name}x", phrase, "real")
-        q = self.unknowns.hidden(f"d_{wall.name}y", phrase, "real")
+        phrase = f"the direction of the wall {name}"
+        p = self.unknowns.hidden(f"d_{name}x", phrase, "real")
+        q = self.unknowns.hidden(f"d_{name}y", phrase, "real")
         self.equations.append(Equation(p * p + q * q - 1, phrase, kind="direction"))
-        self._normals[wall.name] = Vector(q, -p)
+        self._normals[name] = Vector(q, -p)
         return Vector(p, q)
 
     def _frame_matters(self) -> bool:
@@ -597,11 +616,12 @@ class Story:
         time = places.time_to_wall(self, number, name, wall)
         zero = Vector(self.field.zero, self.field.zero)
         unknown = False
-        if wall.centre is not None:
+        shape = wall.shape
+        if isinstance(shape, Circle):
             self._contacts.pop((name, wall.name), None)  # it may be struck on its other side
             known = self.place(name, number)
             if known is not None and self.tracks[name].places[-1][0] == number:
-                c = known[0] - self.read_vector(wall.centre, "")
+                c = known[0] - self.read_vector(shape.centre, "")
             else:
                 phrase = f"the place where {name} strikes {wall.name}"
                 c = Vector(
@@ -609,12 +629,9 @@ class Story:
                     self.unknowns.hidden(f"n_{number}y", phrase, "real"),
                 )
                 self.equations.append(Equation(c.dot(c) - 1, phrase, kind="direction"))
-        elif (
-            wall.along is None
-            and wall.start is None
-            and wall.name not in self._normals
-            and self._frame_matters()
-        ):
+        elif isinstance(shape, Line) and shape.along is None and wall.name in self._normals:
+            c = self._normals[wall.name]
+        elif isinstance(shape, Line) and shape.along is None and self._frame_matters():
             # The change of velocity itself is along the normal: linear in what is unknown.
             phrase = f"the direction of the wall {wall.name}"
             c = Vector(
@@ -623,8 +640,6 @@ class Story:
             )
             unknown = True
             self._normals[wall.name] = c
-        elif wall.name in self._normals and wall.along is None and wall.start is None:
-            c = self._normals[wall.name]
         else:
             c = -self.wall_direction(Name(wall.name)).turned_left()
         u = self.arriving.get((number, name), u)

@@ -16,7 +16,8 @@ from typing import Any, Literal
 import numpy as np
 
 from restitution.expression.tree import Name
-from restitution.problem import Arrival, Impact, Kick, Wall
+from restitution.problem import Arrival, Impact, Kick
+from restitution.shapes import Circle, Line, Segment
 from restitution.solve.story import Happening, Story
 from restitution.staging.geometry import floats, length, still, unit
 from restitution.vector import Vector
@@ -56,8 +57,8 @@ def _move(story: Story, event: Happening) -> Move:
             place = floats(story.evaluator(event.number - 1).vector(target))
             return Move(event.number, "arrival", names, before, after, place=place)
         wall = story.walls[target.name]
-        if wall.centre is not None:
-            into, at = _on_circle(story, event, wall, None)
+        if isinstance(wall.shape, Circle):
+            into, at = _on_circle(story, event, wall.name, None)
             return Move(event.number, "arrival", names, before, after, wall.name, into, at)
         into = unit(floats(story.wall_direction(target)).turned_left())
         into = -into if into.dot(before[names[0]]) < 0 else into
@@ -67,18 +68,19 @@ def _move(story: Story, event: Happening) -> Move:
     if step.second not in story.walls:
         return Move(event.number, "spheres", names, before, after, normal=normal)
     wall = story.walls[step.second]
-    if wall.centre is None:
+    if not isinstance(wall.shape, Circle):
         return Move(event.number, "wall", names, before, after, wall.name, normal)
-    normal, place = _on_circle(story, event, wall, normal)
+    normal, place = _on_circle(story, event, wall.name, normal)
     return Move(event.number, "circle", names, before, after, wall.name, normal, place)
 
 
 def _on_circle(
-    story: Story, event: Happening, wall: Wall, normal: Vector | None
+    story: Story, event: Happening, wall: str, normal: Vector | None
 ) -> tuple[Vector, Vector]:
     """The normal into a circular wall, and where the centre of the sphere is."""
     name = event.bodies[0]
-    centre, size = floats(story.read_vector(wall.centre, "")), float(story.read(wall.radius, ""))
+    circle = story.circle(wall)
+    centre, size = floats(circle.centre), float(circle.radius)
     known = story.tracks[name].places
     if known and known[-1][1] is not None:
         where = next((floats(p) for n, p, _ in known if n == event.number and p is not None), None)
@@ -119,20 +121,15 @@ def given_places(story: Story) -> Given:
     for name, sphere in story.spheres.items():
         if sphere.position is not None:
             starts[name] = floats(story.read_vector(sphere.position, ""))
-    for name, wall in story.walls.items():
-        if wall.centre is not None:
-            circles[name] = (
-                floats(story.read_vector(wall.centre, "")),
-                float(story.read(wall.radius, "")),
-            )
-        elif wall.start is not None:
-            ends = (
-                floats(story.read_vector(wall.start, "")),
-                floats(story.read_vector(wall.end, "")),
-            )
-            segments[name], origins[name] = ends, ends[0]
-        elif wall.through is not None:
-            origins[name] = floats(story.read_vector(wall.through, ""))
+    for name in story.walls:
+        match story.shape(name):
+            case Circle(centre, size):
+                circles[name] = floats(centre), float(size)
+            case Segment(start, end):
+                segments[name] = floats(start), floats(end)
+                origins[name] = segments[name][0]
+            case Line(_, Vector() as through):
+                origins[name] = floats(through)
     points = {
         name: floats(story.evaluator(0).vector(point.position))
         for name, point in story.points.items()

@@ -12,6 +12,7 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Name
+from restitution.shapes import Circle
 from restitution.solve.story import Story
 from restitution.staging.flights import Given, Layout, Move, events, given_places, solve, unknowns
 from restitution.staging.geometry import floats, length, still, unit
@@ -320,7 +321,7 @@ def wall_lines(
     lines = []
     for name, wall in story.walls.items():
         own = [stop for stop in stops if stop.wall == name]
-        if wall.centre is not None or not (own or name in given.origins):
+        if isinstance(wall.shape, Circle) or not (own or name in given.origins):
             continue
         if own:
             assert own[0].normal is not None

@@ -28,6 +28,7 @@ from restitution.expression.tree import (
 )
 from restitution.problem import Arrival, Impact, Kick
 from restitution.render import layout as lay
+from restitution.shapes import Line, Segment
 from restitution.wording import values
 from restitution.wording.scene import (
     INITIALLY,
@@ -653,13 +654,14 @@ def _axis(scene: Scene, axis: Expression, *, across: bool) -> Noun:
         return _led(turn, sensed_line(scene, axis))
     if isinstance(axis, Name):
         wall = scene.wall(axis.name)
-        if wall is not None and wall.along is not None:
-            axis = wall.along
-        elif wall is not None and wall.start is not None:
-            ends = (values.spot(wall.start), " to ", values.spot(wall.end))
-            return Noun(words(turn, Named(wall.name), ", taken from ", *ends, ","))
-        else:
-            return Noun(words(turn, Named(axis.name)))
+        match wall.shape if wall is not None else None:
+            case Line(along) if along is not None:
+                axis = along
+            case Segment(start, end):
+                ends = (values.spot(start), " to ", values.spot(end))
+                return Noun(words(turn, Named(axis.name), ", taken from ", *ends, ","))
+            case _:
+                return Noun(words(turn, Named(axis.name)))
     if isinstance(axis, Quantity) and axis.kind == "direction":
         return _led(turn if across else "", line(scene, axis))
     between = displacement(scene, axis)

@@ -13,6 +13,7 @@ from restitution.expression.dimensions import MASS, SPEED
 from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import Expression, Name, Polar
 from restitution.problem import Problem, Sphere, Wall
+from restitution.shapes import Circle, Line, Segment
 from restitution.vector import Vector
 from restitution.wording import values
 from restitution.wording.scene import Scene, before
@@ -128,18 +129,23 @@ def _walls(scene: Scene) -> Iterator[Sentence]:
             yield sentence(listed(ways))
         return
     for wall in walls:
-        shape = "circular wall" if wall.centre is not None else "wall"
-        kind = f"a fixed smooth vertical {shape} "
-        if wall.centre is not None:
-            phrase = words(" has its centre at ", values.point(wall.centre), " and radius ")
-            yield sentence(kind, Named(wall.name), phrase, values.length(scene.style, wall.radius))
-        elif wall.start is not None:
-            ends = words(" runs from ", values.spot(wall.start), " to ", values.spot(wall.end))
-            yield sentence(kind, Named(wall.name), ends)
-        elif (wall.along is not None and scene.oriented) or wall.through is not None:
-            yield sentence(kind, Named(wall.name), " ", _is(scene, wall))
-        else:
-            yield sentence(kind, Named(wall.name), " stands on the plane")
+        kind, name = "a fixed smooth vertical wall ", Named(wall.name)
+        match wall.shape:
+            case Circle(centre, radius):
+                kind = "a fixed smooth vertical circular wall "
+                size = values.length(scene.style, radius)
+                yield sentence(
+                    kind, name, " has its centre at ", values.point(centre), " and radius ", size
+                )
+            case Segment(start, end):
+                ends = words(" runs from ", values.spot(start), " to ", values.spot(end))
+                yield sentence(kind, name, ends)
+            case Line(along, through) if (
+                along is not None and scene.oriented
+            ) or through is not None:
+                yield sentence(kind, name, " ", _is(scene, wall))
+            case Line():
+                yield sentence(kind, name, " stands on the plane")
 
 
 def _plain(wall: Wall) -> bool:
@@ -237,11 +243,12 @@ def _sense(scene: Scene, name: str) -> Words:
     wall = scene.wall(name)
     if wall is None or not scene.oriented:
         return ()
-    if wall.along is not None:
-        return words(", measured clockwise from ", values.direction_of(scene.style, wall.along))
-    if wall.start is not None:
-        ends = words(values.spot(wall.start), " to ", values.spot(wall.end))
-        return words(", measured clockwise from the direction from ", ends)
+    match wall.shape:
+        case Line(along) if along is not None:
+            return words(", measured clockwise from ", values.direction_of(scene.style, along))
+        case Segment(start, end):
+            ends = words(values.spot(start), " to ", values.spot(end))
+            return words(", measured clockwise from the direction from ", ends)
     return ()
 
 

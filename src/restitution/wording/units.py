@@ -107,8 +107,7 @@ def _data(problem: Problem) -> Iterator[tuple[Dimension, Expression]]:
             (LENGTH, sphere.radius),
         ]
     for wall in problem.walls:
-        places = (wall.through, wall.start, wall.end, wall.centre, wall.radius)
-        data += [(LENGTH, place) for place in places]
+        data += [(LENGTH, length) for length in wall.lengths]
     data += [(LENGTH, point.position) for point in problem.points]
     for _, step in problem.steps():
         if isinstance(step, Kick):
