@@ -289,7 +289,9 @@ class Leads:
             angle = line.relation.only[0].right
             size = angle.operand if isinstance(angle, Negate) else angle
             if size not in (Degrees(Fraction(0)), Degrees(Fraction(90)), Degrees(Fraction(180))):
-                yield say("derived.along-centres", body=body)
+                turned = isinstance(angle, Binary) and angle.right == Degrees(Fraction(90))
+                which = "derived.across-centres" if turned else "derived.along-centres"
+                yield say(which, body=body)
                 return
             none = Unit("i" if size == Degrees(Fraction(90)) else "j")
             yield say("derived.along-axis", body=body, axis=self._naming.laid(none))
@@ -403,10 +405,12 @@ class Leads:
         ratios = {e.function for e in (*walk(link.left), *walk(link.right)) if isinstance(e, Apply)}
         if ratios != {"tan"}:
             return name
-        if not isinstance(base.relation, Relation):
-            return name
-        whole = base.relation.options[0][0]
-        for side in (whole.right, whole.left):
+        if isinstance(base.relation, Relation):
+            whole = base.relation.options[0][0]
+            sides = (whole.right, whole.left)
+        else:
+            sides = (base.relation.quantity,)
+        for side in sides:
             form = _form_of(side) if isinstance(side, Binary) else ""
             if form in _TANGENTS:
                 return _TANGENTS[form]

@@ -66,11 +66,11 @@ class Reasons:
         would = self._would(line)
         if would is not None:
             return (say("derived.as", reasons=(would,)),)
+        wave = tuple(self._wave(line))
         reasons = (
             *self._monotone(line),
             *self._square(line),
-            *self._wave(line),
-            *self._share(line),
+            *(wave or self._share(line)),
             *self._known(line),
             *self._silent(line),
         )
@@ -269,8 +269,11 @@ class Reasons:
     def _is_left(self, whole: Expression, square: Expression, bound: Expression) -> bool:
         """Whether a bound is what is left of a whole without a square."""
         rest = rebuilt(whole, lambda each: ZERO if each == square else each)
-        if isinstance(rest, Apply) and rest.function == "sqrt":
-            rest, bound = rest.argument, Binary("^", bound, Number(Fraction(2)))
+        match rest:
+            case Apply("sqrt", inside):
+                rest, bound = inside, _squared(bound)
+            case Binary("*", factor, Apply("sqrt", inside)):
+                rest, bound = Binary("*", _squared(factor), inside), _squared(bound)
         step = Step(Setting(self._roles), Move("rearrange"), (), ())
         try:
             gap = step.residual(Link(rest, "=", bound))
@@ -350,6 +353,8 @@ def _sine_and_cosine(node: Expression) -> tuple[Expression, Link] | None:
             return most, Link(double, "<=", Number(Fraction(1)))
         case Binary("+", left, right):
             a, b = _times(left), _times(right)
+        case Apply("sin" | "cos", Binary("*")):
+            return Number(Fraction(1)), Link(node, "<=", Number(Fraction(1)))
     if a is None or b is None:
         return None
     if a[1].argument != b[1].argument or {a[1].function, b[1].function} != {"sin", "cos"}:
@@ -383,6 +388,10 @@ def _bounds(whole: Expression, node: Expression, most: Expression, bound: Expres
         return bool(sp.sympify(one - other, strict=True).equals(0))
     except (RestitutionError, TypeError, ValueError):
         return False
+
+
+def _squared(tree: Expression) -> Expression:
+    return Binary("^", tree, Number(Fraction(2)))
 
 
 def _squares(tree: Expression, sign: str) -> Iterator[tuple[Expression, Expression]]:

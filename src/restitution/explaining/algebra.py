@@ -9,6 +9,7 @@ that uses one has to say so. That tan is sin/cos is free.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -589,7 +590,7 @@ class World:
         if self._is_plainly_positive(factor):
             return Quotient(factor, _ring().one)
         for each in (factor, -factor):
-            if each in self.ordered:
+            if each in self.ordered or self._is_positive_between_ends(each):
                 return Quotient(each, _ring().one)
         surd = self._surd(factor)
         if surd is not None:
@@ -605,6 +606,29 @@ class World:
         return all(value > 0 for value in factor.values()) and all(
             self._is_positive(key) for key in self.keys(factor).values()
         )
+
+    def _is_positive_between_ends(self, factor: PolyElement) -> bool:
+        """Whether a factor is linear in letters from 0 to 1, and not negative at their ends."""
+        one = _ring().one
+        bounded = [
+            number
+            for number, key in self.keys(factor).items()
+            if key[0] == "letter"
+            and key[1] in self.nonnegative
+            and one - self.generator(key).above in self.ordered
+        ]
+        if not bounded or any(powers[n] > 1 for powers in factor for n in bounded):
+            return False
+        for ends in itertools.product((0, 1), repeat=len(bounded)):
+            there = _ring().zero
+            low = [number for number, end in zip(bounded, ends, strict=True) if not end]
+            for powers, value in factor.items():
+                if not any(powers[n] for n in low):
+                    kept = tuple(0 if n in bounded else each for n, each in enumerate(powers))
+                    there = there + _ring().from_dict({kept: value})
+            if not self._is_plainly_positive(there):
+                return False
+        return True
 
     def _is_positive(self, key: Any) -> bool:
         if key[0] == "letter":

@@ -150,11 +150,20 @@ def _under_condition(step: Step, place: Link, then: Link) -> bool:
     if not (isinstance(place.left, Letter) and place.left.name in step.setting.angles):
         chosen = step.under(cited=(*step.cited, Cited("", Relation(((place,),)))))
         try:
-            if _by_links(chosen, Relation(((then,),))):
+            if any(_by_links(chosen, Relation(((each,),))) for each in _with_squares(chosen, then)):
                 return True
         except NotComparableError:
             pass  # it may still be compared at the place itself
     return _at_place(step, place, then)
+
+
+def _with_squares(step: Step, then: Link) -> Iterator[Link]:
+    """An equation, and that of the squares of both sides where both are positive."""
+    yield then
+    sides = [step.world.value(each) for each in (then.left, then.right)]
+    if all(isinstance(each, Quotient) and step.signs.of(each) == 1 for each in sides):
+        two = Number(Fraction(2))
+        yield Link(Binary("^", then.left, two), "=", Binary("^", then.right, two))
 
 
 def _at_place(step: Step, place: Link, then: Link) -> bool:
@@ -184,11 +193,41 @@ def _at_place(step: Step, place: Link, then: Link) -> bool:
         step.world.expression(step.world.scalar(each), step.roles)
         for each in (equation.right, then.right)
     )
+    value = value.xreplace(_by_their_tangents(step, value))
     letter = next((each for each in value.free_symbols if each.name == name), None)
     if letter is None:
         return False
     there = _worth_at(value, letter, at)
-    return there is not None and _equal_in(step, there, own)
+    if there is None:
+        return False
+    return _equal_in(step, there, own) or _equal_in(step, there, own, _not_negative(step, there))
+
+
+def _not_negative(step: Step, value: sp.Expr) -> tuple[Claim, ...]:
+    """What is cited of letters of which an expression has the size."""
+    symbols = {s for each in value.atoms(sp.Abs) for s in each.free_symbols}
+    return tuple(Claim(s, ">=") for s in symbols if s.name in step.world.nonnegative)
+
+
+def _by_their_tangents(step: Step, value: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
+    """The angles of up to 90° in an expression of which the tangents are cited, by these."""
+    found: dict[sp.Symbol, sp.Expr] = {}
+    for symbol in value.free_symbols:
+        role = step.setting.role(symbol.name)
+        if role.kind != "angle" or role.low != 0 or role.high != sp.pi / 2:
+            continue
+        for each in step.links:
+            if each.sign == "=" and each.left == Apply("tan", Letter(symbol.name)):
+                found[symbol] = sp.atan(_in_radians(step, _last_side(step, each)))
+    return found
+
+
+def _last_side(step: Step, link: Link) -> Expression:
+    """The last side of the chain in which a link is cited."""
+    for each in step.cited:
+        if isinstance(each.relation, Relation) and link in each.relation.options[0]:
+            return each.relation.options[0][-1].right
+    return link.right
 
 
 def _worth_at(value: sp.Expr, letter: sp.Symbol, at: Any) -> sp.Expr | None:
@@ -202,8 +241,19 @@ def _worth_at(value: sp.Expr, letter: sp.Symbol, at: Any) -> sp.Expr | None:
         small = sp.Dummy("t")
         value = sp.cancel(sp.together(value.subs(letter, 1 / small)), small)
         letter, at = small, sp.Integer(0)
+    if at == sp.pi / 2:
+        value = _towards_a_right_angle(value, letter)
     there = value.subs(letter, at)
     return None if there.is_finite is False or there.has(sp.nan) else there
+
+
+def _towards_a_right_angle(value: sp.Expr, letter: sp.Symbol) -> sp.Expr:
+    """An expression in which arctan(k tan x) is 90°, as it is where x is, for a positive k."""
+    cotangent = sp.cos(letter) / sp.sin(letter)
+    return value.replace(
+        lambda x: isinstance(x, sp.atan) and sp.cancel(x.args[0] * cotangent).is_positive,
+        lambda _: sp.pi / 2,
+    )
 
 
 def _by_links(step: Step, relation: Relation) -> bool:
@@ -744,6 +794,8 @@ def _with_factor_known(step: Step, line: Link) -> bool:
 
 def _identity(step: Step, line: Link) -> bool:
     names = _IDENTITIES.get(step.move.record or "")
+    if names is not None and _is_instance(step, line, names):
+        return True
     step = _from_base(step)
     base = _base(step)
     if names is None or base is None or len(base.options) != 1:
@@ -761,6 +813,30 @@ def _identity(step: Step, line: Link) -> bool:
         if chosen.world.is_angle(each.left)
         else _matches_with(chosen, line, _expected(chosen, each, rules), rules, each.sign)
         for each in base.only
+    )
+
+
+def _is_instance(step: Step, line: Link, names: frozenset[Any]) -> bool:
+    """Whether a line is the identity itself, for its angles, or for what letters stand for."""
+    if line.sign != "=":
+        return False
+    named: dict[Expression, Expression] = {
+        Letter(each.letter): each.quantity
+        for each in step.lets
+        if isinstance(each.quantity, Binary)
+    }
+    left, right = (
+        rebuilt(each, lambda own: named.get(own, own)) for each in (line.left, line.right)
+    )
+    line = Link(left, "=", right)
+    chosen = step.under(cited=(), known=(), identities=names)
+    chosen.world.divide_angles([line.left, line.right])
+    own, plain = chosen.residual(line), step.under(cited=(), known=()).residual(line)
+    return (
+        isinstance(own, Quotient)
+        and isinstance(plain, Quotient)
+        and own.vanishes
+        and not plain.vanishes
     )
 
 
@@ -1126,7 +1202,21 @@ def _sign(step: Step, relation: Relation) -> bool:
         return False
     if any(link.sign in ("≈", "=") for links in relation.options for link in links):
         return False
-    return _by_oracle(step, relation) or between_tangents(step, relation)
+    return is_certain(step, relation)
+
+
+def is_certain(step: Step, relation: Relation) -> bool:
+    """Whether what is cited proves a relation: of inverse tangents first by the tangents."""
+    ways = [_by_oracle, between_tangents]
+    if any(
+        isinstance(each, Apply) and each.function == "arctan"
+        for links in relation.options
+        for link in links
+        for side in (link.left, link.right)
+        for each in walk(side)
+    ):
+        ways.reverse()
+    return any(way(step, relation) for way in ways)
 
 
 def between_tangents(step: Step, relation: Relation) -> bool:
@@ -1285,8 +1375,8 @@ def _is_end(
     return there is not None and _equal_in(step, there, own)
 
 
-def _equal_in(step: Step, a: sp.Expr, b: sp.Expr) -> bool:
-    return Oracle(step.roles).proves(Claim(a - b, "="))
+def _equal_in(step: Step, a: sp.Expr, b: sp.Expr, facts: tuple[Claim, ...] = ()) -> bool:
+    return Oracle(step.roles, facts).proves(Claim(a - b, "="))
 
 
 def _complete(step: Step, relation: Relation) -> bool:
@@ -1594,11 +1684,19 @@ def _is_approached(step: Step, place: Link, value: Link, end: Link) -> bool:
 
 def _is_tangent_of(step: Step, value: Link, end: Link) -> bool:
     """Whether a tangent tells that an angle of up to 180° has a value: the only one with it."""
-    role = step.setting.of_angle(end.left)
-    if value.left != Apply("tan", end.left) or role is None or role.low != 0:
+    if value.left != Apply("tan", end.left):
         return False
     angle, ratio_ = _in_radians(step, end.right), _in_radians(step, value.right)
     oracle = Oracle(step.setting.roles)
+    role = step.setting.of_angle(end.left)
+    if isinstance(end.left, Letter):
+        role = role or step.setting.role(end.left.name)
+    if role is None or role.low is None or role.high is None:
+        return False
+    if role.low >= -sp.pi / 2 and role.high <= sp.pi / 2 and isinstance(angle, sp.atan):
+        return _equal(step, sp.tan(angle), ratio_)
+    if role.low != 0:
+        return False
     inside = (compared(angle, ">", sp.Integer(0)), compared(angle, "<", sp.pi))
     return _equal(step, sp.tan(angle), ratio_) and all(map(oracle.proves, inside))
 
@@ -1618,4 +1716,4 @@ _WHOLE: dict[MoveId, Callable[[Step, Relation], bool]] = {
     "shown": _as_it_stands,
 }
 
-__all__ = ["FLIPPED", "MOST_COMPARED", "between_tangents", "follows", "records_of"]
+__all__ = ["FLIPPED", "MOST_COMPARED", "follows", "is_certain", "records_of"]

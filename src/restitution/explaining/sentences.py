@@ -720,6 +720,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "component along with one across."
     ),
     "derived.along-centres": "{body} moves along the line of centres:",
+    "derived.across-centres": "{body} moves perpendicular to the line of centres:",
     "derived.apart": ("{one} moves perpendicular to the line of centres, and {other} along it. So"),
     "derived.along-axis": "{body} has no component of velocity in the direction of {axis}:",
     "derived-parallel.title": "In one direction, the components are in the same ratio",

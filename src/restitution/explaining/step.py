@@ -95,6 +95,8 @@ class Setting:
                 return TO_180
             case Quantity("direction", (Name(name),)) if self.names.get(name) != "wall":
                 return DIRECTION
+            case Binary("+" | "-" as sign, Letter(one), Letter(other)):
+                return _of_two(self.role(one), sign, self.role(other))
         return None
 
     def _is_line(self, tree: Expression) -> bool:
@@ -167,6 +169,19 @@ class Setting:
     def spheres(self) -> tuple[str, ...]:
         """The names of the spheres."""
         return tuple(name for name, kind in self.names.items() if kind == "sphere")
+
+
+def _of_two(one: Role, sign: str, other: Role) -> Role | None:
+    """What the sum or the difference of two angles may be."""
+    if one.kind != "angle" or other.kind != "angle":
+        return None
+    if None in (one.low, one.high, other.low, other.high):
+        return None
+    ends, closed = (other.low, other.high), other.closed
+    if sign == "-":
+        ends, closed = (-other.high, -other.low), closed[::-1]
+    low, high = one.low + ends[0], one.high + ends[1]
+    return Role("angle", low, high, (one.closed[0] and closed[0], one.closed[1] and closed[1]))
 
 
 _COMPONENTS = ("along", "across")
@@ -295,8 +310,17 @@ class Step:
                     for each in factors
                     if isinstance(each, Letter) and self.setting.role(each.name).kind != "positive"
                 ]
-                if len(open_) == 1 and all(isinstance(e, Letter | Number) for e in factors):
+                if len(open_) == 1 and all(map(self._is_no_loss, factors)):
                     yield open_[0]
+
+    def _is_no_loss(self, factor: Expression) -> bool:
+        """Whether a factor of a time is a letter or a number, or a sum that is plainly positive."""
+        match factor:
+            case Binary("+", Number(value), Letter(name)) if value > 0:
+                role = self.setting.role(name)
+                cited = any(name in each.letters for each in self.known)
+                return cited and role.low is not None and bool(role.low >= 0)
+        return isinstance(factor, Letter | Number)
 
     def _directions(self) -> Iterator[tuple[Expression, Expression]]:
         for meaning in self.lets:

@@ -21,7 +21,7 @@ from restitution.explaining.derivation import (
     Relation,
     whole_of,
 )
-from restitution.explaining.moves import between_tangents, follows
+from restitution.explaining.moves import follows, is_certain
 from restitution.explaining.notation import read_relation, read_tree
 from restitution.explaining.step import Cited, Known, Setting, Step
 from restitution.explaining.trees import trees_of
@@ -147,11 +147,7 @@ def _proves(
     relation: Relation,
 ) -> bool | None:
     """Whether what is cited makes a relation certain; None where that is beyond comparing."""
-    return _kept(_is_certain, Step(setting, move, cited, known), relation)
-
-
-def _is_certain(step: Step, relation: Relation) -> bool:
-    return step.oracle.proves(step.formula(relation)) or between_tangents(step, relation)
+    return _kept(is_certain, Step(setting, move, cited, known), relation)
 
 
 def _kept(judge: Callable[[Step, Relation], bool], step: Step, relation: Relation) -> bool | None:

@@ -67,10 +67,12 @@ def _write_distance(
         tree = product(times[0], tree)
         value = value * times[1]
     value = sized(scene, tidy(value))
+    move = Move("define", "distance", event)
+    relation = chain(asked, (swept(tree), None), (tree_of(value), "rearrange"))
+    signs = together(*(_signs(scene, gap) for _, gap in gaps))
+    premises = scene.judge.enough(move, refs, relation, signs)
     number = scene.desk.write(
-        Move("define", "distance", event),
-        together(refs, *(_signs(scene, gap) for _, gap in gaps)),
-        chain(asked, (swept(tree), None), (tree_of(value), "rearrange")),
+        move, together(refs, signs) if premises is None else premises, relation
     )
     return scene.desk.know(asked, value, (number,))
 

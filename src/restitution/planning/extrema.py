@@ -12,7 +12,22 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.derivation import Line, Link, Move, Ref, Relation, Sign
 from restitution.explaining.trees import rebuilt
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, Quantity, walk
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    Quantity,
+    walk,
+)
+from restitution.planning.angle_pairs import (
+    extents,
+    is_of_two_angles,
+    letters_under,
+    made_of_two,
+    tangent_of_two,
+)
 from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import ONE, ZERO, product, square, total, tree_of
@@ -99,12 +114,18 @@ class _Extremum:
 
     def write(self) -> int:
         """Writes the lines, and returns the number of the last."""
-        if _is_angle(self.asked):
+        if _is_angle(self.asked) or is_of_two_angles(self.asked):
             return self._of_angle()
+        if (
+            isinstance(self.asked, Letter)
+            and (tied := self._of_tied_letter(self.asked)) is not None
+        ):
+            return tied
         start = self.claims.worths.mark()
         line, end = self._line(), self.end
         defined = self._as_defined(start, line)
-        ways = [self._monotone, self._quotient, self._square, self._gap, self._plain]
+        ways = [self._monotone, self._quotient, self._square, self._double]
+        ways += [self._gap, self._plain]
         if defined is not None:
             line = defined
             ways.insert(0, self._plain)
@@ -127,12 +148,10 @@ class _Extremum:
         if not sp.deg(value).is_Rational:
             whole = replace(whole, right=Apply("arctan", tree_of(tangent)))
         if tangent.has(sp.zoo) or self.scene.model.sign(tangent) <= 0:
-            raise NotPlannedError("an angle that is not acute")
-        assert isinstance(asked, Quantity)
-        first = self.claims.worths.angle(asked)
-        told = self.scene.desk.last_link(first).left
-        called = told.argument if isinstance(told, Apply) else asked
-        line, letter, extent = self.claims.worths.lettered(first, called)
+            return self._of_wide_angle(asked)
+        line, letter, extent = self._tangent(asked)
+        if is_of_two_angles(asked):
+            asked, whole = letter, replace(whole, left=letter)
         self.value = tangent
         self.end = Link(Apply("tan", letter), whole.sign, tree_of(tangent))
         for way in (self._monotone, self._quotient, self._plain):
@@ -152,6 +171,64 @@ class _Extremum:
                     return self.scene.desk.write(self.move, [last, there], own)
             self.claims.worths.back(mark)
         raise NotPlannedError("the greatest or least angle")
+
+    def _tangent(self, asked: Expression) -> tuple[int, Expression, tuple[Ref, ...]]:
+        """The line of the tangent of an angle by a letter, with the letter and its range."""
+        if is_of_two_angles(asked):
+            written = tangent_of_two(self.scene, self.claims.worths, asked)
+            if written is None:
+                raise NotPlannedError("a sum or a difference of angles")
+            return written
+        assert isinstance(asked, Quantity)
+        first = self.claims.worths.angle(asked)
+        told = self.scene.desk.last_link(first).left
+        called = told.argument if isinstance(told, Apply) else asked
+        return self.claims.worths.lettered(first, called)
+
+    def _of_wide_angle(self, asked: Expression) -> int:
+        """An angle that is not bounded by an acute one, by those of which it is made."""
+        if not isinstance(asked, Quantity):
+            raise NotPlannedError("an angle that is not acute")
+        self.claims.worths.determine_angle(asked)
+        parts = made_of_two(self.scene, asked)
+        if parts is None:
+            raise NotPlannedError("an angle that is not acute")
+        line, support = parts
+        self.end = replace(self.end, left=self.scene.desk.last_link(line).left)
+        inside = {name for ref in (line, *support) for name in letters_under(self.scene, ref)}
+        known = [*self._known(*sorted(inside)), *extents(self.scene, inside)]
+        moves = (Move("compare"),)
+        bound = self.judge.write(moves, [line, *support, *known], self._relation)
+        if bound is not None:
+            there = self._place(line, self.end.left, support)
+            answer = [bound, there]
+            if there is not None and self.judge.follows(self.move, answer, self._relation):
+                return self.scene.desk.write(self.move, answer, self._relation)
+        raise NotPlannedError("an angle that is not acute")
+
+    def _of_tied_letter(self, asked: Letter) -> int | None:
+        """A letter that no line gives by others: by the equation that ties it to them."""
+        lines = self.claims.ties.lines()
+        if any(self.claims.ties.subject(each, asked.name) is not None for each in lines):
+            return None
+        bound = self.claims.write(self._relation)
+        role = roles(self.scene.problem)[asked.name]
+        subject: Expression = Apply("tan", asked) if role.kind == "angle" else asked
+        value = tidy(sp.tan(self.value)) if role.kind == "angle" else self.value
+        other = roles(self.scene.problem)[self.symbol.name]
+        for line in lines:
+            for end in (other.low, other.high):
+                if end is None:
+                    continue
+                unless = Link(Letter(self.symbol.name), "!=", tree_of(end))
+                told = Relation(((unless,), (Link(subject, "=", tree_of(value)),)))
+                pool = [line, *self._known(asked.name, self.symbol.name)]
+                there = self.judge.write((Move("put"),), pool, told, shown="silent")
+                if there is not None and self.judge.follows(
+                    self.move, [bound, there], self._relation
+                ):
+                    return self.scene.desk.write(self.move, [bound, there], self._relation)
+        raise NotPlannedError("a greatest or least value of a letter")
 
     def _line(self) -> int:
         match self.asked:
@@ -195,12 +272,23 @@ class _Extremum:
             relation = Relation(((unless,), (value,)))
             known = self._known(*self._names(self._value(line)))
             # The answer says it once more, with the place.
-            there = self.judge.write(
-                (Move("put"),), [line, *named, *known], relation, shown="silent"
-            )
-            if there is not None:
-                return there
+            for more in ((), self._times()):
+                # No time is before the clock starts: that tells the sign of a length.
+                pool = [line, *named, *known, *more]
+                there = self.judge.write((Move("put"),), pool, relation, shown="silent")
+                if there is not None:
+                    return there
         return None
+
+    def _times(self) -> list[int]:
+        """The lines that say when something happens."""
+        lines = (e.number for e in self.scene.desk.lines if isinstance(e.relation, Relation))
+        return [
+            n
+            for n in lines
+            if len(self.scene.desk.relation(n).options) == 1
+            and _is_time(self.scene.desk.last_link(n).left)
+        ]
 
     def _places(self, line: int) -> Iterator[Link]:
         """The value of the letter, or of its tangent, at which the bound is reached."""
@@ -311,6 +399,21 @@ class _Extremum:
                 return bound
         return None
 
+    def _double(self, line: int) -> int | None:
+        """The product of a sine and a cosine of one angle, by the sine of the double."""
+        value = self._value(line)
+        factor = value / (sp.sin(self.symbol) * sp.cos(self.symbol))
+        if not self.angle or self.symbol in factor.free_symbols:
+            return None
+        twice = Apply("sin", product(tree_of(2), Letter(self.symbol.name)))
+        told = Link(self.end.left, "=", product(tree_of(tidy(factor / 2)), twice))
+        identity = (Move("identity", "double-angle"),)
+        doubled = self.judge.write(identity, [line], Relation(((told,),)))
+        if doubled is None:
+            return None
+        pool = [doubled, *self._known(*self._names(value))]
+        return self.judge.write((Move("sign"),), pool, self._relation)
+
     def _as_defined(self, start: Standing, line: int) -> int | None:
         """The line without its last form, where its first without a square is the least value."""
         own = self.scene.desk.line(line)
@@ -369,6 +472,10 @@ class _Extremum:
             return None
         desk.lines[line - 1] = replace(own, premises=refs, relation=first)
         return own
+
+
+def _is_time(tree: Expression) -> bool:
+    return isinstance(tree, Quantity) and tree.kind == "time"
 
 
 def _is_angle(tree: Expression) -> bool:

@@ -6,7 +6,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref
-from restitution.expression.tree import AtTime, Binary, Expression, Quantity, letters
+from restitution.expression.tree import AtTime, Binary, Expression, Quantity, letters, walk
 from restitution.planning.desk import NotPlannedError, Source, together
 from restitution.planning.flights import added
 from restitution.planning.forms import difference, tree_of
@@ -67,5 +67,9 @@ def time_since(
             value, refs = scene.put(scene.scalar(later))
             return tree_of(value), value, refs
     when, refs = scene.put(scene.scalar(time))
+    for each in walk(time):
+        match each:
+            case Quantity("time", (), int(number)) if number:
+                refs = together(refs, time_of(scene, number).refs)
     tree = difference(tree_of(when), tree_of(early.value))
     return tree, tidy(when - early.value), together(early.refs, refs)

@@ -294,7 +294,7 @@ def _as_right_angle(each: GivenEquation) -> GivenEquation:
         case Link(Quantity("deflection", (Name(),) as body, int(stage)), "=", Degrees(value)):
             if value == 90:
                 later, early = (Quantity("velocity", body, k) for k in (stage, stage - 1))
-                return replace(each, link=Link(later, "perpendicular to", early))
+                return replace(each, link=Link(early, "perpendicular to", later))
     return each
 
 

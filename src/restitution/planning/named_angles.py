@@ -28,11 +28,15 @@ def letter_of(scene: Scene, asked: Quantity) -> tuple[str, Ref]:
     for each in scene.desk.lines:
         if isinstance(each.relation, Meaning) and each.relation.quantity == asked:
             return each.relation.letter, each.number
-    taken = letters_taken(scene)
-    names = ANGLES[asked.kind]
-    numbered = (f"{each}_{n}" for n in range(1, 9) for each in names)
-    letter = next(each for each in (*names, *numbered) if each not in taken)
+    letter = free_letter(scene, asked.kind)
     return letter, scene.desk.write(Move("let"), (), Meaning(letter, asked))
+
+
+def free_letter(scene: Scene, kind: str) -> str:
+    """A letter for an angle of a kind that stands for nothing yet."""
+    taken, names = letters_taken(scene), ANGLES[kind]
+    numbered = (f"{each}_{n}" for n in range(1, 9) for each in names)
+    return next(each for each in (*names, *numbered) if each not in taken)
 
 
 def letters_taken(scene: Scene) -> set[str]:

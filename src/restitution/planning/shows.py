@@ -292,7 +292,7 @@ def _tied(
     if not moving:
         raise NotPlannedError("directions of no velocity")
     frame = frame_after(scene, *max(moving, key=lambda own: own[1]))
-    refs: list[Ref] = list(frame.refs)
+    refs: list[Ref] = []
     for body, stage in moving:
         own = scene.velocity(body, stage)
         claims.solver.determine(list(own))
@@ -300,12 +300,12 @@ def _tied(
             refs += claims.worths.component(kind, body, stage, frame).whole
     refs += [f"wall {each.name}" for each in scene.problem.walls]
     move = Move("define", record, frame.number, tuple(dict.fromkeys(b for b, _ in moving)))
-    line = claims.judge.write(
-        (move,), together(r for r in refs if claims.worths.exists(r)), own_relation
-    )
-    if line is None:
-        raise NotPlannedError("two directions")
-    return line, own_relation
+    for pool in (refs, [*frame.refs, *refs]):
+        told = together(r for r in pool if claims.worths.exists(r))
+        line = claims.judge.write((move,), told, own_relation)
+        if line is not None:
+            return line, own_relation
+    raise NotPlannedError("two directions")
 
 
 def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[int, Relation]:

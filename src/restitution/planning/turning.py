@@ -314,9 +314,11 @@ def _along_the_centres(scene: Scene, asked: Quantity) -> int | None:
     frame = scene.frame(stage)
     angle = angle_of_centres(scene, stage)
     along, across = (in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))
-    if angle is None or across.value != 0:
+    if angle is None:
         return None
-    if scene.model.proved_sign(scene.model.in_data(along.value)) != 1:
+    if along.value == 0 and isinstance(angle, Letter):
+        return _across_the_centres(scene, asked, angle, (along, across))
+    if across.value != 0 or scene.model.proved_sign(scene.model.in_data(along.value)) != 1:
         return None
     known = scene.desk.known(angle) if isinstance(angle, Letter) else None
     steps: list[tuple[Expression, MoveId | None]] = [(angle, None)]
@@ -326,6 +328,21 @@ def _along_the_centres(scene: Scene, asked: Quantity) -> int | None:
     move = Move("define", "parallel", stage, (body,))
     pool = together(across.whole, along.whole, frame.refs, () if known is None else known.refs)
     premises = scene.judge.needed(move, [*pool, *nonzero(scene, along.value)], relation)
+    return None if premises is None else scene.desk.write(move, premises, relation)
+
+
+def _across_the_centres(
+    scene: Scene, asked: Quantity, angle: Letter, parts: Components
+) -> int | None:
+    """The line of a direction perpendicular to a line of centres that is told by its angle."""
+    body, stage = body_and_stage(scene, asked)
+    sign = scene.model.proved_sign(scene.model.in_data(parts[1].value))
+    if not sign:
+        return None
+    right = Binary("+" if sign > 0 else "-", angle, Degrees(Fraction(90)))
+    relation, move = chain(asked, (right, None)), Move("define", "parallel", stage, (body,))
+    pool = together(*(each.whole for each in parts), scene.frame(stage).refs)
+    premises = scene.judge.needed(move, [*pool, *nonzero(scene, parts[1].value)], relation)
     return None if premises is None else scene.desk.write(move, premises, relation)
 
 

@@ -43,6 +43,24 @@ def tangent_at_a_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | None
 
     The last line is ``tan(δ) = … = …``, with a letter for the deflection.
     """
+    mark = scene.desk.mark()
+    own = sum_at_a_wall(scene, asked, frame)
+    if own is None:
+        return None
+    turned, _ = letter_of(scene, asked)
+    found = by_tangents(scene, own[0], "sum", own[1], Apply("tan", Letter(turned)))
+    if found is None:
+        scene.desk.back(mark)
+    return found
+
+
+def sum_at_a_wall(
+    scene: Scene, asked: Quantity, frame: Frame
+) -> tuple[int, tuple[Term, Term]] | None:
+    """The line that adds the angles to a wall before and after, with their tangents.
+
+    None where the angle before is not given as a letter or in degrees.
+    """
     (name,) = asked.arguments
     assert isinstance(name, Name)
     angle = angle_of_approach(scene, name.name, frame)
@@ -50,7 +68,6 @@ def tangent_at_a_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | None
         return None
     velocity = Quantity("velocity", (name,), frame.number)
     after = Quantity("angle", (velocity, Name(frame.wall)))
-    mark = scene.desk.mark()
     own = formula(scene, after)
     line, letter = tangent_line(scene, after, own, own.move)
     turned, meaning = letter_of(scene, asked)
@@ -60,13 +77,8 @@ def tangent_at_a_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | None
         together((f"velocity {name.name}", meant, meaning)),
         chain(Letter(turned), (Binary("+", angle, Letter(letter)), None)),
     )
-    subject = Apply("tan", Letter(turned))
     value = scene.desk.last_link(line).right
-    terms = (term_of_data(scene, angle), Term(Letter(letter), value, (line,)))
-    found = by_tangents(scene, number, "sum", terms, subject)
-    if found is None:
-        scene.desk.back(mark)
-    return found
+    return number, (term_of_data(scene, angle), Term(Letter(letter), value, (line,)))
 
 
 def given_at_a_wall(

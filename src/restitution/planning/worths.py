@@ -25,7 +25,9 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning import journeys, place_trees
 from restitution.planning.desk import NotPlannedError, Source, together
+from restitution.planning.expressions import write_expression
 from restitution.planning.forms import square, swept, tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import in_direction, scene_value
@@ -173,7 +175,7 @@ class Worths:
 
     def formula(self, quantity: Quantity) -> Formula:
         """The definition of a quantity, with the components in it known."""
-        self._determine_angle(quantity)
+        self.determine_angle(quantity)
         return formula(self.scene, quantity)
 
     def angle(self, angle: Quantity) -> int:
@@ -231,7 +233,7 @@ class Worths:
         """
         if velocities_of(self.scene, angle) is None:
             return None
-        self._determine_angle(angle)
+        self.determine_angle(angle)
         if angle.kind == "deflection" and angle.stage in self.scene.model.frames:
             frame = self.scene.frame(angle.stage)
             line = None if frame.wall is None else tangent_at_a_wall(self.scene, angle, frame)
@@ -255,7 +257,7 @@ class Worths:
         lets = (e for e in self.scene.desk.lines if isinstance(e.relation, Meaning))
         return tuple(e.number for e in lets if e.relation.quantity == angle)[:1]  # type: ignore[union-attr]
 
-    def _determine_angle(self, angle: Quantity) -> None:
+    def determine_angle(self, angle: Quantity) -> None:
         """Writes the lines by which the components are known that make an angle."""
         if angle.kind == "deflection" and isinstance(angle.stage, int):
             (body,) = angle.arguments
@@ -310,6 +312,8 @@ class Worths:
     def worth(self, tree: Expression) -> int | None:
         """The line that says what an expression of quantities is worth; None without one."""
         match tree:
+            case Quantity() if place_trees.serves(tree):
+                return self._of_place(tree)
             case Quantity():
                 return self.quantity(tree)
             case Apply("tan", Quantity("angle" | "deflection" | "direction") as angle):
@@ -324,7 +328,16 @@ class Worths:
             case Binary("/", above, below) if has_quantity(above):
                 line = self.worth(above)
                 return None if line is None else self._valued(tree, Move("rearrange"), [line])
+            case Binary("*", _, _) if has_quantity(tree):
+                for each in self.quantities(tree):
+                    self.determine(each)
+                return write_expression(self.scene, tree)[0]
         return None
+
+    def _of_place(self, tree: Quantity) -> int:
+        """The line of a time, a place or a distance."""
+        self.solver.determine(journeys.goals(self.scene, tree))
+        return journeys.write(self.scene, tree)[0]
 
     def _valued(self, tree: Expression, move: Move, refs: Sequence[int]) -> int | None:
         """An expression and its value, by a move from the lines of its quantities."""
