@@ -289,8 +289,8 @@ class Leads:
             angle = line.relation.only[0].right
             size = angle.operand if isinstance(angle, Negate) else angle
             if size not in (Degrees(Fraction(0)), Degrees(Fraction(90)), Degrees(Fraction(180))):
-                turned = isinstance(angle, Binary) and angle.right == Degrees(Fraction(90))
-                which = "derived.across-centres" if turned else "derived.along-centres"
+                square = isinstance(angle, Binary) and angle.right == Degrees(Fraction(90))
+                which = "derived.across-centres" if square else "derived.along-centres"
                 yield say(which, body=body)
                 return
             none = Unit("i" if size == Degrees(Fraction(90)) else "j")
@@ -405,6 +405,7 @@ class Leads:
         ratios = {e.function for e in (*walk(link.left), *walk(link.right)) if isinstance(e, Apply)}
         if ratios != {"tan"}:
             return name
+        sides: tuple[Expression, ...]
         if isinstance(base.relation, Relation):
             whole = base.relation.options[0][0]
             sides = (whole.right, whole.left)

@@ -175,7 +175,7 @@ def _of_two(one: Role, sign: str, other: Role) -> Role | None:
     """What the sum or the difference of two angles may be."""
     if one.kind != "angle" or other.kind != "angle":
         return None
-    if None in (one.low, one.high, other.low, other.high):
+    if one.low is None or one.high is None or other.low is None or other.high is None:
         return None
     ends, closed = (other.low, other.high), other.closed
     if sign == "-":

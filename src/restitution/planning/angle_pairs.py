@@ -40,7 +40,7 @@ def is_of_two_angles(tree: Expression) -> bool:
 def made_of_two(scene: Scene, asked: Quantity) -> tuple[int, tuple[int, ...]] | None:
     """The line that makes an angle of two others, and those of their tangents; None without one."""
     mark = scene.desk.mark()
-    frame = scene.frame(asked.stage) if asked.stage in scene.model.frames else None  # type: ignore[arg-type]
+    frame = scene.frame(asked.stage) if asked.stage in scene.model.frames else None
     if asked.kind == "deflection" and frame is not None and frame.wall is not None:
         own = sum_at_a_wall(scene, asked, frame)
         return None if own is None else (own[0], own[1][1].refs)  # type: ignore[return-value]

@@ -201,9 +201,8 @@ class _Extremum:
         bound = self.judge.write(moves, [line, *support, *known], self._relation)
         if bound is not None:
             there = self._place(line, self.end.left, support)
-            answer = [bound, there]
-            if there is not None and self.judge.follows(self.move, answer, self._relation):
-                return self.scene.desk.write(self.move, answer, self._relation)
+            if there is not None and self.judge.follows(self.move, [bound, there], self._relation):
+                return self.scene.desk.write(self.move, [bound, there], self._relation)
         raise NotPlannedError("an angle that is not acute")
 
     def _of_tied_letter(self, asked: Letter) -> int | None:
