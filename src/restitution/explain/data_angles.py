@@ -31,7 +31,9 @@ class DataAngles:
         """The ratios of an angle in a velocity of which a line takes components."""
         if line.move.id not in ("law", "define"):
             return
-        for ref in line.premises:
+        # The angles of all velocities before an impact are spoken of together.
+        alike = (e for e in self._derivation.lines if e.move.event == line.move.event)
+        for ref in dict.fromkeys(ref for each in (line, *alike) for ref in each.premises):
             fact = self._derivation.fact(ref) if isinstance(ref, str) else None
             if fact is None or fact.id.partition(" ")[0] != "velocity":
                 continue

@@ -140,7 +140,7 @@ class _Writer:
             ratios = tuple(self.angles.before(line))
             if ratios:
                 self.afresh()
-                yield Step("setting", sentences=ratios)
+                yield Step("fact", sentences=ratios)
             if line.move.event in self.naming.events and not self.stay:
                 self.naming.bold.gather(line.move.event or 0)
                 if not lets:

@@ -10,6 +10,7 @@ from restitution.explain.naming import Naming
 from restitution.explaining.derivation import Derivation, Event, Meaning
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.tree import (
+    Binary,
     Degrees,
     Expression,
     Letter,
@@ -47,6 +48,8 @@ class Introductions:
                         for each in meanings
                     ),
                 )
+            elif kind == "named" and (vectors := self._resolved(meanings)):
+                yield say("derived.name", equations=vectors)
             elif kind == "named":
                 yield say(
                     "derived.let",
@@ -63,6 +66,24 @@ class Introductions:
                 yield from self._components(kind, meanings)
             for each in meanings:
                 self._naming.knows(each.quantity, each.letter)
+
+    def _resolved(self, meanings: Sequence[Meaning]) -> tuple[lay.Layout, ...]:
+        """``𝐮 = a𝐢 + b𝐣`` of each velocity, if the letters are the components of velocities."""
+        parts: dict[Expression, dict[str, Expression]] = {}
+        for each in meanings:
+            match each.quantity:
+                case Quantity("along", (Quantity("velocity") as velocity, Unit(axis))):
+                    parts.setdefault(velocity, {})[axis] = Letter(each.letter)
+        if 2 * len(parts) != len(meanings) or any(len(each) != 2 for each in parts.values()):
+            return ()
+        sums = {
+            velocity: Binary("+", *(Binary("*", each[axis], Unit(axis)) for axis in ("i", "j")))
+            for velocity, each in parts.items()
+        }
+        return tuple(
+            lay.Relation((self._naming.laid(velocity), self._naming.laid(total)), ("=",))
+            for velocity, total in sums.items()
+        )
 
     def _letter(self, meaning: Meaning) -> lay.Layout:
         return self._naming.laid(Letter(meaning.letter))

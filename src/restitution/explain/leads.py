@@ -103,11 +103,11 @@ class Leads:
             return (say("given.fact-along", fact=told, body=along),)
         match facts[0].relation.options[0][0]:
             case Link(Quantity("velocity", _, _), "=", right) if isinstance(told, lay.Layout):
+                if not has_quantity(right):
+                    return ()  # a velocity that is given is a datum
                 resolved = self.resolved(line) if line.move.record == "component" else None
                 if resolved is not None:
                     return (say("given.and", fact=told), resolved)
-                if not has_quantity(right):
-                    return ()  # a velocity that is given is a datum
         match facts[0].relation.options[0][0]:
             case Link(Quantity("direction", (Name() as body,), stage), "=", angle) if (
                 abs(_degrees(angle)) == 90
@@ -614,6 +614,8 @@ class Leads:
                     yield say("derived.since-put", facts=facts, letters=letters)
                 elif facts and equations:
                     yield say("derived.since-in", facts=facts, equation=equations[0])
+                elif len(facts) == 1 and isinstance(facts[0], Sentence):
+                    yield say("given.fact", fact=facts[0])
                 elif facts:
                     yield say("derived.since", facts=facts)
                 elif letters and equations and source.last:

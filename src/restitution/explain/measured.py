@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields, replace
 from fractions import Fraction
 from typing import Any
@@ -93,7 +93,7 @@ def _of_units(tree: Expression) -> bool:
 
 
 def _ends(value: Fraction) -> bool:
-    return 1000 % value.denominator == 0
+    return bool(10**5 % value.denominator == 0)
 
 
 def with_unit(value: lay.Layout, unit: str) -> lay.Layout:
@@ -113,14 +113,53 @@ def is_plain(value: lay.Layout) -> bool:
             return name in ("i", "j")
         case lay.Root(inside):
             return is_plain(inside)
+        case lay.Brackets(inside):
+            return is_plain(inside) and not _has_bold(inside)
+        case lay.Function(_, lay.Degrees(angle)):
+            return is_plain(angle)
         case lay.Fraction(above, below):
             return is_plain(above) and is_plain(below)
         case lay.Product(factors, ""):
-            return all(isinstance(e, lay.Bold) or is_plain(e) for e in factors)
+            return all(map(is_plain, factors)) and not any(map(_has_bold, factors[:-1]))
         case lay.Sum(terms):
-            alone = len(terms) == 1
-            return all(is_plain(e) and (alone or _along_an_axis(e)) for _, e in terms)
+            parts = [each for _, each in terms]
+            vector = len(parts) == 1 or all(map(_along_an_axis, parts))
+            return all(map(is_plain, parts)) and (vector or _is_surd(parts))
     return False
+
+
+def _has_bold(layout: lay.Layout) -> bool:
+    """Whether there is a vector in a number of any form."""
+    match layout:
+        case lay.Bold():
+            return True
+        case lay.Brackets(inside):
+            return _has_bold(inside)
+        case lay.Fraction(above, _):
+            return _has_bold(above)
+        case lay.Product(factors):
+            return any(map(_has_bold, factors))
+        case lay.Sum(terms):
+            return any(_has_bold(each) for _, each in terms)
+    return False
+
+
+def _is_surd(parts: Sequence[lay.Layout]) -> bool:
+    """Whether no two terms can be added: one of them at most is no multiple of a root."""
+    roots = {str(each) for part in parts for each in _roots(part)}
+    return sum(not [*_roots(part)] for part in parts) <= 1 and len(roots) >= len(parts) - 1
+
+
+def _roots(layout: lay.Layout) -> Iterator[lay.Layout]:
+    """The roots and the sines, cosines and tangents in a number."""
+    match layout:
+        case lay.Root() | lay.Function():
+            yield layout
+        case lay.Fraction(above, below):
+            yield from (*_roots(above), *_roots(below))
+        case lay.Product(factors):
+            for each in factors:
+                yield from _roots(each)
 
 
 def _along_an_axis(term: lay.Layout) -> bool:

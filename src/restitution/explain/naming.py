@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 
 from restitution.explain.bold_letters import BoldLetters, Used
 from restitution.explain.measured import Measures, is_plain, with_unit
@@ -161,8 +162,11 @@ class Naming:
                 case Quantity() if isinstance(right, lay.Words | lay.Phrase):
                     return say("derived.same", quantity=left, value=right)
                 case Binary("*", size, Quantity() as whole) if _is_share(size):
-                    share = self.laid(size)
+                    share = _percentage(self.laid(size))
                     return say("derived.share", quantity=left, share=share, value=self.side(whole))
+                case Binary("*", Letter() as size, Quantity() as whole):
+                    share = self.laid(size)
+                    return say("derived.times", quantity=left, share=share, value=self.side(whole))
             return say("derived.is", quantity=left, value=self._measured(link, right))
         if link.sign in _BOUNDS and isinstance(left, lay.Words | lay.Phrase):
             bound: Sentence | lay.Layout | str = self._measured(link, right)
@@ -170,7 +174,8 @@ class Naming:
                 case Quantity() if isinstance(right, lay.Words | lay.Phrase):
                     bound = say("derived.called", quantity=right)
                 case Binary("*", size, Quantity() as whole) if _is_share(size):
-                    bound = say("derived.part", share=self.laid(size), value=self.side(whole))
+                    share = _percentage(self.laid(size))
+                    bound = say("derived.part", share=share, value=self.side(whole))
             return say(_BOUNDS[link.sign], quantity=left, value=bound)
         return self.relation(fact.relation)
 
@@ -315,6 +320,10 @@ class Naming:
                 return self._during(say("derived.coefficient"), tree)
             case Quantity("impulse", (), _):
                 return self._during(say("derived.impulse-size"), tree)
+            case Quantity("impulse", (Name(body),), int(number)) if (
+                number in self.events and self.events[number].kind == "kick"
+            ):
+                return say("derived.impulse-given", of=(body,))
             case Quantity("impulse", (Name(body),), _):
                 return self._during(say("derived.impulse", of=(body,)), tree)
             case Quantity("speed", (Name(body),), _):
@@ -375,13 +384,22 @@ class Naming:
                 return say("derived.acute-angle", of=tuple(self.side(each) for each in arguments))
         return self.quantity(meaning.quantity)
 
+    def extreme(self, tree: Expression, *, greatest: bool) -> Sentence:
+        """The greatest or the least value of a quantity."""
+        laid = self.laid(tree)
+        if isinstance(laid, lay.Words | lay.Phrase):
+            name = "derived.greatest-named" if greatest else "derived.least-named"
+        else:
+            name = "derived.greatest" if greatest else "derived.least"
+        return say(name, quantity=laid)
+
     def _end(self, tree: Expression) -> Sentence | lay.Layout | str:
         """What a distance is measured from."""
         match tree:
             case Name(name):
                 return name
             case Quantity():
-                return self.quantity(tree)
+                return say("derived.the", quantity=self.quantity(tree))
         return self.laid(tree)
 
     def side(self, tree: Expression) -> Sentence | lay.Layout | str:
@@ -646,6 +664,15 @@ _BOUNDS: Mapping[str, str] = {
     "<": "derived.less",
     "<=": "derived.at-most",
 }
+
+
+def _percentage(share: lay.Layout) -> lay.Layout:
+    """A part in decimals as a percentage; any other as it is written."""
+    if isinstance(share, lay.Number) and "." in share.digits:
+        percent = 100 * Fraction(share.digits)
+        if percent.denominator == 1:
+            return lay.Percent(lay.Number(str(percent)))
+    return share
 
 
 def _is_share(tree: Expression) -> bool:

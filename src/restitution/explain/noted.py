@@ -79,8 +79,7 @@ class Notes:
         """An item: a greatest or a least value in words, and not as it was typed."""
         match self._ends.item(note.item):
             case Extremum(kind, expression):
-                name = "derived.greatest" if kind == "maximum" else "derived.least"
-                return say(name, quantity=self._naming.laid(expression))
+                return self._naming.extreme(expression, greatest=kind == "maximum")
         return self._ends.text(note.item)
 
     def _impossible(self, note: Note, items: tuple[str, ...]) -> Sentence:

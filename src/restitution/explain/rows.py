@@ -132,6 +132,11 @@ class Rows:
         trees = [links[0].left, *(each.right for each in links)]
         if self._measures.decimals and self._measures.unit(links[0].left):
             trees[1:] = map(as_decimal, trees[1:])
+        match links[0]:
+            case Link(Binary("/", Quantity(), Quantity()), _, Binary("/", above, below)) if (
+                self._measures.decimals
+            ):
+                trees[1] = Binary("/", as_decimal(above), as_decimal(below))
         sides_ = [self._naming.laid(each) for each in trees]
         for n, each in enumerate(links, 1):
             if each.sign == "≈":
@@ -334,8 +339,7 @@ class Rows:
         """The greatest or the least value, and where it is reached."""
         assert isinstance(line.relation, Relation)
         link = line.relation.only[-1]
-        name = "derived.greatest" if link.sign[0] == "<" else "derived.least"
-        called = operand(say(name, quantity=self._naming.laid(link.left)))
+        called = operand(self._naming.extreme(link.left, greatest=link.sign[0] == "<"))
         sides, signs = [called, self._naming.laid(link.right)], ["="]
         self._ended(line, (Link(link.left, "=", link.right),), sides, signs)
         places = [

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from string import ascii_letters, digits
 
 from restitution.explain.steps import PartExplanation, Row, Step, Words, Working
 from restitution.explaining.saying import note
-from restitution.render.layout import Layout, Phrase, Relation, Sum
+from restitution.render.layout import Brackets, Fraction, Layout, Phrase, Relation, Sum
 from restitution.render.layout import Words as Upright
 from restitution.render.text import NO_BREAK, bold, wrapped
 from restitution.render.text import to_text as one_line
@@ -21,10 +21,14 @@ _BELOW = 6
 # So many columns more than the shortest left side has are far.
 _APART = 28
 # Before these a line may end.
-_BREAKS = frozenset(("+", "−", "×", "·", "=", "≠", "<", "≤", ">", "≥", "≈", "or", "and"))
+_BREAKS = frozenset(("+", "−", "×", "÷", "·", "=", "≠", "<", "≤", ">", "≥", "≈", "or", "and"))
 _MARKS = 8
 # An equation among words that is no longer stands on one line.
 _SHORT = 30
+# What is no longer stays behind the stroke of a fraction.
+_SHORT_BELOW = 8
+# Within more brackets no line ends.
+_DEEPEST = 4
 
 _BOLD, _FAINT, _NORMAL = "\x1b[1m", "\x1b[2m", "\x1b[0m"
 _LETTERS = {bold(c): c for c in ascii_letters + digits}
@@ -172,11 +176,14 @@ def _operand(layout: Layout | None) -> str:
 
 def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
     """One chain; what does not fit goes on below, under its own sign."""
+    first = row.operands[0]
+    if isinstance(first, Fraction) and _INDENT + columns(left) > width:
+        return _over_a_bar(row, first, width)
     pad = " " * (_INDENT + max(0, room - columns(left)))
     limit = width - _margin(row)
     lines: list[str] = []
-    if row.operands[0] is not None and _INDENT + columns(left) > width:
-        *above, left = _broken(row.operands[0], limit - _INDENT)
+    if first is not None and _INDENT + columns(left) > width:
+        *above, left = _broken(first, limit - _INDENT)
         lines += [" " * _INDENT + each for each in above]
         pad = " " * _INDENT
     current = pad + left
@@ -188,18 +195,20 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
     gap = "" if goes_on(row.note) else "   "
     # Behind a line that is alone, marks need no more room than they have.
     own = width - (columns(row.mark) + 2 if row.mark else 0)
-    room_behind = own if row.number or not goes_on(row.note) else limit
+    room_behind = own if row.number or not (row.mark and goes_on(row.note)) else limit
     for index, (sign, operand) in enumerate(zip(row.signs, row.operands[1:], strict=True), 1):
         piece = f" {sign} {_operand(operand)}"
+        last = index == len(row.signs)
         fresh = current.strip() == "" or current == pad + left
-        behind = columns(gap) + columns(note) if note and index == len(row.signs) else 0
+        behind = columns(gap) + columns(note) if note and last else 0
         # The last piece goes to a line of its own, if what stands behind it fits there.
         far = columns(current + piece) + behind > room_behind
         apart = far and columns(start + piece) + behind <= room_behind and sign in ("=", "≈")
         if (columns(current + piece) > limit or (behind and apart)) and not fresh:
             lines.append(current)
             current = start
-        if columns(current + piece) > limit and operand is not None:
+        # Rather than to be broken, a side takes the room of the marks.
+        if columns(current + piece) > (own if last else width) and operand is not None:
             broken = _broken(operand, limit - columns(current) - columns(sign) - 2)
             current = f"{current} {sign} {broken[0]}"
             for more in broken[1:]:
@@ -215,12 +224,38 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
     made[-1] = replace(made[-1], strong=row.answer)
     if note:
         # Words go on below the right side where they have room there.
-        words = note.removeprefix(", ")
+        words = note.removeprefix(",").lstrip()
         right = columns(start) + 1 + max(map(columns, row.signs), default=0) + 1
         indent = right if right + columns(words) <= own else _INDENT + 2
         made += _plain([" " * indent + each for each in wrapped(words, own - indent)])
     made[-1] = replace(made[-1], mark=row.mark)
     return made
+
+
+def _over_a_bar(row: Row, left: Fraction, width: int) -> list[_Line]:
+    """A chain whose left side is one long name over another: with a bar between them."""
+    above, below = (one_line(_bare(each)) for each in (left.above, left.below))
+    bar = "─" * max(columns(above), columns(below))
+    room = columns(bar)
+    chain = "".join(
+        f" {sign} {_operand(e)}" for sign, e in zip(row.signs, row.operands[1:], strict=True)
+    )
+    beside = _INDENT + room + columns(chain) <= width - _margin(row)
+    rest = _row(
+        replace(row, operands=(Upright(bar), *row.operands[1:])),
+        bar,
+        room if beside else _BELOW,
+        width,
+    )
+    top, under = (
+        _Line(" " * (_INDENT + (room - columns(each)) // 2) + each) for each in (above, below)
+    )
+    return [top, rest[0], under, *rest[1:]]
+
+
+def _bare(layout: Layout) -> Layout:
+    """What stands in brackets, without them."""
+    return layout.inside if isinstance(layout, Brackets) else layout
 
 
 def _held(words: str) -> str:
@@ -242,42 +277,40 @@ def _broken(layout: Layout, room: int) -> list[str]:
 
 def _cut(text: str, room: int) -> list[str]:
     """A line that is too long, broken before a sign, or between words: in brackets last."""
-    if columns(text) <= room:
-        return [text]
     lines: list[str] = []
-    for chunk in _chunks(text, inside=False):
-        pieces = [chunk] if columns(chunk) <= room else _chunks(chunk, inside=True)
-        for piece in pieces:
-            if lines and columns(lines[-1]) + 1 + columns(piece) <= room:
-                lines[-1] += f" {piece}"
-            else:
-                lines.append(piece)
+    depth = 0
+    for piece in _pieces(text, room, 0):
+        if lines and columns(lines[-1]) + 1 + columns(piece) <= room:
+            lines[-1] += f" {piece}"
+        else:
+            indent = " " * _INDENT if depth > 0 else ""
+            lines.append(indent + piece if columns(piece) + _INDENT <= room else piece)
+        depth += _opened(piece)
     return lines
 
 
-def _chunks(text: str, inside: bool) -> list[str]:
-    """Pieces between which a line may end, those ``inside`` brackets too."""
-    # Of one name of several words over another, the second may have a line of its own.
-    tokens = [each for token in text.split(" ") for each in _parted(token)]
+def _pieces(text: str, room: int, depth: int) -> Iterator[str]:
+    """Pieces that fit, between which a line may end: within so many brackets, or more of them."""
+    for chunk in _chunks(text, depth):
+        if columns(chunk) > room and depth < _DEEPEST:
+            yield from _pieces(chunk, room, depth + 1)
+        else:
+            yield chunk
+
+
+def _chunks(text: str, most: int) -> list[str]:
+    """Pieces between which a line may end within at most so many brackets."""
+    tokens = text.split(" ")
     chunks = [tokens[0]]
     depth = _opened(tokens[0])
     for before, token in pairwise(tokens):
         words = before.isalpha() and token.isalpha() and len(token) > 1
-        over = token.startswith("/(")
-        if (token in _BREAKS or words or over) and (inside or depth <= 0):
+        if (token in _BREAKS or words) and depth <= most:
             chunks.append(token)
         else:
             chunks[-1] += f" {token}"
         depth += _opened(token)
     return chunks
-
-
-def _parted(token: str) -> list[str]:
-    """The end of one name of words and the begin of another below it; any other token whole."""
-    above, slash, below = token.partition(")/(")
-    if not slash or not (above.isalpha() and below.isalpha() and min(len(above), len(below)) > 1):
-        return [token]
-    return [f"{above})", f"/({below}"]
 
 
 def _opened(token: str) -> int:
@@ -299,4 +332,15 @@ def _terms(layout: Layout, room: int) -> list[str]:
             else:
                 pieces.append(text)
         return pieces
-    return [one_line(layout)]
+    text = one_line(layout)
+    return [_divided(text) if isinstance(layout, Fraction) else text]
+
+
+def _divided(text: str) -> str:
+    """A long quotient with a sign before which a line may end."""
+    depth = 0
+    for index, character in enumerate(text):
+        if character == "/" and depth == 0 and len(text) - index > _SHORT_BELOW:
+            return f"{text[:index]} ÷ {text[index + 1 :]}"
+        depth += _opened(character)
+    return text
