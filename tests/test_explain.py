@@ -247,7 +247,7 @@ def test_an_item_without_an_answer_says_why() -> None:
             "wall W: along i\nsphere P: velocity 3i - 4j\nP hits W: e = 1/2\nfind impulse, speed(P)"
         )
     )
-    assert "no answer" in text
+    assert "cannot be found" in text
     assert "√13" in text
 
 
@@ -334,7 +334,7 @@ def test_an_extremum_has_a_bound_and_the_place_where_it_is_reached() -> None:
     )
     bound, place = (text.index(each) for each in ("≤ (1 + e)²u/9", "when k = 2"))
     assert bound < place
-    assert "greatest value of speed of C = (1 + e)²u/9" in text
+    assert "greatest speed of C = (1 + e)²u/9" in text
 
 
 # --- marks ----------------------------------------------------------------------------------------

@@ -16,7 +16,7 @@ wall W: along i
 sphere P: mass 2, velocity 3i - 4j
 P hits W
 """
-TOLD = "e was found in part a under its own facts; in part b it is a letter again"
+TOLD = "e was found in part (a) from the facts of that part alone; in part (b) it is a letter again"
 
 
 def notes(text):

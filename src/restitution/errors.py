@@ -14,7 +14,7 @@ Each names the quantity, its value, the rule and, where it was said in a text, t
 
 from __future__ import annotations
 
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Self
 
 from restitution.mending import Fix
 
@@ -22,11 +22,13 @@ from restitution.mending import Fix
 class RestitutionError(Exception):
     """Any mistake in what was asked for; ``line`` and ``column`` count from 1, or are None.
 
-    ``fixes`` are cures for it in the text, the likeliest first.
+    ``fixes`` are cures for it in the text, the likeliest first. ``because`` says why something has
+    no value, for a reader who has the question in words; empty where the message does.
     """
 
     kind: ClassVar[str] = "error"
     fixes: tuple[Fix, ...] = ()
+    because: str = ""
 
     def __init__(self, message: str, line: int | None = None, column: int | None = None) -> None:
         super().__init__(message)
@@ -44,8 +46,14 @@ class RestitutionError(Exception):
     def __reduce__(
         self,
     ) -> tuple[type[RestitutionError], tuple[str, int | None, int | None], dict[str, Any]]:
-        state = {"fixes": self.fixes} if self.fixes else {}
+        state = {name: value for name in ("fixes", "because") if (value := getattr(self, name))}
         return type(self), (self.message, self.line, self.column), state
+
+    def at(self, line: int | None, column: int | None) -> Self:
+        """The same error at a place of the text."""
+        moved = type(self)(self.message, line, column)
+        moved.fixes, moved.because = self.fixes, self.because
+        return moved
 
 
 class StatementError(RestitutionError):

@@ -9,7 +9,21 @@ from restitution.explain.naming import Naming
 from restitution.explaining.derivation import Derivation, ItemEnd, Line, Relation
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.tree import Quantity
-from restitution.problem import Find, Item, Meets, Problem, Show, Value
+from restitution.problem import (
+    Arrival,
+    Find,
+    Impact,
+    Item,
+    Kick,
+    Meets,
+    Problem,
+    Show,
+    Value,
+)
+from restitution.render import layout as lay
+from restitution.wording.asking import names_of
+from restitution.wording.scene import scene_of
+from restitution.wording.structure import Named, Words
 
 
 class Ends:
@@ -17,6 +31,8 @@ class Ends:
 
     def __init__(self, derivation: Derivation, problem: Problem, naming: Naming) -> None:
         self._naming = naming
+        self._problem = problem
+        self._named: dict[str, Words] | None = None
         self._ends = {each.line: each for each in _ends(derivation)}
         self._parts = derivation.asked
         self._places = {
@@ -58,6 +74,21 @@ class Ends:
         known = self._asked.get(item)
         return known.text if known is not None and known.text else item
 
+    def named(self, item: str) -> tuple[lay.Layout | str, ...]:
+        """An item in the words of the question; as it was typed where it has none."""
+        if self._named is None:
+            self._named = {}
+            scene, events = scene_of(self._problem), 0
+            spoken: list[Words] = []
+            for _, step in self._problem.steps():
+                events += isinstance(step, Impact | Kick | Arrival)
+                if isinstance(step, Find | Show):
+                    spoken += names_of(scene.at(events), step)
+            if len(spoken) == len(self._parts):
+                self._named = dict(zip(self._parts, spoken, strict=True))
+        words = self._named.get(item)
+        return (self.text(item),) if words is None else (_laid(words),)
+
     def is_place(self, line: Line) -> bool:
         """Whether it is a place that was asked."""
         match self.asked(line):
@@ -71,6 +102,16 @@ class Ends:
         if not isinstance(asked, Show) or not isinstance(asked.relation, Meets):
             return None
         return claim_of_meeting(asked.relation, self._naming)
+
+
+def _laid(words: Words) -> lay.Layout | str:
+    """Words of a question as an operand."""
+    pieces = [each.text if isinstance(each, Named) else each for each in words]
+    if all(isinstance(each, str) for each in pieces):
+        return "".join(map(str, pieces))
+    if len(pieces) == 1:
+        return pieces[0]
+    return lay.Phrase(tuple(lay.Words(e) if isinstance(e, str) else e for e in pieces), "")
 
 
 def claim_of_meeting(relation: Meets, naming: Naming) -> Sentence:

@@ -10,7 +10,7 @@ from restitution.explain.naming import Naming
 from restitution.explain.refuted import claim_of, refutation
 from restitution.explaining.derivation import Derivation, Note, Ref, Relation
 from restitution.explaining.saying import Sentence, say
-from restitution.problem import Extremum
+from restitution.problem import Extremum, Show
 from restitution.render import layout as lay
 
 # These notes are of one item each.
@@ -60,7 +60,7 @@ class Notes:
 
     def _of_several(self, notes: Sequence[Note]) -> Sentence:
         (first, *_) = notes
-        items = tuple(dict.fromkeys(self._ends.text(each.item) for each in notes))
+        items = self._items(notes)
         if first.kind == "refuted":
             return refutation(first, self._derivation, self._naming, self._ends)
         if first.kind == "undecided":
@@ -72,8 +72,14 @@ class Notes:
             return say(name, item=self._in_words(first), answer=first.reason)
         if first.kind == "impossible" and first.premises:
             return self._impossible(first, items)
-        name = "note.none-asks" if first.reason.endswith("?") else "note.none"
+        shown = isinstance(self._ends.item(first.item), Show)
+        name = "note.none-shown" if shown else "note.none"
         return say(name, items=items, reason=first.reason)
+
+    def _items(self, notes: Sequence[Note]) -> Sentence:
+        """What was asked, in the words of the question."""
+        names = dict.fromkeys(each for note in notes for each in self._ends.named(note.item))
+        return say("derived.items", items=tuple(names))
 
     def _in_words(self, note: Note) -> Sentence | str:
         """An item: a greatest or a least value in words, and not as it was typed."""
@@ -82,7 +88,7 @@ class Notes:
                 return self._naming.extreme(expression, greatest=kind == "maximum")
         return self._ends.text(note.item)
 
-    def _impossible(self, note: Note, items: tuple[str, ...]) -> Sentence:
+    def _impossible(self, note: Note, items: Sentence) -> Sentence:
         """The value of a coefficient, and the bound that it breaks."""
         value, bound = note.premises
         relation = self._relation(value)
@@ -90,7 +96,9 @@ class Notes:
         laid = lay.equation(self._naming.laid(relation.only[0].left), self._naming.laid(link.right))
         over = "<=" in str(bound)
         if self._ends_in(note):
-            return say("note.above-one" if over else "note.below-zero", value=laid)
+            after = self._naming.laid(relation.only[0].left)
+            more = say("note.goes-on", letter=after) if self._goes_on(note) else ""
+            return say("note.above-one" if over else "note.below-zero", value=laid, more=more)
         if any(each.premises == note.premises and self._ends_in(each) for each in self._all):
             return say("note.none-either", items=items)
         if isinstance(value, int):
@@ -103,6 +111,14 @@ class Notes:
         """Whether a note is of the item that its lines are about."""
         line = self._derivation.line(max(note.lines, default=0))
         return line is not None and line.item == note.item
+
+    def _goes_on(self, note: Note) -> bool:
+        """Whether lines of other items of the part stand below those of a note."""
+        last = max(note.lines, default=0)
+        return any(
+            each.number > last and each.shown != "silent" and self._ends.part(each) == note.part
+            for each in self._derivation.lines
+        )
 
     def _relation(self, ref: Ref) -> Relation:
         own = self._derivation.line(ref) if isinstance(ref, int) else self._derivation.fact(ref)

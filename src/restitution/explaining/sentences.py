@@ -491,28 +491,33 @@ SENTENCES: Mapping[SentenceId, str] = {
         "were tried, but that proves nothing."
     ),
     # --- answers ----------------------------------------------------------------------------------
-    "note.none": "{items:and}: no answer, as {reason}.",
+    "note.none": "{items:capital} cannot be found, as {reason}.",
     "note.unwritten": "{item:capital}: {answer}. The working of this is not written out.",
     "note.unwritten-line": "The working of this is not written out:",
     "note.unwritten-line-from": "The steps from here are not written out:",
     "note.unwritten-from": "{item:capital}: {answer}. The steps from here are not written out.",
-    "note.none-either": "{items:and}: no answer either.",
-    "note.none-asks": "{items:and}: no answer, as {reason}",
+    "note.none-shown": "It cannot be shown that {items}, as {reason}.",
+    "note.none-either": "{items:capital} cannot be found either.",
     "note.none-data-above-one": (
-        "{items:and}: no answer, as a coefficient of restitution is at most 1, and not {value}."
+        "{items:capital} cannot be found, as a coefficient of restitution is at most 1, and not "
+        "{value}."
     ),
     "note.none-data-below-zero": (
-        "{items:and}: no answer, as a coefficient of restitution is not negative, and not {value}."
+        "{items:capital} cannot be found, as a coefficient of restitution is not negative, and not "
+        "{value}."
     ),
-    "note.above-one": "{value} is impossible, as a coefficient of restitution is at most 1.",
-    "note.below-zero": "{value} is impossible, as a coefficient of restitution is not negative.",
+    "note.above-one": "{value} is impossible, as a coefficient of restitution is at most 1.{more}",
+    "note.goes-on": " What follows does not rest on {letter}.",
+    "note.below-zero": (
+        "{value} is impossible, as a coefficient of restitution is not negative.{more}"
+    ),
     "note.none-above-one": (
-        "{items:and}: no answer, as {value} is impossible: a coefficient of restitution is at most "
-        "1."
+        "{items:capital} cannot be found, as {value} is impossible: a coefficient of restitution "
+        "is at most 1."
     ),
     "note.none-below-zero": (
-        "{items:and}: no answer, as {value} is impossible: a coefficient of restitution is not "
-        "negative."
+        "{items:capital} cannot be found, as {value} is impossible: a coefficient of restitution "
+        "is not negative."
     ),
     "answer.only": "This holds for {condition} only.",
     "answer.only-as": "As {reasons:and}, this holds for {condition} only.",
@@ -660,6 +665,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.acute": "{angle} is acute",
     "derived.positive": "{letter} is positive",
     "derived.fact": "{fact}",
+    "derived.items": "{items:and}",
     "derived.increases": "{quantity} increases with {letter}",
     "derived.tends": "tends to {value} as {letter} grows",
     "derived.decreases": "{quantity} decreases as {letter} increases",

@@ -33,9 +33,11 @@ def note_of(desk: Desk, result: ItemResult, name: str) -> None:
     error = result.error
     assert error is not None
     kind: NoteKind = next((kind for own, kind in _KINDS if isinstance(error, own)), "missing")
-    reason = error.message
+    reason = error.because or error.message
+    if reason.endswith("?"):
+        reason = reason.rpartition(";")[0]  # without what may have been meant
     if len(result.rejected) == 1 and error.message == result.rejected[0].reason:
-        reason = f"{result.text} = {result.rejected[0].display} is rejected: {reason}"
+        reason = f"the only value, {result.rejected[0].display}, is rejected: {reason}"
     desk.note(name, kind, reason)
 
 

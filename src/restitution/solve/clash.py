@@ -7,10 +7,13 @@ from dataclasses import dataclass, replace
 
 from restitution.errors import ContradictionError, ImpossibleError, RestitutionError
 from restitution.language.writing import relation_text
-from restitution.problem import Given, Part, Problem, Relation
+from restitution.problem import Arrival, Given, Impact, Kick, Part, Problem, Relation
 from restitution.solve.facts import givens
 from restitution.solve.letters import narrowed_by, roles
 from restitution.solve.part import Setting, work_out
+from restitution.wording.clauses import clause
+from restitution.wording.scene import scene_of
+from restitution.wording.text import said
 
 MOST_FACTS = 8
 
@@ -42,20 +45,36 @@ def named(setting: Setting, error: RestitutionError) -> RestitutionError:
     if physical and len(core) == 1:
         return error
     words = [_words(setting.problem, each) for each in core]
+    clauses = [_clause(setting.problem, each) for each in core]
     place = core[-1].given.place
     line = None if place is None else place.line
     if len(words) == 1:
         text = f"the facts clash: {words[0]} cannot be, as the rest is told"
+        because = f"the other data make it impossible that {clauses[0]}"
     else:
+        several = " and that ".join(clauses)
+        because = f"the data contradict each other: it cannot be that {several}"
         text = f"the facts clash: {', '.join(words[:-1])} and {words[-1]} cannot all be"
         text = text.replace("cannot all", "cannot both") if len(words) == 2 else text
-    return ContradictionError(f"{text}: {error.message}" if physical else text, line)
+    clash = ContradictionError(f"{text}: {error.message}" if physical else text, line)
+    clash.because = f"{because}: {error.because or error.message}" if physical else because
+    return clash
 
 
 def _words(problem: Problem, fact: Fact) -> str:
     text = f"'{relation_text(problem, fact.relation)}'"
     place = fact.given.place
     return text if place is None else f"{text} (line {place.line})"
+
+
+def _clause(problem: Problem, fact: Fact) -> str:
+    """The fact in the words of the question."""
+    events = 0
+    for _, step in problem.steps():
+        if step is fact.given:
+            break
+        events += isinstance(step, Impact | Kick | Arrival)
+    return said(clause(scene_of(problem).at(events), fact.relation))
 
 
 def _possible(setting: Setting, facts: Sequence[Fact]) -> bool | None:

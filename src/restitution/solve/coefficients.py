@@ -100,7 +100,9 @@ def without_impossible(
         blamed = next((each for each in wrong if each.letters & named), wrong[0])
         e = blamed.step.e
         place = line_and_column(e.place if e is not None and not blamed.letters else None)
-        raise ImpossibleError(f"{blamed.text} rejected: {COEFFICIENTS}", *place)
+        error = ImpossibleError(f"{blamed.text} rejected: {COEFFICIENTS}", *place)
+        error.because = f"the data give {blamed.text}, and {COEFFICIENTS}"
+        raise error
     return kept
 
 

@@ -70,7 +70,7 @@ def _requirements(
                 return _meets(relation, story, now)
     except StatementError as error:
         if error.line is None and place is not None:
-            raise type(error)(error.message, place.line, place.column) from error
+            raise error.at(place.line, place.column) from error
         raise
     raise TypeError(relation)  # pragma: no cover - the kinds of relation are all listed
 

@@ -17,7 +17,9 @@ _WRITTEN = (
 def needs(called: str, phrases: Iterable[str]) -> MissingError:
     """That something (``called``) needs what phrases name, with how the first is written."""
     named = list(dict.fromkeys(phrases))
-    return MissingError(f"{called} needs {_listed(named)}{_written(named)}")
+    error = MissingError(f"{called} needs {_listed(named)}{_written(named)}")
+    error.because = f"{_listed(named)} {'are' if named[1:] else 'is'} not given"
+    return error
 
 
 def too_many(phrases: Iterable[str]) -> MissingError:
@@ -32,9 +34,11 @@ def is_open(called: str, beside: Iterable[str] = ()) -> MissingError:
     """That the facts do not fix something, and with it what stands ``beside`` it."""
     named = list(dict.fromkeys(beside))
     because = f", as {_listed(named)} {'are' if named[1:] else 'is'} open too" if named else ""
-    return MissingError(
+    error = MissingError(
         f"{called} is not fixed by what is given{because}{_written([called, *named])}"
     )
+    error.because = f"it is not fixed by what is given{because}"
+    return error
 
 
 def _listed(named: list[str]) -> str:

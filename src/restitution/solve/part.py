@@ -886,7 +886,9 @@ def _clash(setting: Setting) -> RestitutionError:
         message = f"the facts clash: no values satisfy all that is given in {where} and the story"
     else:
         message = "the data clash: no values satisfy all that is told"
-    return ContradictionError(message, None if place is None else place.line)
+    error = ContradictionError(message, None if place is None else place.line)
+    error.because = "no values satisfy all the data"
+    return error
 
 
 def _lines(lines: Sequence[int]) -> str:

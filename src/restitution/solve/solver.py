@@ -152,8 +152,8 @@ def _met_again(part: PartSolution, relations: dict[str, str]) -> list[str]:
     }
     met |= {name for item in part.items if item.holds is not None for name in _letters_in(item)}
     return [
-        f"{letter} was found in part {relations[letter]} under its own facts; "
-        f"in part {part.part.label} it is a letter again"
+        f"{letter} was found in part ({relations[letter]}) from the facts of that part alone; "
+        f"in part ({part.part.label}) it is a letter again"
         for letter in sorted(met & relations.keys() - set(_solved_letters(part)))
     ]
 
@@ -411,7 +411,7 @@ class _Worker:
             line = None if item.place is None else item.place.line
             column = None if item.place is None else item.place.column
             if error.line is None:
-                error = type(error)(error.message, line, column)
+                error = error.at(line, column)
             refused = self._all_refused(item, now, in_terms_of, kind, error)
             return ItemResult(item, line, item.text, kind, rejected=refused, error=error)
         except UNFORESEEN as error:
@@ -642,7 +642,7 @@ class _Worker:
         except RestitutionError as error:
             column = None if step.place is None else step.place.column
             if error.line is None:
-                error = type(error)(error.message, line, column)
+                error = error.at(line, column)
             return ItemResult(step, line, step.text, "show", error=error)
         except UNFORESEEN as error:
             return ItemResult(step, line, step.text, "show", error=unforeseen(error, line))
