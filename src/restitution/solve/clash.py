@@ -13,7 +13,7 @@ from restitution.solve.letters import narrowed_by, roles
 from restitution.solve.part import Setting, work_out
 from restitution.wording.clauses import clause
 from restitution.wording.scene import scene_of
-from restitution.wording.text import said
+from restitution.wording.text import inline
 
 MOST_FACTS = 8
 
@@ -74,7 +74,7 @@ def _clause(problem: Problem, fact: Fact) -> str:
         if step is fact.given:
             break
         events += isinstance(step, Impact | Kick | Arrival)
-    return said(clause(scene_of(problem).at(events), fact.relation))
+    return inline(clause(scene_of(problem).at(events), fact.relation))
 
 
 def _possible(setting: Setting, facts: Sequence[Fact]) -> bool | None:
