@@ -105,6 +105,26 @@ find k
 8 1 | roots | 7 | k = 8 or k = 4/5
 1: 8 k = 8 or k = 4/5
 """,
+    # That two spheres do not meet again is found by comparing what they have found.
+    "compared": """
+sphere A, B: mass m
+sphere A: velocity u i
+sphere B: at rest
+A hits B: along i, e = 1/2
+find speed(B)
+show A and B do not collide again
+---
+1 1 | let | | let v = c(A, 1)
+2 1 | let | | let w = c(B, 1)
+3 1 | law momentum 1 A B | mass A, mass B, 1, 2 | m u = m v + m w
+4 1 | law restitution 1 A B | e 1, 1, 2 | w - v = 1/2 u
+5 1 | combine v | 3, 4 | w = 3/4 u
+6 1 | define speed 1 B | 5 | speed(B, 1) = 3/4 u
+7 2 | combine w | 3, 4 | v = 1/4 u
+8 2 | sign | 5, 7 | v <= w
+1: 6 speed(B, 1) = 3/4 u
+2: 8 shown v <= w
+""",
     # What the data give is no method: an angle between walls, a right angle by a product.
     "read-off": """
 wall V: along i
@@ -349,6 +369,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("second-of-several-energies", "energies", 7, "A1", "A1", "A1"),
     ("condition-as-inequality", "direction-reversed", 7, "DM1", "DM1", "DM1"),
     ("bounds", "brought-to-rest", 7, "DM1 A1*", "DM1 A1*", "DM1 A1*"),
+    ("comparison", "compared", 8, "DM1 A1*", "DM1 A1*", "DM1 A1*"),
     ("given-fact", "energies", 3, "M1", "M1", "M1"),
     ("reason-for-a-root", "energies", 5, "B1 A1", "B1 A1", "B1 A1"),
 )

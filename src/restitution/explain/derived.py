@@ -185,8 +185,7 @@ class _Writer:
                 step = self._whole(step, line)
                 yield Step("setting", sentences=introduced)
             yield step
-            claim = self.ends.claim(line)
-            if claim is not None:
+            for claim in self.ends.claims(line):
                 yield from self._introduced()
                 yield Step("note", sentences=(say("shown.claim", claim=claim),), item=step.item)
             condition = self.conditions.get(line.number)

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from restitution.explain.naming import Naming
 from restitution.explaining.derivation import Derivation, ItemEnd, Line, Relation
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Quantity
+from restitution.expression.tree import Quantity, walk
 from restitution.problem import (
+    Aligned,
     Arrival,
     Find,
     Impact,
@@ -25,6 +26,13 @@ from restitution.wording.asking import names_of
 from restitution.wording.scene import scene_of
 from restitution.wording.structure import Named, Words
 
+_ALIGNED = {
+    "perpendicular to": "claim.perpendicular",
+    "parallel to": "claim.parallel",
+    "in the direction of": "claim.same-direction",
+    "opposite to": "claim.opposite",
+}
+
 
 class Ends:
     """The items of one derivation, and the lines in which they end."""
@@ -33,11 +41,13 @@ class Ends:
         self._naming = naming
         self._problem = problem
         self._named: dict[str, Words] | None = None
-        self._ends = {each.line: each for each in _ends(derivation)}
+        self._ends: dict[int, list[ItemEnd]] = {}
+        for each in _ends(derivation):
+            self._ends.setdefault(each.line, []).append(each)
         self._parts = derivation.asked
         self._places = {
-            each: [e for e in self._parts if self._parts[e] == self._parts[each]].index(each)
-            for each in self._parts
+            item: [e for e in self._parts if self._parts[e] == self._parts[item]].index(item)
+            for item in self._parts
         }
         asked = [each for _, step in problem.steps() for each in _asked(step)]
         self._asked: Mapping[str, Item | Show] = (
@@ -57,8 +67,18 @@ class Ends:
         return self._places.get(item or "")
 
     def of(self, line: Line) -> ItemEnd | None:
-        """The end of an item in a line; None where none ends."""
-        return self._ends.get(line.number)
+        """The end of an item in a line; None where none ends.
+
+        Of what is found and shown in one line that of what is found.
+        """
+        return min(self._at(line), key=lambda each: each.shown, default=None)
+
+    def is_required(self, line: Line) -> bool:
+        """Whether a line is, as it stands, what was to be shown."""
+        return any(each.shown and self._claim(each) is None for each in self._at(line))
+
+    def _at(self, line: Line) -> Sequence[ItemEnd]:
+        return self._ends.get(line.number, ())
 
     def asked(self, line: Line) -> Item | Show | None:
         """What was asked, in the line that ends it."""
@@ -96,12 +116,23 @@ class Ends:
                 return True
         return False
 
-    def claim(self, line: Line) -> Sentence | None:
-        """What was to be shown, where it is a meeting and no equation."""
-        asked = self.asked(line)
-        if not isinstance(asked, Show) or not isinstance(asked.relation, Meets):
-            return None
-        return claim_of_meeting(asked.relation, self._naming)
+    def claims(self, line: Line) -> Iterator[Sentence]:
+        """What was to be shown, where a line only says by what it holds."""
+        claims = (self._claim(each) for each in self._at(line) if each.shown)
+        yield from dict.fromkeys(each for each in claims if each is not None)
+
+    def _claim(self, end: ItemEnd) -> Sentence | None:
+        """That bodies will meet, or how two velocities stand to each other that are in a ratio."""
+        asked = self._asked.get(end.item)
+        match asked.relation if isinstance(asked, Show) else None:
+            case Meets() as relation:
+                return claim_of_meeting(relation, self._naming)
+            case Aligned(_, how, other) if end.answer.only[0].sign == "=":
+                link = end.answer.only[0]
+                own = [e for e in walk(link.right) if isinstance(e, Quantity)]
+                left, right = map(self._naming.side, (link.left, *own[:1], other)[:2])
+                return say(_ALIGNED[how], left=left, right=right)
+        return None
 
 
 def _laid(words: Words) -> lay.Layout | str:

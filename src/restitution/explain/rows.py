@@ -101,10 +101,9 @@ class Rows:
     def asides(self, line: Line) -> Iterator[Sentence]:
         """What stands behind a row in brackets: that it was to be shown."""
         end = self._ends.of(line)
-        if end is not None and end.shown:
-            if self._ends.claim(line) is None:
-                yield from REQUIRED
-        elif end is not None and isinstance(line.relation, Relation):
+        if self._ends.is_required(line):
+            yield from REQUIRED
+        if end is not None and not end.shown and isinstance(line.relation, Relation):
             called = self._called(line)
             if called is not None:
                 yield called

@@ -150,14 +150,17 @@ class Sources:
         return self._of.get(line.number)
 
     def _equations(self, refs: tuple[Ref, ...]) -> list[int]:
-        return [
-            ref
-            for ref in refs
-            if isinstance(ref, int)
-            and (line := self._derivation.line(ref)) is not None
-            and isinstance(line.relation, Relation)
-            and line.shown != "silent"
-        ]
+        """The equations among premises; of one that is not printed that which says it."""
+        found: list[int] = []
+        for ref in refs:
+            line = self._derivation.line(ref) if isinstance(ref, int) else None
+            if line is None or not isinstance(line.relation, Relation):
+                continue
+            if line.shown != "silent":
+                found.append(line.number)
+            elif line.move.id == "rearrange":
+                found += self._equations(line.premises)
+        return list(dict.fromkeys(found))
 
     def _source(self, line: Line) -> Source | None:
         move, cited = line.move.id, self._equations(line.premises)

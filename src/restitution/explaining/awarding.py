@@ -31,6 +31,7 @@ from restitution.explaining.derivation import (
     Fact,
     ItemEnd,
     Line,
+    Link,
     Meaning,
     MoveId,
     Relation,
@@ -193,6 +194,7 @@ RULES: tuple[Rule, ...] = (
         when=("new-inequality", "on-the-way"),
     ),
     _rule("bounds", ("monotone", "complete"), "M"),
+    _rule("comparison", ("sign", "compare"), "M", when=("claim-without-method",)),
     _rule("given-fact", ("put", "fact"), "M", when=("fact-of-motion",)),
 )
 """The table. A line that no rule fits earns nothing by itself."""
@@ -857,7 +859,27 @@ def _new_inequality(work: _Awarding, line: Line) -> bool:
     """An inequality that comes of none; a comparison only where it is that of a place on a wall."""
     if line.move.id == "compare" and not any(e.id.startswith("within ") for e in work.facts(line)):
         return False
+    if isinstance(line.relation, Relation) and _tells_a_quadrant(line.relation):
+        return False
     return _unequal(line) and not any(map(_unequal, work.cited(line)))
+
+
+def _tells_a_quadrant(relation: Relation) -> bool:
+    """Whether it is only said that a tangent is positive, so that its angle is acute."""
+    match relation:
+        case Relation((((Link(Apply("tan"), ">", right)),),)):
+            return right == Number(Fraction(0))
+    return False
+
+
+def _claim_without_method(work: _Awarding, line: Line) -> bool:
+    """A claim is settled by comparing what stands: nothing else in its item is a method."""
+    end = work.ends.get(line.number)
+    if line.number not in work.ends or (end is not None and line.number not in work.shown):
+        return False
+    own = [each for each in work.above(line) if each.item == line.item]
+    rules = (work.rule(each) for each in own)
+    return not any(rule is not None and "M" in rule.earned(work.style) for rule in rules)
 
 
 def _fact_of_motion(work: _Awarding, line: Line) -> bool:
@@ -926,5 +948,6 @@ CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
     "justified": lambda work, line: line.item in work.justify,
     "new-inequality": _new_inequality,
     "fact-of-motion": _fact_of_motion,
+    "claim-without-method": _claim_without_method,
 }
 """What a rule may ask of a line, and of the lines about it."""

@@ -452,6 +452,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "shown.claim": "So {claim}, as required.",
     "claim.perpendicular": "{left} is perpendicular to {right}",
     "claim.parallel": "{left} is parallel to {right}",
+    "claim.same-direction": "{left} is in the direction of {right}",
+    "claim.opposite": "{left} is opposite to {right}",
     "claim.not-perpendicular": "{left} is not perpendicular to {right}",
     "claim.not-parallel": "{left} is not parallel to {right}",
     "claim.not-same-direction": "{left} is not in the direction of {right}",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from typing import Any, Literal
 
 from restitution.errors import UnsupportedError
@@ -111,15 +112,32 @@ def _goes_further(one: Relation | Meaning, other: Relation | Meaning) -> bool:
 
 
 def _is_same(one: Relation | Meaning, other: Relation | Meaning) -> bool:
-    """Whether two lines are one; an inequality may be written from either side."""
+    """Whether a line says another.
+
+    A chain says what its ends do, in any order of factors; an inequality may be written from
+    either side.
+    """
     if one == other:
         return True
     if isinstance(one, Meaning) or isinstance(other, Meaning):
         return False
+    whole, end = (_whole(each) for each in (one, other))
+    if whole is not None and end is not None:
+        return whole.left == end.left and alike(whole.right, end.right)
     links = (*one.options[0], *other.options[0])
     if any(each.sign not in ("<", "<=", ">", ">=") for each in links):
         return False
     return said(one) == said(other)
+
+
+def _whole(relation: Relation) -> Link | None:
+    """A chain of equations by its ends; None for any other relation."""
+    links = relation.options[0]
+    if len(relation.options) != 1 or any(each.sign != "=" for each in links):
+        return None
+    if any(a.right != b.left for a, b in pairwise(links)):
+        return None
+    return Link(links[0].left, "=", links[-1].right)
 
 
 @dataclass
@@ -227,6 +245,17 @@ class Desk:
         """The parts whose own facts a line rests on, or that of a fact."""
         under = self.under(ref) if isinstance(ref, int) else {ref}
         return frozenset(each.part for each in self.facts if each.id in under)
+
+    def reword(self, number: int, value: Expression) -> None:
+        """Writes the value at the end of a line, and of the items that end there, in another form.
+        """
+        own = self.relation(number).only
+        links = (*own[:-1], replace(own[-1], right=value))
+        self.lines[number - 1] = replace(self.line(number), relation=Relation((links,)))
+        for n, end in enumerate(self.ends):
+            if end.line == number and end.answer.only[-1].right == own[-1].right:
+                last = replace(end.answer.only[-1], right=value)
+                self.ends[n] = replace(end, answer=Relation(((*end.answer.only[:-1], last),)))
 
     # --- values ---------------------------------------------------------------------------------
 

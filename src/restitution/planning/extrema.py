@@ -36,6 +36,7 @@ from restitution.planning.order import Solver, Standing
 from restitution.planning.polynomials import cancelled, expanded, factored, one_fraction
 from restitution.planning.quotients import by_tangent, write_quotient
 from restitution.planning.scene import Scene
+from restitution.planning.worths import NAMED
 from restitution.solve.letters import roles
 from restitution.solve.solution import Answer, ItemResult
 
@@ -101,6 +102,7 @@ class _Extremum:
         self.asked = claims.worths.opened(asked)
         self.value = value
         self.support: tuple[Ref, ...] = ()
+        self.lets: list[Ref] = []
         self.place: Link | None = None
         self.attained = reached
         sign: Sign = ">" if self.least else "<"
@@ -122,7 +124,8 @@ class _Extremum:
         ):
             return tied
         start = self.claims.worths.mark()
-        line, end = self._line(), self.end
+        line = self._lettered(self._line())
+        end = self.end
         defined = self._as_defined(start, line)
         ways = [self._monotone, self._quotient, self._square, self._double]
         ways += [self._gap, self._plain]
@@ -242,6 +245,14 @@ class _Extremum:
             raise NotPlannedError("an expression of several quantities")
         return line
 
+    def _lettered(self, line: int) -> int:
+        """The line of a tangent by the letter for its angle, where there is one already."""
+        match self.asked:
+            case Apply("tan", Quantity() as angle) if self.claims.worths.is_lettered(angle):
+                line, letter, (_, *self.lets) = self.claims.worths.lettered(line, angle)
+                self.end = replace(self.end, left=Apply("tan", letter))
+        return line
+
     @property
     def _relation(self) -> Relation:
         return Relation(((self.end,),))
@@ -257,7 +268,14 @@ class _Extremum:
 
     def _reached(self, line: int, bound: int) -> int | None:
         """The value at the place where it is greatest or least, and the answer."""
-        there = self._place(line, self.end.left)
+        if self.end.left != self.asked:
+            # The answer is printed with the letter.
+            self.end = replace(self.end, left=self.asked)
+            named = self.judge.write(NAMED, [bound, *self.lets], self._relation, shown="silent")
+            if named is None:
+                return None
+            bound = named
+        there = self._place(line, self.end.left, self.lets)
         if there is None or not self.judge.follows(self.move, [bound, there], self._relation):
             return None
         return self.scene.desk.write(self.move, [bound, there], self._relation)

@@ -278,12 +278,37 @@ def _quotient(above: Expression, below: Expression) -> Expression:
 
 
 def alike(a: Expression, b: Expression) -> bool:
-    """Whether two products differ in nothing but brackets and the order of their factors.
+    """Whether two expressions differ in nothing but brackets and the order of factors and terms.
 
-    ``e (u sin α)`` and ``e u sin α`` are alike, and so are ``√3/2 u`` and ``√3 u/2``; ``½ (4u)``
-    and ``2u`` are not.
+    ``e (u sin α)`` and ``e u sin α`` are alike, so are ``√3/2 u`` and ``√3 u/2``, and ``1 + e`` and
+    ``e + 1``; ``½ (4u)`` and ``2u`` are not.
     """
-    return _factors(a) == _factors(b)
+    return _shape(a) == _shape(b)
+
+
+def _shape(tree: Expression) -> str:
+    """An expression as text in which brackets and order make no difference."""
+    match tree:
+        case Negate() | Binary("*" | "/"):
+            return repr(_factors(tree))
+        case Binary("+" | "-"):
+            return repr(sorted(_terms(tree, 1)))
+        case Binary(op, left, right):
+            return f"({_shape(left)} {op} {_shape(right)})"
+        case Apply(function, argument):
+            return f"{function}({_shape(argument)})"
+    return repr(tree)
+
+
+def _terms(tree: Expression, sign: int) -> Iterator[tuple[int, list[str], list[str]]]:
+    """The terms of a sum, each as its sign and its factors."""
+    match tree:
+        case Binary("+" | "-" as op, left, right):
+            yield from _terms(left, sign)
+            yield from _terms(right, sign if op == "+" else -sign)
+        case _:
+            own, above, below = _factors(tree)
+            yield sign * own, above, below
 
 
 def reordered(a: Expression, b: Expression) -> bool:
@@ -324,7 +349,7 @@ def _factors(tree: Expression) -> tuple[int, list[str], list[str]]:
                 take(left, up, down)
                 take(right, down, up)
             case _ if each != ONE:
-                up.append(repr(each))
+                up.append(_shape(each))
 
     take(tree, above, below)
     return sign, sorted(above), sorted(below)

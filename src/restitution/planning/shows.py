@@ -34,7 +34,7 @@ from restitution.planning.conditions import has_quantity_in
 from restitution.planning.deflections import cosine_of_deflection
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.extrema import write_extremum
-from restitution.planning.forms import ZERO, product, square, swept, tree_of
+from restitution.planning.forms import ZERO, alike, product, square, swept, tree_of
 from restitution.planning.order import Solver
 from restitution.planning.polynomials import expanded
 from restitution.planning.quantities import Formula, body_and_stage, frame_after
@@ -85,8 +85,20 @@ def write_show(
             if not free:
                 raise
             solver.back(standing)
+    _print_form(scene, line, relation)
     scene.desk.end(name, line, relation, shown=True)
     _quotable(scene, line, relation)
+
+
+def _print_form(scene: Scene, line: int, relation: Relation) -> None:
+    """Gives a line that says what is to be shown, in another order of factors, the printed form."""
+    own = scene.desk.relation(line)
+    if len(own.options) != 1 or len(relation.only) != 1 or relation.only[0].sign != "=":
+        return
+    (link,), links = relation.only, own.only
+    if links[0].left == link.left and links[-1].right != link.right:
+        if alike(links[-1].right, link.right):
+            scene.desk.reword(line, link.right)
 
 
 def _printed_letters(scene: Scene, item: Show, now: int) -> frozenset[sp.Symbol]:

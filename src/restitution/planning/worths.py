@@ -105,7 +105,9 @@ class Worths:
         name, let = self.letter_for(angle)
         tangent = Apply("tan", Letter(name))
         relation = Relation(((Link(tangent, "=", desk.last_link(line).right),),))
-        number = self.judge.write(NAMED, [line, let], relation)
+        # Where the letter stands already, the line above is printed with it.
+        shown: Any = "silent" if let < line else "line"
+        number = self.judge.write(NAMED, [line, let], relation, shown=shown)
         if number is None:
             raise NotPlannedError("a letter for an angle")
         return number, Letter(name), (self._extent(name, angle), let)
@@ -127,6 +129,11 @@ class Worths:
             for each in angle.arguments
         )
         return f"0° <= {name} <= {90 if lined else 180}°"
+
+    def is_lettered(self, angle: Quantity) -> bool:
+        """Whether a letter stands for an angle of the motion."""
+        named = (each.relation for each in self.scene.desk.lines)
+        return any(isinstance(each, Meaning) and each.quantity == angle for each in named)
 
     def letter_for(self, angle: Quantity) -> tuple[str, int]:
         """The letter that stands for an angle of the motion, and the line that introduces it."""
