@@ -87,10 +87,17 @@ def _of_subject(
     """That a range, or a greatest or least value, is another."""
     if isinstance(asked.subject, Extremum) and note.claim is not None:
         link = note.claim.only[0]
-        quantity, value = naming.laid(link.left), naming.laid(link.right)
-        if asked.subject.kind == "maximum":
-            return say("refuted.maximum", quantity=quantity, value=value)
-        return say("refuted.minimum", quantity=quantity, value=value)
+        kind = "derived.greatest" if asked.subject.kind == "maximum" else "derived.least"
+        extreme = say(kind, quantity=naming.laid(link.left))
+        claimed = naming.laid(link.right)
+        if not note.sides:
+            return say("refuted.extreme", quantity=extreme, claimed=claimed)
+        (true,) = note.sides
+        value = naming.laid(true.right)
+        return say("refuted.value", quantity=extreme, claimed=claimed, value=value)
+    if note.sides:
+        true_range = naming.relation(Relation((note.sides,)))
+        return say("refuted.range-is", range=claim, true=true_range)
     return say("refuted.range", range=claim)
 
 

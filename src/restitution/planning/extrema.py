@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Letter,
     Number,
     Quantity,
+    letters,
     walk,
 )
 from restitution.planning.angle_pairs import (
@@ -124,7 +125,7 @@ class _Extremum:
         ):
             return tied
         start = self.claims.worths.mark()
-        line = self._lettered(self._line())
+        line = self._lettered() or self._line()
         end = self.end
         defined = self._as_defined(start, line)
         ways = [self._monotone, self._quotient, self._square, self._double]
@@ -245,13 +246,35 @@ class _Extremum:
             raise NotPlannedError("an expression of several quantities")
         return line
 
-    def _lettered(self, line: int) -> int:
-        """The line of a tangent by the letter for its angle, where there is one already."""
+    def _lettered(self) -> int | None:
+        """The line of a tangent by the letter for its angle, where one stands already."""
         match self.asked:
             case Apply("tan", Quantity() as angle) if self.claims.worths.is_lettered(angle):
-                line, letter, (_, *self.lets) = self.claims.worths.lettered(line, angle)
-                self.end = replace(self.end, left=Apply("tan", letter))
-        return line
+                name, let = self.claims.worths.letter_for(angle)
+            case _:
+                return None
+        subject, known = Apply("tan", Letter(name)), set(roles(self.scene.problem))
+        for each in self.scene.desk.lines:
+            match each.relation:
+                case Relation(((Link(left, "="), *_),)) if left in (subject, self.asked):
+                    own = self.scene.desk.last_link(each.number).right
+                    if self.scene.desk.holds(each.number) and letters(own) <= known:
+                        line, _, _ = self.claims.worths.lettered(each.number, angle)
+                        self.end, self.lets = replace(self.end, left=subject), [let]
+                        return self._put(line)
+        return None
+
+    def _put(self, line: int) -> int:
+        """A line with the values of this part put in."""
+        link = self.scene.desk.last_link(line)
+        final = self.scene.model.final
+        known = sorted(self._value(line).free_symbols & final.keys(), key=str)
+        self.claims.solver.determine(known)
+        value, refs = self.scene.put(self._value(line))
+        if value == self._value(line):
+            return line
+        told = Relation(((replace(link, right=tree_of(tidy(value))),),))
+        return self.judge.write((Move("put"),), [line, *refs], told) or line
 
     @property
     def _relation(self) -> Relation:

@@ -29,11 +29,13 @@ from restitution.expression.tree import (
 from restitution.planning.claims import Claims
 from restitution.planning.comparisons import Comparison
 from restitution.planning.desk import NotPlannedError, together
+from restitution.planning.extrema import only_answer, write_extremum
 from restitution.planning.forms import UnwrittenError, product, tree_of
 from restitution.planning.order import Solver
 from restitution.planning.polynomials import expanded
+from restitution.planning.ranges import relation_of, write_range
 from restitution.planning.scene import Scene
-from restitution.problem import Aligned, AtRest, Compare, Meets, Show
+from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Range, Show
 from restitution.solve.letters import roles
 from restitution.solve.solution import ItemResult
 from restitution.vector import Vector
@@ -57,7 +59,7 @@ def write_refutation(
         return
     refutation = _Refutation(scene, solver, item, result, now, name)
     standing = solver.mark()
-    if not scene.others and item.subject is None:
+    if not scene.others:
         try:
             refutation.write()
         except (NotPlannedError, UnwrittenError):
@@ -76,6 +78,7 @@ class _Refutation:
         self.scene = scene
         self.solver = solver
         self.item = item
+        self.result = result
         self.now = now
         self.name = name
         self.links = links_of(scene.problem, item.relation, now)
@@ -83,6 +86,9 @@ class _Refutation:
 
     def write(self) -> None:
         """Writes the lines of what the claim speaks of, and the note."""
+        if self.item.subject is not None:
+            self._write_subject(self.item.subject)
+            return
         relation = self.item.relation
         with Claims(self.scene, self.solver) as claims:
             if isinstance(relation, Meets) and self.links and not self.numbers:
@@ -99,6 +105,22 @@ class _Refutation:
                         claims.worths.angle_by_letter(each) or claims.worths.quantity(each)
                     )
         self.note(tuple(dict.fromkeys(lines or self._found(trees))), trees)
+
+    def _write_subject(self, subject: Range | Extremum) -> None:
+        """The range, or the greatest or least value, that is the true one."""
+        scene, solver, name = self.scene, self.solver, self.name
+        asked = staged(scene.problem, subject.expression, self.now)
+        match subject:
+            case Range():
+                sides = relation_of(asked, self.result).options[0]
+                write_range(scene, solver, asked, relation_of(asked, self.result), name)
+            case Extremum():
+                true = only_answer(self.result)
+                sides = (Link(asked, "=", tree_of(true.value, angle=true.angle)),)
+                write_extremum(
+                    scene, solver, subject.kind, asked, subject.over, true, true.value, name
+                )
+        self.note((scene.desk.ends.pop().line,), sides=sides)
 
     def _found(self, trees: Iterable[Expression]) -> Iterator[int]:
         """The lines that say what letters are that are worked out."""
@@ -140,7 +162,12 @@ class _Refutation:
 
     # --- the note -------------------------------------------------------------------------------
 
-    def note(self, lines: Sequence[int], trees: Iterable[Expression] = ()) -> None:
+    def note(
+        self,
+        lines: Sequence[int],
+        trees: Iterable[Expression] = (),
+        sides: tuple[Link, ...] = (),
+    ) -> None:
         """The note, with the premises that it needs and no more letters than these."""
         claim = Relation((self.links,)) if self.links else None
         trees = list(trees)
@@ -157,7 +184,8 @@ class _Refutation:
             if self._excluded(self._at(note, fewer)):
                 numbers = fewer
         note = self._at(note, numbers)
-        sides = tuple(self._sides(trees, numbers)) if note.premises or not lines else ()
+        if trees and (note.premises or not lines):
+            sides = tuple(self._sides(trees, numbers))
         desk.notes.append(replace(note, sides=sides))
 
     def _premises(
