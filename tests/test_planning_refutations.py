@@ -61,7 +61,14 @@ CLAIMS = {
             "sphere A: mass 1, velocity 3i + j\nsphere B: mass 2, velocity -i\n"
             "A hits B: along i, e = 1/2\nshow velocity(A) perpendicular to velocity(B)"
         ),
-        "𝐯_A is not perpendicular to 𝐯_B.",
+        "𝐯_A is not perpendicular to 𝐯_B, as 𝐯_A · 𝐯_B = −1.",
+    ),
+    "one direction": (
+        (
+            "sphere A: mass 3, velocity 2i + j\nsphere B: mass 1, velocity -2i - j\n"
+            "A hits B: along i, e = 1/2\nshow velocity(A) opposite to velocity(B)"
+        ),
+        "𝐯_A is not opposite to 𝐯_B, as ½𝐢 + 𝐣 is no multiple of (5/2)𝐢 − 𝐣.",
     ),
     "a meeting": (
         LINE.format(c="8m") + "show A and B do not collide again",
@@ -69,7 +76,7 @@ CLAIMS = {
     ),
     "a meeting for some masses": (
         LINE.format(c="k m") + "show A and B collide again",
-        "It is not true in general that A and B will collide again: with k =",
+        "so A does not gain on B.",
     ),
     "a value to three figures": (
         (
@@ -83,7 +90,22 @@ CLAIMS = {
             "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\nA hits B: along i\n"
             "given A at rest\nshow k < 2"
         ),
-        "It is not true in general that k < 2: with e = ½, for instance, k = 2.",
+        "k < 2: with e = ½, for instance, k = 2, which is not less than 2.",
+    ),
+    "a greatest value": (
+        (
+            "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\n"
+            "A hits B: along i, e = 1/3\nshow maximum of tan(deflection(A)) over alpha = 1/2"
+        ),
+        "The greatest value of tan δ is not ½: it is √3/3.",
+    ),
+    "a bound in letters": (
+        WALL + "show speed(S) < 1/2 v",
+        "which is more than ½v.",
+    ),
+    "two values": (
+        WALL + "show speed(S)/v = sin(theta)",
+        ", but sin θ = ",
     ),
     "a range": (
         WALL + "show range of speed(S): speed(S) > 0",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from restitution.explain.ends import Ends
 from restitution.explain.naming import Naming
@@ -50,6 +51,17 @@ def condition_of(
     return say(name, one=one, other=other, first=first, second=second)
 
 
+def gain_of(relation: Meets, naming: Naming) -> Sentence | None:
+    """That a sphere gains on another, or does not, where it was claimed otherwise."""
+    pair = {relation.first.name, relation.second.name}
+    met = [each for each in naming.events.values() if set(each.bodies) == pair]
+    if not met or "wall" in {naming.bodies.get(each) for each in pair}:
+        return None
+    one, other = met[-1].bodies
+    name = "claim.does-not-gain" if relation.happens else "claim.gains"
+    return say(name, one=one, other=other)
+
+
 def meetings(derivation: Derivation, ends: Ends, naming: Naming) -> Iterator[tuple[int, Sentence]]:
     """The lines in which what is to be shown of a meeting begins, and when it happens."""
     for end in derivation.items:
@@ -60,6 +72,16 @@ def meetings(derivation: Derivation, ends: Ends, naming: Naming) -> Iterator[tup
         sentence = condition_of(asked.relation, naming, inequality=False)
         if sentence is not None:
             yield _first(derivation, line), sentence
+    for note in derivation.notes:
+        asked = ends.item(note.item)
+        line = derivation.line(max(note.lines, default=0))
+        if line is None or not isinstance(asked, Show) or not isinstance(asked.relation, Meets):
+            continue
+        if note.kind == "refuted" and not note.instance and line.item == note.item:
+            true = replace(asked.relation, happens=not asked.relation.happens)
+            sentence = condition_of(true, naming, inequality=False)
+            if sentence is not None:
+                yield _first(derivation, line), sentence
 
 
 def _first(derivation: Derivation, line: Line) -> int:
@@ -74,4 +96,4 @@ def _first(derivation: Derivation, line: Line) -> int:
     return line.number
 
 
-__all__ = ["condition_of", "meetings"]
+__all__ = ["condition_of", "gain_of", "meetings"]

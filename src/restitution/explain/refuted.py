@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -11,14 +12,26 @@ from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explain.ends import Ends, claim_of_meeting
 from restitution.explain.measured import as_answer
+from restitution.explain.meetings import gain_of
 from restitution.explain.naming import Naming
 from restitution.explaining.derivation import Derivation, Link, Note, Relation
 from restitution.explaining.saying import Sentence, say
+from restitution.explaining.trees import rebuilt
 from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import Expression, Negate, Quantity, has_quantity, letters
+from restitution.planning.forms import product, tree_of
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Show
 from restitution.render import layout as lay
+from restitution.vector import Vector
 
+_HOLDS: Mapping[str, Callable[[float], bool]] = {
+    "=": lambda gap: gap == 0,
+    "<": lambda gap: gap < 0,
+    "<=": lambda gap: gap <= 0,
+    ">": lambda gap: gap > 0,
+    ">=": lambda gap: gap >= 0,
+}
+_NEAR = 1e-12
 _DENIED = {
     "perpendicular to": "claim.not-perpendicular",
     "parallel to": "claim.not-parallel",
@@ -57,28 +70,116 @@ def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -
         case Compare() if isinstance(asked, Show) and asked.subject is not None:
             return _of_subject(asked, claim, note, naming)
         case Compare(operators=("=",)):
-            value = _value(note, derivation, naming)
-            if value is not None:
-                return value
+            other_value = _value(note, derivation, naming)
+            if other_value is not None:
+                return other_value
         case AtRest(body) if note.lines:
             link = _link_of(derivation, note.lines[-1])
             return say("refuted.rest", body=body.name, velocity=_side(link, naming))
         case Aligned(left, how, right):
-            one, other_ = map(naming.side, _sides_of(note, left, right, how))
+            trees = _sides_of(note, left, right, how)
+            one, other_ = map(naming.side, trees)
             denied = say(_DENIED[how], left=one, right=other_)
+            if not note.instance:
+                return _apart(denied, how, trees, note, derivation, naming)
             if values and sides:
                 return say("refuted.direction-instance", claim=denied, values=values, sides=sides)
             return say("refuted.direction", claim=denied)
         case Meets() if not values and note.lines:
+            line = derivation.line(note.lines[-1])
+            if line is not None and line.item != note.item:
+                return say("refuted.opposite-above", claim=claim)
             other = replace(relation, happens=not relation.happens)
             return say("refuted.opposite", claim=claim_of_meeting(other, naming))
+    if sides and note.sides == note.instance:
+        letter, value = (naming.laid(each) for each in (note.sides[0].left, note.sides[0].right))
+        return say("refuted.possible", claim=claim, letter=letter, value=value)
+    told = say("refuted.sides", sides=sides)
+    if isinstance(relation, Compare):
+        told = _compared(note, sides, naming) or told
+    elif isinstance(relation, Meets):
+        gain = gain_of(relation, naming)
+        told = told if gain is None else say("refuted.so", sides=sides, claim=gain)
     if values and sides:
-        return say("refuted.general", claim=claim, values=values, sides=sides)
+        return say("refuted.general", claim=claim, values=values, sides=told)
     if values:
         return say("refuted.instance", claim=claim, values=values)
     if sides:
-        return say("refuted.claim", claim=claim, sides=sides)
+        return say("refuted.claim", claim=claim, sides=told)
     return say("refuted.plainly", claim=claim)
+
+
+def _compared(
+    note: Note, sides: tuple[Sentence | lay.Layout, ...], naming: Naming
+) -> Sentence | None:
+    """What the sides of a claim are worth, and how they compare; None where they are no numbers."""
+    values = {each.left: each.right for each in (*note.sides, *note.instance)}
+    assert note.claim is not None
+    for link in note.claim.only:
+        ends = (link.left, link.right)
+        try:
+            low, high = (
+                _number(rebuilt(each, lambda tree: values.get(tree, tree))) for each in ends
+            )
+        except (RestitutionError, TypeError, ValueError, ZeroDivisionError):
+            return None
+        gap = 0 if abs(low - high) <= _NEAR * max(abs(low), abs(high)) else low - high
+        if _HOLDS[link.sign](gap):
+            continue
+        worth = [e for e in ends if any(e == side.left != side.right for side in note.sides)]
+        if link.sign == "=":
+            if len(sides) == 2:
+                return say("refuted.but", one=sides[0], other=sides[1])
+        elif len(sides) == 2 == len(worth):
+            word = "refuted.equal" if gap == 0 else "refuted.less" if gap > 0 else "refuted.more"
+            return say(word, sides=sides)
+        if len(sides) != 1 or len(worth) != 1:
+            return None
+        (other,) = [each for each in ends if each not in worth] or [link.right]
+        above = gap if worth == [link.left] else -gap
+        if link.sign == "=":
+            word = "refuted.not-equal-to"
+        elif above:
+            word = "refuted.more-than" if above > 0 else "refuted.less-than"
+        else:
+            upper = (link.sign[0] == "<") == (worth == [link.left])
+            word = "refuted.not-less-than" if upper else "refuted.not-more-than"
+        return say(word, side=sides[0], bound=naming.laid(other))
+    return None
+
+
+def _number(tree: Expression) -> float:
+    """An expression as a float, with 1 for letters of size."""
+    value: Any = evaluate(tree, lambda name: sp.Integer(1))
+    return float(sp.sympify(value, strict=True))
+
+
+def _apart(
+    denied: Sentence,
+    how: str,
+    trees: tuple[Expression, Expression],
+    note: Note,
+    derivation: Derivation,
+    naming: Naming,
+) -> Sentence:
+    """That two directions do not stand to each other as claimed, and what they are."""
+    known = {e.left: e.right for e in (_link_of(derivation, line) for line in note.lines)}
+    worth = [known.get(each, each) for each in trees]
+    try:
+        a, b = (evaluate(e, lambda name: sp.Symbol(name, positive=True)) for e in worth)
+    except RestitutionError:
+        return say("refuted.direction", claim=denied)
+    if not (isinstance(a, Vector) and isinstance(b, Vector)) or 0 in (a.dot(a), b.dot(b)):
+        return say("refuted.direction", claim=denied)
+    if how == "perpendicular to":
+        told = Link(Quantity("dot", trees), "=", tree_of(tidy(a.dot(b))))
+    elif tidy(a.cross(b)) != 0:
+        left, right = map(naming.laid, worth)
+        return say("refuted.no-multiple", claim=denied, left=left, right=right)
+    else:
+        factor = tree_of(tidy(a.dot(b) / b.dot(b)))
+        told = Link(trees[0], "=", product(factor, trees[1]))
+    return say("refuted.direction-as", claim=denied, relation=naming.relation(Relation(((told,),))))
 
 
 def _of_subject(

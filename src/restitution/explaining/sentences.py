@@ -469,10 +469,13 @@ SENTENCES: Mapping[SentenceId, str] = {
     "claim.will-not-hit": "{body} will not hit {wall}{again}",
     "refuted.rest": "{body} is not at rest: {velocity}.",
     "refuted.direction": "{claim}.",
+    "refuted.no-multiple": "{claim}, as {left} is no multiple of {right}.",
+    "refuted.direction-as": "{claim}, as {relation}.",
     "refuted.direction-instance": (
         "{claim} in general: with {values:and}, for instance, {sides:and}."
     ),
     "refuted.opposite": "So {claim}, and the claim is not true.",
+    "refuted.opposite-above": "It is not true that {claim}, as shown above.",
     "refuted.plainly": "It is not true that {claim}.",
     "refuted.extreme": "The {quantity} is not {claimed}.",
     "refuted.range-is": "The range of possible values is not {range}: it is {true}.",
@@ -481,10 +484,24 @@ SENTENCES: Mapping[SentenceId, str] = {
     "refuted.value-general": "The {quantity} is not {claimed} in general: it is {value}.",
     "refuted.vector": "{quantity} is not {claimed}: it is {value}.",
     "refuted.vector-general": "{quantity} is not {claimed} in general: it is {value}.",
-    "refuted.claim": "It is not true that {claim}: {sides:and}.",
+    "refuted.claim": "It is not true that {claim}: {sides}.",
     "refuted.general": (
-        "It is not true in general that {claim}: with {values:and}, for instance, {sides:and}."
+        "It is not true in general that {claim}: with {values:and}, for instance, {sides}."
     ),
+    "refuted.possible": "It is not true in general that {claim}: {letter} may be {value}.",
+    "refuted.sides": "{sides:and}",
+    "refuted.but": "{one}, but {other}",
+    "refuted.less": "{sides:and}, which is less",
+    "refuted.more": "{sides:and}, which is more",
+    "refuted.equal": "{sides:and}, which is the same",
+    "refuted.less-than": "{side}, which is less than {bound}",
+    "refuted.more-than": "{side}, which is more than {bound}",
+    "refuted.not-less-than": "{side}, which is not less than {bound}",
+    "refuted.not-more-than": "{side}, which is not more than {bound}",
+    "refuted.not-equal-to": "{side}, which is not {bound}",
+    "refuted.so": "{sides:and}, so {claim}",
+    "claim.gains": "{one} gains on {other}",
+    "claim.does-not-gain": "{one} does not gain on {other}",
     "refuted.instance": (
         "It is not true in general that {claim}: it fails, for instance, with {values:and}."
     ),

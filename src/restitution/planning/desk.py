@@ -247,8 +247,7 @@ class Desk:
         return frozenset(each.part for each in self.facts if each.id in under)
 
     def reword(self, number: int, value: Expression) -> None:
-        """Writes the value at the end of a line, and of the items that end there, in another form.
-        """
+        """Writes the value at the end of a line, and of its items, in another form."""
         own = self.relation(number).only
         links = (*own[:-1], replace(own[-1], right=value))
         self.lines[number - 1] = replace(self.line(number), relation=Relation((links,)))

@@ -183,10 +183,22 @@ class _Refutation:
             fewer = {other: value for other, value in numbers.items() if other != each}
             if self._excluded(self._at(note, fewer)):
                 numbers = fewer
+        if isinstance(self.item.relation, Meets):
+            plainer = {**numbers, **dict.fromkeys(self._ratios(trees, numbers), sp.Integer(2))}
+            numbers = plainer if self._excluded(self._at(note, plainer)) else numbers
         note = self._at(note, numbers)
         if trees and (note.premises or not lines):
             sides = tuple(self._sides(trees, numbers))
         desk.notes.append(replace(note, sides=sides))
+
+    def _ratios(self, trees: Sequence[Expression], numbers: Mapping[str, sp.Expr]) -> Iterator[str]:
+        """The letters without a number on which the ratio of two velocities depends."""
+        values = [self._value(each, numbers) for each in trees]
+        if len(values) == 2 and all(isinstance(each, Vector) for each in values):
+            for one, other in zip(*values, strict=True):
+                if one != 0 != other:
+                    free = tidy(one / other).free_symbols
+                    yield from sorted(each.name for each in free)
 
     def _premises(
         self, note: Note, lines: Sequence[int], numbers: Mapping[str, sp.Expr]
@@ -262,6 +274,9 @@ class _Refutation:
                 yield Link(tree, "≈", self._rounded(tree, figures))
                 return
             value = self._value(tree, numbers)
+            if not has_quantity(tree) and value == self.scene.value(tree):
+                yield Link(tree, "=", tree)
+                continue
             angle = isinstance(value, sp.Basic) and self._is_angle(tree)
             yield Link(tree, "=", tree_of(value, angle=angle))
 

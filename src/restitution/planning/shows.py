@@ -96,9 +96,9 @@ def _print_form(scene: Scene, line: int, relation: Relation) -> None:
     if len(own.options) != 1 or len(relation.only) != 1 or relation.only[0].sign != "=":
         return
     (link,), links = relation.only, own.only
-    if links[0].left == link.left and links[-1].right != link.right:
-        if alike(links[-1].right, link.right):
-            scene.desk.reword(line, link.right)
+    right = links[-1].right
+    if links[0].left == link.left and right != link.right and alike(right, link.right):
+        scene.desk.reword(line, link.right)
 
 
 def _printed_letters(scene: Scene, item: Show, now: int) -> frozenset[sp.Symbol]:
