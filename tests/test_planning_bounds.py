@@ -91,11 +91,11 @@ SAYS = {
             "sphere A: mass m, velocity u at 45°\nsphere B: mass k m, at rest\n"
             "A hits B: along i, e = 1/3\nfind maximum of deflection(A) over k"
         ),
-        ["increases with k and tends to 2 as k grows", "as k grows without limit, but not reached"],
+        ["increases with k and tends to 2 as k grows", "as k → ∞, so there is no greatest value"],
     ),
     "a greatest value that is only approached, to be shown": (
         REST.format(k="2", e=", e = 1/4") + "show maximum of energy_lost over alpha = 5/16 m u^2",
-        ["which is approached towards α = 0°, but not reached"],
+        ["as α → 0°, but does not reach it"],
     ),
     "a square as it is defined": (
         REST.format(k="k ", e=", e = 1/3") + "find minimum of energy(A) over k",

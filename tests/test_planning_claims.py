@@ -216,7 +216,7 @@ def test_a_bound_that_is_only_approached_is_no_greatest_value() -> None:
     assert last is not None
     assert last.move.record == "approached"
     assert last.relation.only[0].sign == "<"  # type: ignore[union-attr]
-    assert "approached towards α = 90°, but not reached" in _printed(text)
+    assert "→ 1 − e² as α → 90°, so there is no greatest value" in _printed(text)
 
 
 def test_what_is_reached_is_not_approached_and_what_is_inside_no_end() -> None:
@@ -476,7 +476,7 @@ def test_speeds_are_compared_by_their_squares(statement: str, lines: list[str]) 
                 "wall W: along theta\nsphere P: mass m, velocity u i\nP hits W: e = 1/2\n"
                 "find maximum of across(velocity(P), i) over theta"
             ),
-            "as sin 2θ ≤ 1",
+            "as 2 sin θ cos θ = sin 2θ ≤ 1",
         ),
         (
             OBLIQUE + "given e k < 1\nfind maximum of tan(deflection(A)) over alpha",

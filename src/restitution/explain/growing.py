@@ -30,7 +30,7 @@ def growth(
         own = [each for each in ends if name in letters(each.left) | letters(each.right)]
         if len(names) > 1 and not _is_end(tree, name, own, bound, name in positive):
             continue
-        way = _way(tree, name, own)
+        way = _way(tree, name, own, bound)
         if way:
             return name, way
     return None
@@ -82,8 +82,12 @@ def _agrees(tree: Expression, name: str, end: Any, side: Expression) -> bool:
         return False
 
 
-def _way(tree: Expression, name: str, ends: Sequence[Link]) -> int:
-    """The sign of the change from the lower to the upper end, all other letters at one point."""
+def _way(tree: Expression, name: str, ends: Sequence[Link], bound: Relation) -> int:
+    """The sign of the change from the lower to the upper end, all other letters at one point.
+
+    A value that is not bounded in between changes its sign there: so it is that next to the end
+    where the bound is taken.
+    """
 
     def change(low: Any, high: Any) -> Any:
         try:
@@ -110,7 +114,13 @@ def _way(tree: Expression, name: str, ends: Sequence[Link]) -> int:
         else:
             low, high = places[0] / 2, places[0]
         middle = (low + high) / 2
-        for pair in ((low, high), (middle, high), (low, middle)):
+        pairs = [(low, high), (middle, high), (low, middle)]
+        step = (high - low) / 8
+        for end, pair in ((high, (high - step, high)), (low, (low, low + step))):
+            sides = [side for each in bound.only for side in (each.left, each.right)]
+            if len(bound.only) == 1 and any(_agrees(tree, name, end, side) for side in sides):
+                pairs.insert(0, pair)
+        for pair in pairs:
             own = change(*pair)
             if own is not None and own.is_finite:
                 return int(sp.sign(own))

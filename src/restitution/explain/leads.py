@@ -258,6 +258,10 @@ class Leads:
         source = self._sources.of(line)
         if line.move.id == "fact":
             given = [each for ref in line.premises if (each := self._derivation.fact(str(ref)))]
+            needed = self._of_the_story(line)
+            if needed is not None:
+                yield needed
+                return
             if given and given[0].relation == line.relation and given[0].kind == "geometry":
                 return  # a direction of the data, which the row says in words
             at = self._naming.at_contact(given[0]) if given else None

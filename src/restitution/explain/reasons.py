@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 import sympy as sp
@@ -28,10 +28,9 @@ from restitution.expression.tree import (
     Number,
     has_quantity,
     letters,
-    rational,
     walk,
 )
-from restitution.planning.forms import tree_of
+from restitution.planning.forms import factors, tree_of
 from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.solve.letters import roles
@@ -42,6 +41,7 @@ _OF_SQUARES = frozenset({"speed", "size", "energy", "total"})
 _LONGEST = 24
 ZERO = Number(Fraction(0))
 _UP, _DOWN = ("<", "<="), (">", ">=")
+_WEAK = ("<=", ">=")
 
 
 class Reasons:
@@ -66,11 +66,9 @@ class Reasons:
         would = self._would(line)
         if would is not None:
             return (say("derived.as", reasons=(would,)),)
-        wave = tuple(self._wave(line))
         reasons = (
             *self._monotone(line),
-            *self._square(line),
-            *(wave or self._share(line)),
+            *self._shape(line),
             *self._known(line),
             *self._silent(line),
         )
@@ -123,7 +121,23 @@ class Reasons:
                     said.append(self._laid(relation))
                 case Sentence() as sentence:
                     said.append(sentence)
-        return (*said, *(self._laid(each) for each in _merged(bounds)))
+        merged = (self._laid(each) for each in _merged(bounds))
+        return (*said, *merged, *map(self._laid, self._below(line, bounds)))
+
+    def _below(self, line: Line, bounds: Sequence[Link]) -> Iterator[Relation]:
+        """That a letter is not zero, where it stands below a line and may be zero otherwise."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.options[0]:
+            case (Link(Letter() as letter, ">", zero),) if zero == ZERO:
+                if line.move.id != "sign" or Link(letter, ">=", ZERO) not in bounds:
+                    return
+                for ref in line.premises:
+                    own = self._told(ref)
+                    nodes = () if own is None else walk(own.only[-1].right)
+                    below = [e.right for e in nodes if isinstance(e, Binary) and e.op == "/"]
+                    if any(letter in factors(each) for each in below):
+                        yield Relation(((Link(letter, "!=", ZERO),),))
+                        return
 
     def _reason(self, ref: Ref, line: Line) -> Sentence | Relation | None:
         """What is known of a letter, as a reader would say it."""
@@ -241,6 +255,11 @@ class Reasons:
             if name in positive and far is not None:
                 yield say("derived.tends", value=self._naming.laid(far), letter=letter)
 
+    def _shape(self, line: Line) -> tuple[Sentence, ...]:
+        """What bounds a value by its form, the plainest that fits."""
+        ways = (self._square, self._factor, self._wave, self._share)
+        return next((told for way in ways if (told := tuple(way(line)))), ())
+
     def _square(self, line: Line) -> Iterator[Sentence]:
         """That a square is not negative, where a bound is what is left without it."""
         assert isinstance(line.relation, Relation)
@@ -281,6 +300,24 @@ class Reasons:
             return False
         return isinstance(gap, Quotient) and gap.vanishes
 
+    def _factor(self, line: Line) -> Iterator[Sentence]:
+        """That a square is not negative, where it is a factor of the difference to a bound."""
+        assert isinstance(line.relation, Relation)
+        refs = [ref for ref in line.premises if isinstance(ref, int)]
+        own = self._derivation.line(refs[0]) if line.move.id == "sign" and len(refs) == 1 else None
+        if own is None or not isinstance(own.relation, Relation):
+            return
+        match own.relation.options:
+            case ((Link(Binary("-"), "=", right),),) if line.relation.options[0][0].sign in _WEAK:
+                above = right.left if isinstance(right, Binary) and right.op == "/" else right
+                for each in factors(above):
+                    match each:
+                        case Binary("^", base, Number(Fraction(numerator=2))) if isinstance(
+                            base, Binary
+                        ) and base.op in ("+", "-"):
+                            told = Relation(((Link(each, ">=", ZERO),),))
+                            yield say("derived.fact", fact=self._laid(told))
+
     def _wave(self, line: Line) -> Iterator[Sentence]:
         """Why a sum or a product of a sine and a cosine is bounded, where a bound comes of that."""
         assert isinstance(line.relation, Relation)
@@ -291,11 +328,11 @@ class Reasons:
             own = self._derivation.line(ref) if isinstance(ref, int) else None
             if own is None or not isinstance(own.relation, Relation):
                 continue
-            whole = own.relation.options[0][-1].right
-            for node in walk(whole):
+            wholes = [each.right for each in reversed(own.relation.options[0])]
+            for whole, node in ((each, node) for each in wholes for node in walk(each)):
                 told = _sine_and_cosine(node)
                 if told is not None and _bounds(whole, node, told[0], links[0].right):
-                    yield say("derived.fact", fact=self._laid(Relation(((told[1],),))))
+                    yield say("derived.fact", fact=self._laid(Relation((told[1],))))
                     return
 
     def _share(self, line: Line) -> Iterator[Sentence]:
@@ -334,7 +371,7 @@ class Reasons:
             yield say("derived.fact", fact=self._laid(Relation(((told,),))))
 
 
-def _sine_and_cosine(node: Expression) -> tuple[Expression, Link] | None:
+def _sine_and_cosine(node: Expression) -> tuple[Expression, tuple[Link, ...]] | None:
     """The greatest value of ``a cos x + b sin x``, or of ``sin x cos x``, and what tells it."""
     a = b = None
     two = Number(Fraction(2))
@@ -350,34 +387,36 @@ def _sine_and_cosine(node: Expression) -> tuple[Expression, Link] | None:
             half = Binary("/", Number(Fraction(1)), two)
             most = half if rest is None else Binary("*", rest, half)
             double = Apply("sin", Binary("*", two, x))
-            return most, Link(double, "<=", Number(Fraction(1)))
+            twice = Binary("*", Binary("*", two, Apply("sin", x)), Apply("cos", x))
+            return most, (Link(twice, "=", double), Link(double, "<=", Number(Fraction(1))))
         case Binary("+", left, right):
             a, b = _times(left), _times(right)
         case Apply("sin" | "cos", Binary("*")):
-            return Number(Fraction(1)), Link(node, "<=", Number(Fraction(1)))
+            return Number(Fraction(1)), (Link(node, "<=", Number(Fraction(1))),)
     if a is None or b is None:
         return None
     if a[1].argument != b[1].argument or {a[1].function, b[1].function} != {"sin", "cos"}:
         return None
     total = sp.expand(a[0] ** 2 + b[0] ** 2)
     other_ = Binary("-", _scaled(b[0], a[1]), _scaled(a[0], b[1]))
-    rest = Binary("-", rational(Fraction(str(total))), Binary("^", other_, two))
-    root = Apply("sqrt", rational(Fraction(str(total))))
-    return root, Link(Binary("^", node, two), "=", rest)
+    squared = tree_of(total)
+    less = Binary("-", squared, Binary("^", other_, two))
+    links = (Link(Binary("^", node, two), "=", less), Link(less, "<=", squared))
+    return tree_of(sp.sqrt(total)), links
 
 
-def _times(tree: Expression) -> tuple[sp.Rational, Apply] | None:
-    """A number times a sine or a cosine."""
+def _times(tree: Expression) -> tuple[sp.Expr, Apply] | None:
+    """A number, perhaps a root, times a sine or a cosine."""
     match tree:
         case Apply("sin" | "cos"):
             return sp.Integer(1), tree
-        case Binary("*", Number(value), Apply("sin" | "cos") as ratio):
-            return sp.Rational(value.numerator, value.denominator), ratio
+        case Binary("*", factor, Apply("sin" | "cos") as ratio) if not letters(factor):
+            return sp.sympify(evaluate(factor, sp.Symbol), strict=True), ratio
     return None
 
 
-def _scaled(factor: sp.Rational, ratio: Apply) -> Expression:
-    return ratio if factor == 1 else Binary("*", rational(Fraction(str(factor))), ratio)
+def _scaled(factor: sp.Expr, ratio: Apply) -> Expression:
+    return ratio if factor == 1 else Binary("*", tree_of(factor), ratio)
 
 
 def _bounds(whole: Expression, node: Expression, most: Expression, bound: Expression) -> bool:
@@ -455,18 +494,20 @@ def _merged(bounds: list[Link]) -> Iterator[Relation]:
     rest = list(bounds)
     while rest:
         link = rest.pop(0)
-        other = next(
-            (
-                each
-                for each in rest
-                if each.left == link.left and (each.sign in _UP) != (link.sign in _UP)
-            ),
-            None,
-        )
-        if other is None:
+        for other in rest:
+            low, high = (_upwards(each) for each in (link, other))
+            if low.right != high.left:
+                low, high = high, low
+            if low.right == high.left:
+                rest.remove(other)
+                yield Relation(((low, high),))
+                break
+        else:
             yield Relation(((link,),))
-            continue
-        rest.remove(other)
-        low, high = (other, link) if link.sign in _UP else (link, other)
-        sign = "<" if low.sign == ">" else "<="
-        yield Relation(((Link(low.right, sign, low.left), high),))  # type: ignore[arg-type]
+
+
+def _upwards(link: Link) -> Link:
+    """A bound with its lower side on the left."""
+    if link.sign in _UP:
+        return link
+    return Link(link.right, "<" if link.sign == ">" else "<=", link.left)

@@ -78,13 +78,29 @@ def _printed(
         for label, each in solution.parts.items()
         if part is None or label == part
     )
-    warnings = list(solution.warnings)
+    proved = _proved_on_paper(solution, derivation)
+    warnings = [each for each in solution.warnings if each not in proved]
     followed: bool | None = None
     if check:
         complaints = follow(derivation, Oracle(roles(solution.problem)))
         warnings += [str(say("amiss.complaint", complaint=str(each))) for each in complaints]
         followed = not complaints
     return Explanation(solution.problem.title, parts, tuple(warnings), solution, followed)
+
+
+def _proved_on_paper(solution: Solution, derivation: Derivation) -> set[str]:
+    """The warnings of what was only sought, of which the lines of the working are the proof."""
+    ended = {each.item for each in derivation.items}
+    return {
+        item.not_proved
+        for label, part in solution.parts.items()
+        for name, item in zip(
+            [each for each, own in derivation.asked.items() if own == label],
+            part.items,
+            strict=True,
+        )
+        if name in ended and item.proof == "undecided"
+    }
 
 
 def _before(derivation: Derivation, part: PartSolution) -> tuple[Step, ...]:

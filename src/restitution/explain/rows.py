@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from restitution.explain.ends import Ends
+from restitution.explain.extremes import EXTREMA, extreme, value_reached
 from restitution.explain.measured import (
     Measures,
     as_answer,
@@ -32,7 +33,6 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     has_quantity,
-    is_zero,
     walk,
 )
 from restitution.problem import Value
@@ -71,16 +71,17 @@ class Rows:
         options = line.relation.options
         (left, item), self._left = self._left or (None, None), None
         left = left if item == line.item else None
-        place = self._reached(options)
-        if place is not None:
-            value, where = place
+        reached = value_reached(options)
+        if reached is not None:
+            place, value = reached
             row = self._chain(line, value)
+            where = self._naming.relation(Relation(((place,),)))
             yield replace(row, reasons=(say("derived.for", place=where),))
             return
         if len(options) > 1:
             yield self._alternatives(options, self._ends.of(line) is not None)
             return
-        if line.move.record in ("greatest", "least", "approached") and line.move.id == "answer":
+        if line.move.record in EXTREMA and line.move.id == "answer":
             yield self._extreme(line)
             return
         groups = chains(options[0])
@@ -269,7 +270,7 @@ class Rows:
         end = self._ends.of(line)
         if end is None or end.shown or not isinstance(line.relation, Relation):
             return None
-        if line.move.record in ("greatest", "least"):
+        if line.move.record in EXTREMA:
             return None
         if len(line.relation.options) != 1 or len(chains(line.relation.only)) != 1:
             return None
@@ -308,6 +309,17 @@ class Rows:
         final = lay.Phrase((laid.operands[-1], *others), str(say("list.or")))
         return Row((*laid.operands[:-1], final), laid.signs, alternatives=True)
 
+    def _extreme(self, line: Line) -> Row:
+        """The greatest or the least value and where it is reached, or what is only approached."""
+        assert isinstance(line.relation, Relation)
+        link = line.relation.only[-1]
+        end = self._ends.of(line)
+        shown = end is not None and end.shown
+        called, sign, reasons = extreme(self._derivation, self._naming, line, shown)
+        sides, signs = [called, self._naming.laid(link.right)], [sign]
+        self._ended(line, (Link(link.left, "=", link.right),), sides, signs)
+        return Row(tuple(sides), tuple(signs), reasons=reasons)
+
     def _bare(self, links: tuple[Link, ...], asked: bool) -> lay.Relation:
         trees = [links[0].left, *(each.right for each in links)]
         sides = [self._naming.laid(each) for each in trees]
@@ -318,42 +330,6 @@ class Rows:
         if _is_value(trees[0]) and is_plain(sides[-1]) and signs[-1] in ("=", "≈"):
             sides[-1] = with_unit(sides[-1], self._measures.unit(trees[0]))
         return lay.Relation(tuple(sides), tuple(signs))
-
-    def _reached(
-        self, options: tuple[tuple[Link, ...], ...]
-    ) -> tuple[tuple[Link, ...], lay.Layout | Sentence] | None:
-        """A value and where it is reached: ``x ≠ a or y = b`` says y = b when x = a."""
-        if len(options) != 2:
-            return None
-        (where, *_), value = options
-        if where.sign != "!=" or len(options[0]) != 1:
-            return None
-        match where:
-            case Link(Binary("/", Number(), Letter() as letter), _, right) if is_zero(right):
-                return value, say("extremum.grows", letter=self._naming.laid(letter))
-        place = Relation(((Link(where.left, "=", where.right),),))
-        return value, self._naming.relation(place)
-
-    def _extreme(self, line: Line) -> Row:
-        """The greatest or the least value, and where it is reached."""
-        assert isinstance(line.relation, Relation)
-        link = line.relation.only[-1]
-        called = operand(self._naming.extreme(link.left, greatest=link.sign[0] == "<"))
-        sides, signs = [called, self._naming.laid(link.right)], ["="]
-        self._ended(line, (Link(link.left, "=", link.right),), sides, signs)
-        places = [
-            reached[1]
-            for ref in line.premises
-            if isinstance(ref, int)
-            and (behind := self._derivation.line(ref)) is not None
-            and isinstance(behind.relation, Relation)
-            and (reached := self._reached(behind.relation.options)) is not None
-        ]
-        said = "extremum.tends" if line.move.record == "approached" else "derived.for"
-        reasons = tuple(
-            each if isinstance(each, Sentence) else say(said, place=each) for each in places
-        )
-        return Row(tuple(sides), tuple(signs), reasons=reasons)
 
 
 def _quotient(line: Line, tree: Expression) -> lay.Layout | None:

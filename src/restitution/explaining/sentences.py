@@ -444,8 +444,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{one} and {other} do not collide again if {first} does not gain on {second} along the "
         "line of centres."
     ),
-    "extremum.tends": "which is approached towards {place}, but not reached",
-    "extremum.grows": "which is approached as {letter} grows without limit, but not reached",
+    "extremum.approached": "as {place}, but does not reach it",
+    "extremum.no-greatest": "as {place}, so there is no greatest value",
+    "extremum.no-least": "as {place}, so there is no least value",
     # --- results that are shown, or are false -----------------------------------------------------
     "shown.required": "as required",
     "shown.figures": "to {figures} s.f.",

@@ -9,8 +9,9 @@ from typing import Self
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, MoveId, Ref, Relation, Sign
+from restitution.explaining.derivation import Link, Meaning, Move, MoveId, Ref, Relation, Sign
 from restitution.explaining.moves import MOST_COMPARED
+from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -74,6 +75,9 @@ class Claims:
 
     def write(self, relation: Relation) -> int:
         """Writes the lines of an inequality that holds; the last says it."""
+        standing = self._of_letter(relation)
+        if standing is not None:
+            return standing
         trees = [side for link in relation.only for side in (link.left, link.right)]
         quantities = list(
             dict.fromkeys(
@@ -129,6 +133,18 @@ class Claims:
             self.ties.clear()
             self.conditions.clear()
         raise NotPlannedError("an inequality")
+
+    def _of_letter(self, relation: Relation) -> int | None:
+        """An inequality that stands already of the letter for its quantity."""
+        for each in self.scene.desk.lines:
+            own = each.relation
+            if not isinstance(own, Meaning):
+                continue
+            told = Relation((tuple(_renamed(link, own) for link in relation.only),))
+            line = None if told == relation else self.judge.standing(told)
+            if line is not None:
+                return self.judge.write((Move("compare"),), [line, each.number], relation)
+        return None
 
     def write_parts(self, asked: Expression, relation: Relation) -> int:
         """Writes the lines of a range in several parts: the conditions, and the range."""
@@ -224,8 +240,8 @@ class Claims:
     ) -> int | None:
         """Bounds of an angle by those of its tangent, one after the other."""
         if len(links) == 1:
-            own = Relation((tuple(links),))
-            line = self.monotone(tangent, own) or self.compared([tangent], own)
+            (link,) = links
+            line = self._bounded(tangent, turned(link) if link.left == ZERO else link)
             return None if line is None else self.angle_of(line, tangent, extent, relation, base)
         line = self.monotone(tangent, Relation((tuple(links),)))
         if line is not None:
@@ -243,6 +259,13 @@ class Claims:
             ends.append(end)
         named = [each for each in extent if isinstance(each, int)]
         return self.compared([*ends, *named], relation)
+
+    def _bounded(self, line: int, link: Link) -> int | None:
+        """A bound of what only grows, or only falls; that it is positive is seen at once."""
+        own = Relation(((link,),))
+        if ZERO in (link.left, link.right):
+            return self.compared([line], own) or self.monotone(line, own)
+        return self.monotone(line, own) or self.compared([line], own)
 
     def angle_of(
         self,
@@ -289,9 +312,10 @@ class Claims:
         written: list[int] = []
         for link in relation.only:
             own = Relation(((link,),))
-            line = self.monotone(lines[0], own)
-            if line is None and is_plain(self.scene, lines[0], own):
-                line = self.compared(lines, own)
+            if ZERO in (link.left, link.right) or is_plain(self.scene, lines[0], own):
+                line = self._bounded(lines[0], link)
+            else:
+                line = self.monotone(lines[0], own)
             if line is None:
                 line = write_difference(self, lines[0], own)
             if line is None:
@@ -459,8 +483,8 @@ class Claims:
                     alone = is_letter_or_square(self.scene.desk.last_link(line).left)
                     if alone or x.atoms(sp.sin, sp.cos, sp.tan):
                         short = self.ties.bounded(line, symbol, bound) or short
-                        solved = short
-                    if solved is not None and is_monic(self.scene, x):
+                        solved = short if _is_subject(short.left) else solved
+                    if solved is not None and (link.left == solved.left or is_monic(scene, x)):
                         short = solved
                 ends = self.judge.known([symbol.name])
                 first = [ref for ref in ends if any(e in str(ref) for e in _near(bound))]
@@ -639,6 +663,21 @@ class Claims:
                     )
                     return self.judge.write((Move("compare"),), pool, Relation((links,)))
         return None
+
+
+def _renamed(link: Link, meaning: Meaning) -> Link:
+    """A link with a letter for the quantity for which it stands."""
+    letter = Letter(meaning.letter)
+    left, right = (
+        rebuilt(side, lambda each: letter if each == meaning.quantity else each)
+        for side in (link.left, link.right)
+    )
+    return Link(left, link.sign, right)
+
+
+def _is_subject(tree: Expression) -> bool:
+    """Whether a side is a letter, a ratio of an angle, or a power of one of them."""
+    return not isinstance(tree, Binary) or tree.op == "^"
 
 
 def _near(sign: Sign) -> tuple[str, ...]:

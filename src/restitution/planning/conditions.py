@@ -93,7 +93,8 @@ class Conditions:
             solved = solve_linear(self.scene, link.sign, x, wanted)
             if solved is None:
                 return None
-            pool = [fact.id, *self.worths.known_in(x)]
+            first = self.judge.write((Move("fact"),), [fact.id], fact.relation)
+            pool = [fact.id if first is None else first, *self.worths.known_in(x)]
             return self.judge.write((Move("rearrange"),), pool, Relation(((solved,),)))
         match self.worths.opened(link.left), link.right:
             case Quantity("deflection" | "angle") as angle, Degrees(value) if value == 90:
@@ -257,6 +258,8 @@ class Conditions:
                     if squared is not None:
                         return squared
                     solved = solve_linear(self.scene, sign, x)
+                    if x.has(sp.sin) and x.has(sp.cos):
+                        line = self._square_of_ratio(line)
                     for each in (solved, relation.only[0]):
                         if each is None:
                             continue
@@ -277,6 +280,21 @@ class Conditions:
         if line is not None:
             return line
         return self.judge.write((Move("compare"),), pool, relation)
+
+    def _square_of_ratio(self, line: int) -> int:
+        """A condition on the square of a sine or of a cosine alone, solved for it first."""
+        link = self.scene.desk.last_link(line)
+        gap = expanded(self.worths.value(link.left) - self.worths.value(link.right))
+        own = without_signs(self.scene, gap, link.sign)
+        if own is None or (own[1].has(sp.sin) and own[1].has(sp.cos)):
+            return line
+        solved = solve_linear(self.scene, *own)
+        if solved is None:
+            return line
+        known = self.worths.known_in(gap)
+        moves = (Move("rearrange"), Move("cancel"))
+        after = self.judge.write(moves, [line, *known], Relation(((solved,),)))
+        return line if after is None else after
 
     def _stands_turned(self, pool: Sequence[Ref], value: sp.Expr) -> bool:
         """Whether a line above says what a letter for a component is, in the opposite sense."""

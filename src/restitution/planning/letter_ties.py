@@ -131,7 +131,7 @@ class Ties:
         open_ = [scene.put(x)[0] for x in each.residuals]
         if all(x == 0 for x in open_):
             return self._of_fact(each.fact.id)
-        line = self._neat(write_given(scene, _as_right_angle(each)))
+        line = self._without_roots(self._neat(write_given(scene, _as_right_angle(each))))
         scene.ties[each.fact.id] = scene.desk.relation(line)
         return line
 

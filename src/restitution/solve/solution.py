@@ -83,6 +83,11 @@ class ItemResult:
         return self.kind == "show" and self.error is None and self.holds is None
 
     @property
+    def not_proved(self) -> str:
+        """The warning of a range or an extremum that was sought, and not proved."""
+        return f"{self.text} was sought at some values of the letters, not proved"
+
+    @property
     def distinct(self) -> tuple[Answer, ...]:
         """The answers without those that repeat an earlier one's value, as people want them.
 

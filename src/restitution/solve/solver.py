@@ -395,7 +395,7 @@ class _Worker:
                 kind = "range"
                 ranged = find_range(self.desk, item, now, in_terms_of)
                 if ranged.proof == "undecided":
-                    self._warn(f"{item.text} was sought at some values of the letters, not proved")
+                    self._warn(ranged.not_proved)
                 return ranged
             if isinstance(item, Extremum):
                 from restitution.solve.extrema import find_extremum
@@ -403,7 +403,7 @@ class _Worker:
                 kind = "extremum"
                 extreme = find_extremum(self.desk, item, now, in_terms_of)
                 if extreme.proof == "undecided":
-                    self._warn(f"{item.text} was sought at some values of the letters, not proved")
+                    self._warn(extreme.not_proved)
                 return extreme
             kind = self._kind(item.expression)
             return self._value(item, now, in_terms_of, kind)
