@@ -10,6 +10,7 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 
+from restitution.counting import listed
 from restitution.draw.sayings import Sayings, has_letters, state_after
 from restitution.exact import significant
 from restitution.problem import Impact, Kick
@@ -105,12 +106,6 @@ def values_of(chosen: Sequence[Chosen]) -> tuple[Layout, ...]:
         lay.Words("Drawn for"),
         *(lay.Phrase((_equal(each), lay.Words(end)), "") for each, end in zip(chosen, ends)),
     )
-
-
-def listed(words: Sequence[str]) -> str:
-    """``a``, ``a and b``, ``a, b and c``."""
-    *most, last = words
-    return f"{', '.join(most)} and {last}" if most else last
 
 
 def _equal(chosen: Chosen) -> Layout:

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from restitution import shapes
+from restitution.counting import listed
 from restitution.draw.bodies import name_of
-from restitution.draw.describe import listed
 from restitution.draw.distances import distances
 from restitution.draw.geometry import sides_towards
 from restitution.draw.ink import ink, overlap, padded, touched

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from restitution.draw.describe import listed, values_of
+from restitution.counting import listed
+from restitution.draw.describe import values_of
 from restitution.draw.known import Known
 from restitution.render import layout as lay
 from restitution.render.layout import Layout

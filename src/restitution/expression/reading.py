@@ -11,6 +11,7 @@ from typing import Any
 
 from lark import Lark, Token, Tree, UnexpectedToken
 
+from restitution.counting import listed
 from restitution.errors import StatementError
 from restitution.expression.grammar import EXPRESSION
 from restitution.expression.lexer import Scan, Source, scan, unit_refused
@@ -589,6 +590,4 @@ def _wanted(expected: set[str], previous: Token | None) -> str:
         named = [each for each in named if each != "'='"]
     elif "PLUS" in expected:
         named.insert(0, "an operator")
-    return (
-        " or ".join(([", ".join(named[:-1])] if named[1:] else []) + named[-1:]) or "something else"
-    )
+    return listed(named, "or") or "something else"

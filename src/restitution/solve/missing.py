@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from restitution.counting import listed
 from restitution.errors import MissingError
 
 # How what is open would be written; that a sphere has a mass and a velocity its line shows.
@@ -42,10 +43,8 @@ def is_open(called: str, beside: Iterable[str] = ()) -> MissingError:
 
 
 def _listed(named: list[str]) -> str:
-    if len(named) == 1:
-        return named[0]
-    pause = "," if len(named) > 2 or any(" and " in each for each in named) else ""
-    return f"{', '.join(named[:-1])}{pause} and {named[-1]}"
+    pause = len(named) > 2 or any(" and " in phrase for phrase in named)
+    return listed(named, ", and" if pause else "and")
 
 
 def _written(named: list[str]) -> str:

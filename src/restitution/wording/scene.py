@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
+from restitution.counting import ordinal
 from restitution.expression.tree import (
     Expression,
     Name,
@@ -42,7 +43,7 @@ from restitution.problem import (
 from restitution.wording.structure import Named, Words
 from restitution.wording.units import Style, style_of
 from restitution.wording.values import point
-from restitution.wording.words import ordinal, words
+from restitution.wording.words import words
 
 INITIALLY: Words = ("initially",)
 _PLACED = frozenset(("position", "distance", "time"))

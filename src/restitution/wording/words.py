@@ -8,18 +8,6 @@ from typing import Any
 from restitution.counting import counted
 from restitution.wording.structure import Named, Piece, Sentence, Words
 
-_ORDINALS = [
-    "first",
-    "second",
-    "third",
-    "fourth",
-    "fifth",
-    "sixth",
-    "seventh",
-    "eighth",
-    "ninth",
-    "tenth",
-]
 _COUNTS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"]
 
 
@@ -67,14 +55,6 @@ def number_of_words(phrase: Words) -> int:
 def names(each: Iterable[str]) -> Words:
     """``A, B and C``, in italics."""
     return listed([Named(name) for name in each])
-
-
-def ordinal(number: int) -> str:
-    """``first``, ``second``, …; ``11th`` where words grow long."""
-    if number <= len(_ORDINALS):
-        return _ORDINALS[number - 1]
-    ending = {1: "st", 2: "nd", 3: "rd"}.get(number % 10, "th")
-    return f"{number}{'th' if 10 < number % 100 < 14 else ending}"
 
 
 def count(number: int) -> str:

@@ -347,7 +347,7 @@ def _labels(motions: Sequence[PartMotion]) -> list[str]:
 
 
 def _label(one: PartMotion, all_: Sequence[PartMotion]) -> Iterator[str]:
-    from restitution.draw.describe import listed
+    from restitution.counting import listed
 
     named = [f"({label})" for label in one.labels if label is not None]
     if named:
