@@ -498,16 +498,18 @@ def _points(problem: p.Problem, outcome: str, seed: int) -> list[dict[str, Any]]
 def _borders(condition: str, a: dict[str, Any], b: dict[str, Any]) -> list[dict[str, Any]]:
     """Two points a billionth of the way on either side of a border between a and b."""
 
+    logs = {n: (mp.log(a[n]), mp.log(b[n])) for n in a if a[n] > 0 and b[n] > 0}
+
     def between(share: Any) -> dict[str, Any]:
         return {
-            name: mp.exp((1 - share) * mp.log(a[name]) + share * mp.log(b[name]))
-            if a[name] > 0 and b[name] > 0
+            name: mp.exp((1 - share) * logs[name][0] + share * logs[name][1])
+            if name in logs
             else (1 - share) * a[name] + share * b[name]
             for name in a
         }
 
     low, high = mp.mpf(0), mp.mpf(1)
-    for _ in range(120):
+    for _ in range(50):  # a millionth of the step below
         middle = (low + high) / 2
         if physics.true_of(condition, between(middle)):
             low = middle

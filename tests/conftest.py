@@ -1,4 +1,4 @@
-"""What all tests share: a time limit, how Hypothesis makes up its examples, a browser for pages."""
+"""What all tests share: which of them go together, a time limit, draws, a browser for pages."""
 
 from __future__ import annotations
 
@@ -19,17 +19,29 @@ expect.set_options(timeout=30_000)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """All tests of one statement go to one process, which solves it once."""
+    """Which tests go to one process, since they share what takes long to make.
+
+    All tests of a statement, for it is solved once; all of pages, which share a server and a
+    browser; all of a module, but of those whose tests have nothing in common.
+    """
     for item in items:
-        params = (
-            item.callspec.params
-            if isinstance(item, pytest.Function) and hasattr(item, "callspec")
-            else {}
-        )
+        item.add_marker(pytest.mark.xdist_group(_group(item)))
+
+
+# Their tests take long, and share nothing.
+SPREAD = {"test_cli", "test_gas", "test_never_hangs", "test_package", "test_properties"}
+
+
+def _group(item: pytest.Item) -> str:
+    if isinstance(item, pytest.Function):
+        params = item.callspec.params if hasattr(item, "callspec") else {}
         path, name = params.get("path"), params.get("name")
         statement = path.stem if isinstance(path, Path) else name
         if statement in NAMES:
-            item.add_marker(pytest.mark.xdist_group(statement))
+            return str(statement)
+        if {"page", "served"} & set(item.fixturenames):
+            return "pages"
+    return item.nodeid if item.path.stem in SPREAD else item.path.stem
 
 
 @pytest.fixture(scope="session")
