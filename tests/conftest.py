@@ -12,10 +12,19 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 from statements import NAMES
 
+# In these modules too a failed assertion says what it compared.
+for _path in Path(__file__).parent.glob("laws_of_*.py"):
+    pytest.register_assert_rewrite(_path.stem)
+
 pytest_plugins = ["limits", "draws"]
 
 # A machine may be busy; what is awaited and does not come fails all the same.
 expect.set_options(timeout=30_000)
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """An option for who looks for one law of statements."""
+    parser.addoption("--law", default="", help="laws of statements whose name holds these letters")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -3,97 +3,24 @@
 from __future__ import annotations
 
 import re
-import unicodedata
-from fractions import Fraction
-from pathlib import Path
 
 import pytest
+from laws_of_explanations import marks_of
 
 from restitution.explain import (
     Explanation,
-    PartExplanation,
     explain,
     to_html,
     to_latex,
     to_markdown,
     to_text,
 )
-from restitution.explain.principles import about
-from restitution.language import parse, read
-from restitution.render.text import width
+from restitution.language import parse
 from restitution.solve import solve
-
-ROOT = Path(__file__).parent
-EXAMPLES = sorted((ROOT.parent / "src" / "restitution" / "examples").glob("*.impact"))
-QUESTIONS = sorted((ROOT / "questions").glob("*.impact"))
-FEW = QUESTIONS[::6]
 
 
 def told(text: str) -> Explanation:
     return explain(solve(parse(text)))
-
-
-# --- every line of every example -----------------------------------------------------------------
-
-
-@pytest.mark.parametrize("path", [*EXAMPLES, *FEW], ids=lambda path: path.stem)
-def test_nothing_fails_and_no_line_is_left_out(path: Path) -> None:
-    solution = solve(read(path))
-    explanation = explain(solution)
-    assert not [w for w in explanation.warnings if "left out" in w]
-    assert len(explanation.parts) == len(solution.parts)
-    steps = [step for part in explanation.parts for step in part.steps]
-    assert all(about(step) for step in steps if step.principle)
-    text = to_text(explanation)
-    assert "Limit(" not in text
-    assert "sqrt" not in text
-    assert "**" not in text
-    assert not re.search(r"_[a-z]_", text)  # no hidden unknown shows its name
-    assert to_html(explanation).count("<math") == to_html(explanation).count("</math>")
-    assert to_latex(explanation).count("{aligned}") % 2 == 0
-    assert to_markdown(explanation).count("$$") % 2 == 0
-
-
-@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
-def test_every_answer_is_in_the_working(path: Path) -> None:
-    solution = solve(read(path))
-    explanation = explain(solution)
-    seen = "".join(to_text(explanation, width=2000).split())
-    for part in solution.parts.values():
-        for item in part.items:
-            if item.error is not None:
-                assert "".join(item.error.message.split()) in seen
-            elif item.kind in ("value", "vector", "point", "extremum"):
-                for answer in item.answers:
-                    plain, *condition = answer.display.split(", for ")
-                    last = plain.split(" when ")[0].split(" approached")[0].rpartition("=")[2]
-                    for each in (last, *condition):
-                        assert any(text in seen for text in spellings("".join(each.split()))), (
-                            item.text,
-                            answer.display,
-                        )
-
-
-def spellings(answer: str) -> list[str]:
-    """How a working may write an answer: with data in decimals, a fraction is a decimal too."""
-    in_decimals = re.sub(r"\(?\b(\d+)/(\d+)\b\)?|[¼½¾⅕⅖⅗⅘⅛⅜⅝⅞]", _decimal, answer)
-    in_decimals = re.sub(r"(\.\d*[1-9])0+(?!\d)", r"\1", in_decimals)  # no zeros behind decimals
-    return [answer, *(f"={start}{in_decimals}" for start in ("", "("))]
-
-
-def _decimal(fraction: re.Match[str]) -> str:
-    text = fraction[0]
-    if len(text) == 1:
-        return str(unicodedata.numeric(text))
-    value = Fraction(int(fraction[1]), int(fraction[2]))
-    return str(float(value)) if 10**9 % value.denominator == 0 else text
-
-
-@pytest.mark.parametrize("path", EXAMPLES[::3], ids=lambda path: path.stem)
-def test_text_fits_a_terminal(path: Path) -> None:
-    lines = to_text(explain(solve(read(path)))).splitlines()
-    wide = [line for line in lines if width(line) > 80]
-    assert len(wide) <= max(1, len(lines) // 12), wide
 
 
 # --- what a good solution says --------------------------------------------------------------------
@@ -340,38 +267,6 @@ def test_an_extremum_has_a_bound_and_the_place_where_it_is_reached() -> None:
 # --- marks ----------------------------------------------------------------------------------------
 
 
-def marks_of(part: PartExplanation) -> list[str]:
-    """Every mark of a part, in the order in which they stand on the page."""
-    return [
-        mark
-        for step in part.steps
-        for each in (step.mark, *(row.mark for row in step.rows))
-        for mark in each.split()
-    ]
-
-
-@pytest.mark.parametrize("path", [*EXAMPLES, *FEW], ids=lambda path: path.stem)
-def test_marks_agree_with_each_other(path: Path) -> None:
-    solution = solve(read(path))
-    for part, told_ in zip(solution.parts.values(), explain(solution).parts, strict=True):
-        marks = marks_of(told_)
-        assert set(marks) <= {"M1", "DM1", "A1", "A1ft", "A1*", "B1", "B1ft"}
-        for index, mark in enumerate(marks):
-            before = set(marks[:index])
-            if mark.startswith("A1"):
-                assert before & {"M1", "DM1", "B1", "B1ft"}, marks
-            if mark == "DM1":
-                assert before & {"M1", "DM1"}, marks
-        shown = [item for item in part.items if item.kind == "show"]
-        assert shown or "A1*" not in marks
-        # Of a chain, as in a ≤ b ≤ c, each link is shown by itself.
-        links = sum(len(getattr(item.item.relation, "operators", "=")) for item in shown)
-        assert marks.count("A1*") <= links
-        answered = [item for item in part.items if item.error is None and item.holds is not False]
-        assert not answered or len(marks) >= 1
-        assert told_.marks == len(marks) == sum(told_.item_marks)
-
-
 def told_marks(text: str) -> list[str]:
     (part,) = told(text).parts
     return marks_of(part)
@@ -472,53 +367,6 @@ def test_a_page_is_self_contained() -> None:
 # --- LaTeX and HTML -------------------------------------------------------------------------------
 
 # What LaTeX itself, amsmath and the few packages of the preamble define, among what is used.
-COMMANDS = frozenset(
-    re.findall(
-        r"\w+",
-        """
-    documentclass usepackage begin end setlength mathindent parindent parskip allowdisplaybreaks
-    AtBeginDocument abovedisplayskip belowdisplayskip ifPDFTeX fi
-    textbf emph text mathbf underline hspace fill tag quad qquad left right
-    frac tfrac sqrt surd times div pm cdot circ infty leq geq neq approx lvert rvert
-    sin cos tan sec csc cot arcsin arccos arctan
-    alpha beta gamma delta epsilon varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho
-    sigma tau upsilon phi varphi chi psi omega textbackslash textasciicircum textasciitilde
-    """,
-    )
-)
-
-
-def unescaped(source: str) -> str:
-    return re.sub(r"\\[\\{}$&%#_]", " ", source)
-
-
-@pytest.mark.parametrize("path", [*EXAMPLES, *FEW], ids=lambda path: path.stem)
-def test_latex_is_well_formed(path: Path) -> None:
-    source = to_latex(explain(solve(read(path))))
-    plain = unescaped(source)
-    depth = 0
-    for c in plain:
-        depth += {"{": 1, "}": -1}.get(c, 0)
-        assert depth >= 0
-    assert depth == 0
-    assert plain.count("$") % 2 == 0
-    open_: list[str] = []
-    for way, name in re.findall(r"\\(begin|end)\{([^}]*)\}", plain):
-        if way == "begin":
-            open_.append(name)
-        else:
-            assert open_.pop() == name
-    assert not open_
-    assert plain.count(r"\left") == plain.count(r"\right")
-    assert set(re.findall(r"\\([A-Za-z]+)", plain)) <= COMMANDS
-    title = solve(read(path)).problem.title or ""
-    assert all(c.isascii() for c in source.replace(title, "")), path
-    # No display is empty or holds a blank line, and each line of it aligns at one place.
-    for display in re.findall(r"\\begin\{align\*\}\n(.*?)\n\\end\{align\*\}", source, re.DOTALL):
-        assert display.strip()
-        assert "\n\n" not in display
-        for line in display.split(" \\\\\n"):
-            assert unescaped(line).count("&") == 1, line
 
 
 def test_formulas_among_words_are_mathematics_in_latex() -> None:

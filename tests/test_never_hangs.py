@@ -146,7 +146,7 @@ def drawn(folder: Path, *options: str, more: str = "") -> tuple[list[str], str]:
     file = folder / "drawn.txt"
     lines = file.read_text().splitlines()
     file.unlink()
-    assert len(lines) >= 100
+    assert len(lines) >= 25
     return lines, out
 
 

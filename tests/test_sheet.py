@@ -19,6 +19,7 @@ from restitution.export.sheet import Entry, Options, entry, to_html, to_pdf
 from restitution.wording import question, to_text
 
 PLAIN, ANSWERS = Options(), Options(solutions=True)
+NAMES = list(examples.names())
 SOME = ("corner", "two-spheres-with-vectors", "right-angles-afterwards", "second-wall")
 
 
@@ -149,10 +150,11 @@ def test_diagrams_can_be_left_out() -> None:
     assert "After" not in made("two-spheres-with-vectors", "html").question
 
 
-def test_every_example_on_one_sheet() -> None:
-    entries = [made(name, options=ANSWERS) for name in examples.names()]
+@pytest.mark.parametrize("names", [NAMES[::9], pytest.param(NAMES, marks=pytest.mark.nightly)])
+def test_many_examples_on_one_sheet(names: list[str]) -> None:
+    entries = [made(name, options=ANSWERS) for name in names]
     text = "\n".join(pages(to_pdf(entries, "All", ANSWERS)))
-    titles = [t for name in examples.names() if (t := r.parse(examples.text(name)).title)]
+    titles = [t for name in names if (t := r.parse(examples.text(name)).title)]
     found = " ".join(text.split())
     missing = [t for t in titles if " ".join(unicodedata.normalize("NFKC", t).split()) not in found]
     assert missing == []

@@ -6,16 +6,13 @@ import random
 import re
 from functools import cache
 from itertools import product
-from pathlib import Path
 
 import pytest
-from statements import FILES, each_of
-from test_wording import check_english, leaves, plain, sentences, worded
+from laws_of_questions import check_english, leaves, plain, read_through, sentences
 
 from restitution.language import parse
 from restitution.render import layout as lay
 from restitution.wording import Listing, Named, Question, question, to_text
-from restitution.wording.words import number_of_words
 
 # A statement without its questions, its spheres and walls, and how many events it has.
 SCENES = {
@@ -179,36 +176,6 @@ def question_of(name: str, lines: str) -> Question:
 # --- what no exam setter would print --------------------------------------------------------------
 
 # More than a long sentence of an examination paper has; a formula counts as one word.
-LONGEST = 60
-TANGLES = (
-    "𝟎 minus",
-    "minus 𝟎",
-    "minus the coordinates",
-    "negative of the coordinates",
-    "the direction to the coordinates",
-    "the sum of the sum",
-    "the product of the product",
-    "is negative of",
-    "the magnitude of the vector from",
-)
-
-
-def read_through(asked_question: Question) -> None:
-    for each in sentences(asked_question):
-        text = plain(each)
-        assert number_of_words(each) <= LONGEST, (number_of_words(each), text)
-        for tangle in TANGLES:
-            assert tangle not in text, (tangle, text)
-        # Two names side by side belong to two clauses.
-        for one, between, other in zip(each, each[1:], each[2:], strict=False):
-            assert not (between == " " and isinstance(one, Named) and isinstance(other, Named)), (
-                text
-            )
-
-
-@each_of(FILES)
-def test_what_is_printed_can_be_read(path: Path) -> None:
-    read_through(worded(path))
 
 
 @pytest.mark.parametrize(("name", "lines"), DRAWN)

@@ -1,4 +1,4 @@
-"""What an item is answered does not depend on the other ranges, extrema and claims of its part."""
+"""The answers of a statement: those that are written in it, and each by itself as all together."""
 
 from __future__ import annotations
 
@@ -6,11 +6,19 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from statements import FILES, each_of, solved
+from answers import disagreements, expected
+from statements import FILES, law, solved
 
 from restitution.language import parse
 from restitution.problem import Find, Part, Problem, Show, Value
 from restitution.solve import ItemResult, solve
+
+
+@law(FILES)
+def solves_to_the_written_answers(path: Path) -> None:
+    wanted = expected(path.read_text(encoding="utf-8"))
+    assert wanted, "a statement without answers proves nothing"
+    assert disagreements(solved(path), wanted) == []
 
 
 def bounding(part: Part) -> list[tuple[int, int]]:
@@ -53,8 +61,8 @@ def with_several(path: Path) -> bool:
     return any(len(bounding(part)) > 1 for part in problem.parts)
 
 
-@each_of([path for path in FILES if with_several(path)])
-def test_each_alone_is_answered_as_all_together(path: Path) -> None:
+@law([path for path in FILES if with_several(path)])
+def each_alone_is_answered_as_all_together(path: Path) -> None:
     together = solved(path)
     problem = together.problem
     for part in problem.parts:
