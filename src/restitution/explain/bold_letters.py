@@ -15,13 +15,22 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
-from restitution.explaining.derivation import Derivation, Fact, Line, Link, Meaning, Relation
+from restitution.explaining.derivation import (
+    Derivation,
+    Event,
+    Fact,
+    Line,
+    Link,
+    Meaning,
+    Relation,
+)
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import (
     Binary,
     Degrees,
     Expression,
+    Letter,
     Negate,
     Number,
     Polar,
@@ -43,6 +52,7 @@ _UNITS = {
     (True, "along"): "units.along-wall",
     (True, "across"): "units.across-wall",
 }
+_EITHER_WAY = {"both": "units.both-normal", "along": "units.along-normal"}
 
 
 @dataclass(frozen=True)
@@ -156,8 +166,18 @@ class BoldLetters:
 
     def has_unit(self, number: int) -> bool:
         """Whether the line of an event has unit vectors."""
-        plain = self._directions.get(number) is None or {"n", "t"} & self.taken
-        return not plain and any(self._is_vector(e, number) for e in self._events[number].bodies)
+        if self._directions.get(number) is None or {"n", "t"} & self.taken:
+            return False
+        event = self._events[number]
+        if event.wall and not self._is_told_by_the_wall(event.bodies[0]):
+            return True
+        return any(self._is_vector(each, number) for each in event.bodies)
+
+    def _is_told_by_the_wall(self, body: str) -> bool:
+        """Whether a velocity at the start is given by its angle with a wall."""
+        fact = self.derivation.fact(" ".join(("velocity", body)))
+        nodes = () if fact is None else walk(fact.relation.only[-1].right)
+        return any(isinstance(each, Polar) and each.wall is not None for each in nodes)
 
     def _is_vector(self, body: str, number: int) -> bool:
         """Whether a body comes to an event with a velocity of two components."""
@@ -207,9 +227,26 @@ class BoldLetters:
         event = self._events[number]
         which = kinds[0] if len(kinds) == 1 else "both"
         slots: dict[str, lay.Layout | str] = dict(zip(kinds, equations, strict=True))
+        name = _UNITS[event.wall, which]
         if event.wall:
             slots["wall"] = event.bodies[1]
-        self._pending.append(say(_UNITS[event.wall, which], **slots))
+            if not self._leads_into(event):
+                name = _EITHER_WAY.get(which, name)
+        self._pending.append(say(name, **slots))
+
+    def _leads_into(self, event: Event) -> bool:
+        """Whether the axis at a wall is the direction into it, by a component along that."""
+        axis = Quantity("line_of_centres", (), event.number)
+        for line in self.derivation.lines:
+            match line.relation:
+                case Relation(
+                    ((Link(Quantity("along", (Quantity("velocity", _, int(stage)), way))), *_),)
+                ) if way == axis:
+                    value = _of_acute_angles(line.relation.only[-1].right)
+                    into = -value if stage == event.number else value
+                    if into.is_nonnegative:
+                        return True
+        return False
 
 
 def _direction(derivation: Derivation, number: int) -> Vector | None:
@@ -231,14 +268,29 @@ def _direction(derivation: Derivation, number: int) -> Vector | None:
                 direction = _in_numbers(each.relation.only[-1].right)
                 if direction is not None:
                     return direction
+    return _beside_i(derivation, axis)
+
+
+def _beside_i(derivation: Derivation, axis: Quantity) -> Vector | None:
+    """The direction of a line of centres of which the angle with **i** is named, or given.
+
+    Of the two sides of **i** a working takes that of **j**.
+    """
+    relations = [each.relation for each in (*derivation.lines, *derivation.facts)]
+    for each in relations:
+        match each:
+            case Meaning(letter, Quantity("angle", sides), angle="acute") if axis in sides:
+                return _at(Letter(letter)) if Unit("i") in sides else None
+            case Relation(((Link(Quantity("angle", sides), "=", angle),),)) if axis in sides:
+                return _at(angle) if Unit("i") in sides else None
     return None
 
 
 def _in_numbers(tree: Expression) -> Vector | None:
     """A direction with both components, in numbers or of length 1; None of any other."""
     nodes = list(walk(tree))
-    if all(isinstance(each, Degrees | Number | Negate | Binary) for each in nodes):
-        return _at(tree) if any(isinstance(each, Degrees) for each in nodes) else None
+    if all(isinstance(each, Degrees | Number | Letter | Negate | Binary) for each in nodes):
+        return _at(tree) if any(isinstance(each, Degrees | Letter) for each in nodes) else None
     if not any(isinstance(each, Unit) for each in nodes):
         return None
     if any(isinstance(each, Quantity | Polar | Degrees) for each in nodes):
@@ -256,14 +308,21 @@ def _in_numbers(tree: Expression) -> Vector | None:
 
 
 def _at(tree: Expression) -> Vector | None:
-    """The direction at an angle from **i**, where its sine and its cosine are exact."""
+    """The direction at an angle from **i**, where its sine and its cosine are exact, or letters."""
     try:
         angle = sp.sympify(evaluate(tree, sp.Symbol), strict=True)
     except RestitutionError:
         return None
     way = Vector(*(tidy(each) for each in (sp.cos(angle), sp.sin(angle))))
-    exact = not any(each.has(sp.sin, sp.cos, sp.pi) for each in way)
-    return way if exact and all(way) else None
+    plain = angle.free_symbols or not any(each.has(sp.sin, sp.cos, sp.pi) for each in way)
+    return way if plain and all(way) else None
+
+
+def _of_acute_angles(tree: Expression) -> sp.Expr:
+    """A value of which letters, and sines and cosines of them, are positive."""
+    value = sp.sympify(evaluate(tree, lambda name: sp.Symbol(name, positive=True)), strict=True)
+    ratios = (each for each in value.atoms(sp.sin, sp.cos) if each.free_symbols)
+    return value.subs({each: sp.Dummy(positive=True) for each in ratios})
 
 
 def _tree_of_unit(way: Vector) -> Expression:

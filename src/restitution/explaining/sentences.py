@@ -162,6 +162,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Let {along} be the unit vector perpendicular to {wall}, towards it, and {across} the one "
         "parallel to {wall}."
     ),
+    "units.both-normal": (
+        "Let {along} be a unit vector perpendicular to {wall}, and {across} one parallel to {wall}."
+    ),
+    "units.along-normal": "Let {along} be a unit vector perpendicular to {wall}.",
     "units.along-wall": "Let {along} be the unit vector perpendicular to {wall}, towards it.",
     "units.across-wall": "Let {across} be the unit vector parallel to {wall}.",
     "offset.sine": (

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from restitution.explaining.derivation import Meaning, Move, Ref
-from restitution.expression.tree import Apply, Expression, Letter, Quantity
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Negate, Quantity
 from restitution.planning.desk import chain, together
 from restitution.planning.forms import swept, tree_of
 from restitution.planning.quantities import Formula
@@ -54,9 +54,16 @@ def ratio_line(
     right: Expression,
     value: Any,
 ) -> int:
-    """A ratio of an angle by components, and what that comes to."""
+    """A ratio of an angle by components, and what that comes to.
+
+    Where the one in the denominator is negative it keeps its sign: that tells the angle.
+    """
+    first = swept(right)
+    match right:
+        case Binary("/", above, below) if isinstance(swept(below), Negate):
+            first = Binary("/", swept(above), swept(below))
     return scene.desk.write(
-        move, refs, chain(ratio, (swept(right), None), (tree_of(value), "rearrange"))
+        move, refs, chain(ratio, (first, None), (tree_of(value), "rearrange"))
     )
 
 
