@@ -197,6 +197,8 @@ class Sources:
         if move == "inverse":
             # In which quadrant the angle lies, the signs of the components tell without a word.
             cited = [each for each in cited if self._is_ratio_of(line, each)] or cited
+            if not cited and (facts := self._given(line.premises)):
+                return Source("put", facts=facts)
         if cited == [self._cases.get(line.number)]:
             return None  # the heading of the case says it
         if len(cited) > 1 or (cited and cited[0] != above):

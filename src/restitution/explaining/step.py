@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import Any, TypeGuard
 
 import sympy as sp
 
@@ -208,6 +208,14 @@ def _factors(tree: Expression) -> Iterator[Expression]:
             yield tree
 
 
+def _is_a_wall(line: Expression) -> TypeGuard[Quantity]:
+    """Whether a direction is that of a wall."""
+    match line:
+        case Quantity("direction", (Name(),), None):
+            return True
+    return False
+
+
 def _is_angle(meaning: Meaning) -> bool:
     return meaning.angle is not None or (
         isinstance(meaning.quantity, Quantity)
@@ -390,26 +398,62 @@ class Step:
             yield from self._angles_of_data(link, world)
 
     def _angles_of_data(self, link: Link, world: World) -> Iterator[tuple[Expression, Expression]]:
-        """The angle that a velocity is given by: to a wall, or to the line of centres."""
+        """The angles that a velocity makes with lines, where its direction is given, or worked out.
+
+        They are those to walls, lines of centres, and **i** or **j**.
+        """
         match link:
-            case Link(Quantity("velocity") as velocity, "=", Polar(_, angle, origin, wall)):
-                if wall is not None:
-                    if self._is_up_to(world, angle, sp.pi / 2):
-                        yield Quantity("angle", (velocity, wall)), angle
-                    return
+            case Link(Quantity("velocity") as velocity, "=", Polar(_, angle, _, Name() as wall)):
+                if self._is_up_to(world, angle, sp.pi / 2):
+                    yield Quantity("angle", (velocity, wall)), angle
+                return
+            case Link(Quantity("velocity") as velocity, "=", Polar(_, angle, origin, _)):
                 given = Unit("i") if origin is None else origin
                 if self._is_up_to(world, angle, sp.pi):
                     yield Quantity("angle", (velocity, given)), angle
-                for axis, direction in world.directions.items():
-                    own = self._from_a_line(world, angle, given, direction)
-                    if own is not None:
-                        yield Quantity("angle", (velocity, axis)), own
+            case Link(Quantity("velocity") as velocity, "=", right):
+                along = self._along_a_unit(world, right)
+                if along is None:
+                    return
+                given, angle = along, Degrees(Fraction(0))
+            case Link(Letter(name), "=", angle):
+                meaning = next((each for each in self.lets if each.letter == name), None)
+                match meaning and meaning.quantity:
+                    case Quantity("direction", (Name() as body,), int(stage)):
+                        velocity, given = Quantity("velocity", (body,), stage), Unit("i")
+                    case _:
+                        return
+            case _:
+                return
+        for line, direction in world.directions.items():
+            own = self._from_a_line(world, angle, given, direction)
+            if own is not None:
+                wall_ = line.arguments[0] if _is_a_wall(line) else line
+                yield Quantity("angle", (velocity, wall_)), own
+
+    def _along_a_unit(self, world: World, velocity: Expression) -> Expression | None:
+        """**i** or **j**, perhaps reversed, where a velocity is a positive number of it."""
+        match velocity:
+            case Unit():
+                return velocity
+            case Negate(operand):
+                own = self._along_a_unit(world, operand)
+                return None if own is None else Negate(own)
+            case Binary("*", size, Unit() as unit):
+                value = world.expression(world.scalar(size), self.setting.roles)
+                positive = Oracle(self.setting.roles).proves(compared(value, ">", sp.Integer(0)))
+                return unit if positive else None
+        return None
 
     def _from_a_line(
         self, world: World, angle: Expression, given: Expression, line: Expression
     ) -> Expression | None:
         """The angle of up to 90° to a line, of what is turned by an angle from a direction."""
-        if given not in (line, Negate(line)) and Negate(given) != line:
+        if world.is_angle(line):
+            if given not in (Unit("i"), Negate(Unit("i"))):
+                return None
+            angle = Binary("-", angle, line)
+        elif given not in (line, Negate(line)) and Negate(given) != line:
             units = [each.operand if isinstance(each, Negate) else each for each in (given, line)]
             if not all(isinstance(each, Unit) for each in units):
                 return None

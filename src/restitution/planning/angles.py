@@ -2,18 +2,31 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Relation
-from restitution.expression.tree import Apply, Letter
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Negate,
+    Polar,
+    Unit,
+    walk,
+)
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import tree_of
 
 if TYPE_CHECKING:
     from restitution.planning.scene import Scene
+
+STRAIGHT, RIGHT = (Degrees(Fraction(each)) for each in (180, 90))
 
 
 def range_of(scene: Scene, name: str) -> str:
@@ -48,7 +61,7 @@ def write_ratios(scene: Scene, symbol: sp.Symbol) -> None:
     for each in shown:
         scene.desk.know(Apply(each, letter), others[each], (number,))
     if "tan" in others:
-        scene.desk.know(Apply("tan", letter), others["tan"], (number,))
+        scene.desk.know(Apply("tan", letter), others["tan"], (fact.id, number))
 
 
 def write_other_ratio(scene: Scene, symbol: sp.Symbol, kind: str) -> None:
@@ -66,3 +79,45 @@ def write_other_ratio(scene: Scene, symbol: sp.Symbol, kind: str) -> None:
         for own in kinds:
             scene.desk.know(Apply(own, letter), trees[own], (number,))
         return
+
+
+def angle_to_a_line(scene: Scene, body: str, line: Expression) -> Expression | None:
+    """The angle of up to 90° to a line at which the velocity of a body at the start is given.
+
+    None where it is not given by an angle, nor along **i** or **j**.
+    """
+    fact = scene.facts.get(f"velocity {body}")
+    right = None if fact is None else fact.relation.only[0].right
+    told: Expression = Degrees(Fraction(0))
+    origin: Expression | None = None
+    if isinstance(right, Polar):
+        if right.wall is not None:
+            return None
+        told, origin = right.angle, right.origin
+        given = scene.model.story.direction(origin or Unit("i"), 0)
+    elif right is not None and any(isinstance(each, Unit) for each in walk(right)):
+        given = scene.initial(body).value
+        if given.x != 0 and given.y != 0:
+            return None
+    else:
+        return None
+    turned = scene.scalar(told)
+    if all(isinstance(each, Degrees | Letter | Binary) for each in walk(line)):
+        if given.y != 0:
+            return None
+        told, turned = Binary("-", told, line), turned - scene.scalar(line)
+    else:
+        way = scene.model.story.direction(line, 0)
+        if given.cross(way) != 0:
+            if not isinstance(line, Unit) or given.dot(way) != 0:
+                return None
+            told, turned = Binary("-", RIGHT, told), sp.pi / 2 - turned
+        elif not isinstance(line, Unit | Negate) and origin != line:
+            return None
+    forms = ((told, turned), (Binary("-", STRAIGHT, told), sp.pi - turned), (None, -turned))
+    for form, value in forms:
+        if scene.model.decide(value, ">=", 0) and scene.model.decide(value, "<=", sp.pi / 2):
+            own = tidy(value)
+            plain = form is None or own.is_number or own.is_Symbol
+            return tree_of(own, angle=True) if plain else form
+    return None

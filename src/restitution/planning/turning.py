@@ -24,7 +24,7 @@ from restitution.expression.tree import (
     Unit,
     letters,
 )
-from restitution.planning.angles import range_of
+from restitution.planning.angles import angle_to_a_line, range_of
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.either_side import angle_of_centres
 from restitution.planning.forms import difference, total, tree_of
@@ -632,12 +632,18 @@ def _given_angle(scene: Scene, velocity: Quantity, wall: str) -> Source | None:
     (body,) = velocity.arguments
     assert isinstance(body, Name)
     fact = scene.facts.get(f"velocity {body.name}")
+    told, line = None, scene.facts.get(f"wall {wall}")
+    refs = [f"velocity {body.name}"]
     match fact.relation.only[0].right if fact is not None else None:
         case Polar(_, angle, wall=Name(name)) if name == wall:
-            assert fact is not None
-            value, refs = scene.put(scene.scalar(angle))
-            return Source(value, together((fact.id,), refs))
-    return None
+            told = angle
+        case _ if line is not None:
+            told = angle_to_a_line(scene, body.name, line.relation.only[0].right)
+            refs.append(line.id)
+    if told is None:
+        return None
+    value, more = scene.put(scene.scalar(told))
+    return Source(value, together(refs, more))
 
 
 __all__ = ["angle_line", "is_angle", "write_angle", "write_decimal", "write_ratio"]

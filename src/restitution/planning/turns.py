@@ -14,16 +14,18 @@ from typing import Any, Literal
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, Ref
+from restitution.explaining.derivation import Meaning, Move, Ref
 from restitution.expression.tree import (
     Binary,
     Degrees,
     Expression,
     Name,
+    Negate,
     Polar,
     Quantity,
     Unit,
 )
+from restitution.planning.angles import RIGHT, STRAIGHT, angle_to_a_line
 from restitution.planning.desk import Source, together
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
@@ -31,7 +33,8 @@ from restitution.planning.impacts import in_direction
 from restitution.planning.quantities import body_and_stage
 from restitution.planning.scene import Scene
 
-STRAIGHT, RIGHT, NONE = (Degrees(Fraction(each)) for each in (180, 90, 0))
+_I = Unit("i")
+NONE = Degrees(Fraction(0))
 
 # Of two angles p and q that are made into a third: p + q, p − q, 180° − p − q, 180° − p + q.
 Form = Literal["sum", "difference", "rest of sum", "rest of difference"]
@@ -199,7 +202,53 @@ def _direction(scene: Scene, frame: Frame, body: str, last: int) -> Direction | 
     if angle is None and not last:
         angle = _angle_of_data(scene, body, frame)
         return own if angle is None else _told(scene, own, body, angle)
+    if angle is None:
+        known = _given_to_the_line(scene, named) or _by_its_direction(scene, velocity, frame)
+        return own if known is None else replace(own, angle=known[0], told=known[1])
     return own
+
+
+def _given_to_the_line(
+    scene: Scene, angle: Quantity
+) -> tuple[Expression, tuple[Ref, ...]] | None:
+    """An angle to the line of centres that is given in degrees, with the fact."""
+    for each in scene.given:
+        own = each.link
+        if (own.left, own.sign) == (angle, "=") and isinstance(own.right, Degrees):
+            return own.right, each.refs
+    return None
+
+
+def _by_its_direction(
+    scene: Scene, velocity: Quantity, frame: Frame
+) -> tuple[Expression, tuple[Ref, ...]] | None:
+    """An angle to a line of centres along **i**, by a direction that a line tells."""
+    direction = Quantity("direction", velocity.arguments, velocity.stage)
+    known = scene.desk.known(direction)
+    axis = scene.facts.get(f"axis {frame.number}")
+    if known is None or axis is None or axis.relation.only[0].right not in (_I, Negate(_I)):
+        return None
+    lines = [each for each in known.refs if isinstance(each, int)]
+    meanings = [
+        each.number
+        for each in scene.desk.lines
+        if isinstance(each.relation, Meaning) and each.relation.quantity == direction
+    ]
+    if known.value.free_symbols or len(lines) != 1 or not meanings:
+        return None
+    return _acute(scene.desk.last_link(lines[0]).right), (*lines, *meanings)
+
+
+def _acute(angle: Expression) -> Expression:
+    """The angle of up to 90° to **i**, or to its opposite, of a direction."""
+    match angle:
+        case Negate(operand):
+            return _acute(operand)
+        case Binary("-", left, right) if STRAIGHT in (left, right):
+            return right if left == STRAIGHT else left
+        case Degrees(value) if value > 90:
+            return Degrees(180 - value)
+    return angle
 
 
 def _told(scene: Scene, direction: Direction, body: str, angle: Expression) -> Direction:
@@ -213,27 +262,8 @@ def _told(scene: Scene, direction: Direction, body: str, angle: Expression) -> D
 
 def _angle_of_data(scene: Scene, body: str, frame: Frame) -> Expression | None:
     """The angle of up to 90° to the line of centres at which a velocity is given."""
-    fact = scene.facts.get(f"velocity {body}")
-    if fact is None or not isinstance(polar := fact.relation.only[0].right, Polar):
-        return None
     axis = scene.facts.get(f"axis {frame.number}")
-    if polar.wall is not None or axis is None:
-        return None
-    line = axis.relation.only[0].right
-    given = scene.model.story.direction(polar.origin or Unit("i"), 0)
-    told = polar.angle
-    turned = scene.scalar(told)
-    if given.cross(frame.n) != 0:
-        if not isinstance(line, Unit) or given.dot(frame.n) != 0:
-            return None
-        told, turned = Binary("-", RIGHT, told), sp.pi / 2 - turned
-    elif not isinstance(line, Unit) and polar.origin != line:
-        return None
-    for form, value in ((told, turned), (Binary("-", STRAIGHT, told), sp.pi - turned)):
-        if scene.model.decide(value, ">=", 0) and scene.model.decide(value, "<=", sp.pi / 2):
-            own = tidy(scene.scalar(form))
-            return tree_of(own, angle=True) if own.is_number else form
-    return None
+    return None if axis is None else angle_to_a_line(scene, body, axis.relation.only[0].right)
 
 
 def _form_of(scene: Scene, p: Direction, q: Direction, same: bool) -> tuple[Form | None, bool]:
