@@ -442,7 +442,11 @@ class Leads:
             return None
         body = line.move.bodies[0]
         if event.wall:
-            return say("turned-wall.sum", body=body, wall=event.bodies[1])
+            name = "turned-wall.sum"
+            if line.move.record == "difference":
+                straight = first.right == Degrees(Fraction(180))
+                name = "turned-wall.straight" if straight else "turned-wall.along"
+            return say(name, body=body, wall=event.bodies[1])
         for each in walk(first.right):
             meaning = self._naming.meanings.get(each.name) if isinstance(each, Letter) else None
             match None if meaning is None else meaning.quantity:

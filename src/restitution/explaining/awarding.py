@@ -168,6 +168,7 @@ RULES: tuple[Rule, ...] = (
         ("difference",),
         ("of-angles", "in-letters", "on-the-way"),
     ),
+    _rule("angle-read-off", ("define",), "", ("difference",), ("of-angles", "read-off")),
     _rule("angle-by-a-difference", ("define",), "M", ("difference",), ("of-angles",)),
     _rule("place-by-a-path", ("define",), "M", ("straight-line",), ("place-of-facts",)),
     _rule("place-on-an-axis", ("define",), "", ("straight-line",), ("zero", "on-the-way")),
@@ -927,6 +928,10 @@ CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
     "of-facts": _of_facts,
     "of-angles": _of_angles,
     "in-letters": _in_letters,
+    "read-off": lambda work, line: (
+        isinstance(line.relation, Relation)
+        and not isinstance(line.relation.options[0][0].right, Binary)
+    ),
     "place-of-facts": _place_of_facts,
     "another-chord": _another_chord,
     "time": lambda work, line: getattr(_subject(line), "kind", None) == "time",

@@ -272,6 +272,11 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{body} comes at right angles to the line of centres, so it turns through 90° less its "
         "new angle to that line:"
     ),
+    "turned-wall.straight": "{body} hits {wall} at right angles, so it is sent straight back:",
+    "turned-wall.along": (
+        "{body} goes on along {wall}, so it turns through the angle that its path made with "
+        "{wall} before:"
+    ),
     "turned.straight": "{body} is sent straight back along the line of centres:",
     "turned.from": (
         "{body} turns through the difference of the angles that its velocities make with {axis}:"

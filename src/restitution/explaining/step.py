@@ -385,6 +385,18 @@ class Step:
                     yield axis, value
 
     def _turns(self, world: World) -> Iterator[tuple[Expression, Expression]]:
+        """Angles by what is cited of them; one with a wall tells the one with its normal."""
+        for quantity, value in self._told_turns(world):
+            yield quantity, value
+            match quantity:
+                case Quantity("angle", (velocity, Name(wall))):
+                    rest = Binary("-", Degrees(Fraction(90)), value)
+                    for event in self.setting.events:
+                        if event.wall and event.bodies[1] == wall:
+                            normal = Quantity("line_of_centres", (), event.number)
+                            yield Quantity("angle", (velocity, normal)), rest
+
+    def _told_turns(self, world: World) -> Iterator[tuple[Expression, Expression]]:
         for meaning in self.lets:
             if _is_angle(meaning):
                 yield meaning.quantity, Letter(meaning.letter)

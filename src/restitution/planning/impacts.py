@@ -84,10 +84,9 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
         form = by_degrees(scene, kind, body, frame, value)
         return _put(scene, Source(value, initial.refs, frame.refs, form))
     vector = scene.desk.known(Quantity("velocity", (Name(body),), last))
-    if vector is not None and last not in scene.model.frames:
-        return _put(scene, Source(tidy(vector.value.dot(direction)), vector.refs, frame.refs))
     if last not in scene.model.frames:
-        return _of_vector(scene, kind, body, frame, blown(scene, body, last), last)
+        blow = blown(scene, body, last) if vector is None else vector
+        return _of_vector(scene, kind, body, frame, blow, last)
     own = scene.frame(last)
     for each in ("along", "across"):
         sign = _parallel(scene, own.direction(each), direction)
@@ -98,10 +97,23 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
             axis = source.axis
             if own.component(each, body, last) != tree:
                 axis = together(axis, own.unit_free, frame.unit_free)
-            return _put(scene, Source(sign * source.value, source.refs, axis))
+            turned = _put(scene, Source(sign * source.value, source.refs, axis))
+            if (each, sign) != (kind, 1) and frame.is_slanted and turned.value != 0:
+                return _as_a_line(scene, tree, turned, frame)
+            return turned
     if vector is not None and not (direction.x and direction.y):
         return _put(scene, Source(vector.value.dot(direction), vector.refs, frame.unit_free))
     return _resolved(scene, kind, body, last, frame)
+
+
+def _as_a_line(scene: Scene, quantity: Quantity, source: Source, frame: Frame) -> Source:
+    """A component that is known in another direction, or in the other sense, in a line."""
+    number = scene.desk.write(
+        Move("define", "component", frame.number, _body(quantity)),
+        source.whole,
+        chain(quantity, (tree_of(source.value), None)),
+    )
+    return scene.desk.know(quantity, source.value, (number,))
 
 
 def _on_a_chord(scene: Scene, kind: str, body: str, since: int, frame: Frame) -> Source:
@@ -390,7 +402,12 @@ def _given_after(scene: Scene, kind: str, body: str, frame: Frame) -> Source | N
     velocity = Quantity("velocity", (Name(body),), frame.number)
     given = velocity_given(scene, body, frame.number)
     if given is not None:
-        return _of_vector(scene, kind, body, frame, Source(given[1], given[2]))
+        speed = Quantity("speed", velocity.arguments, frame.number)
+        told = any(each.link.left == speed for each in scene.given)
+        along = told and tidy(given[1].cross(frame.direction(kind))) == 0
+        # Along its own direction a velocity has its speed as its component.
+        size = tree_of(tidy(given[1].dot(frame.direction(kind)))) if along else None
+        return _of_vector(scene, kind, body, frame, Source(given[1], given[2], form=size))
     known = scene.desk.known(velocity)
     return None if known is None else _of_vector(scene, kind, body, frame, known)
 
@@ -402,7 +419,7 @@ def _of_vector(
     direction = frame.direction(kind)
     if frame.is_slanted and all(x.is_number for x in frame.n):
         quantity = frame.component(kind, body, frame.number if stage is None else stage)
-        return _by_scalar_product(scene, quantity, source, frame, direction)
+        return _by_scalar_product(scene, quantity, source, frame, direction, source.form)
     own = Source(tidy(source.value.dot(direction)), source.refs, frame.refs)
     return _put(scene, own)
 

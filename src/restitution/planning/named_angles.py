@@ -62,9 +62,7 @@ def ratio_line(
     match right:
         case Binary("/", above, below) if isinstance(swept(below), Negate):
             first = Binary("/", swept(above), swept(below))
-    return scene.desk.write(
-        move, refs, chain(ratio, (first, None), (tree_of(value), "rearrange"))
-    )
+    return scene.desk.write(move, refs, chain(ratio, (first, None), (tree_of(value), "rearrange")))
 
 
 def tangent_line(scene: Scene, asked: Quantity, own: Formula, move: Move) -> tuple[int, str]:

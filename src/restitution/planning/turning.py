@@ -28,6 +28,7 @@ from restitution.planning.angles import angle_to_a_line, range_of
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.either_side import angle_of_centres
 from restitution.planning.forms import difference, total, tree_of
+from restitution.planning.frames import Frame
 from restitution.planning.impacts import in_direction
 from restitution.planning.lines_between import (
     angle_of_lines,
@@ -481,7 +482,7 @@ def _deflection(
     refs = together(*(each.whole for each in (*early, *late)), names)
     a, b = (Vector(*(each.value for each in own)) for own in (early, late))
     dot, cross = tidy(expanded(a.dot(b))), tidy(expanded(a.cross(b)))
-    if frame.wall is None and wanted is None and scene.model.identically_zero(cross):
+    if wanted is None and scene.model.identically_zero(cross):
         straight = _by_turn(scene, asked, wanted)
         if straight is not None:
             return straight
@@ -585,6 +586,8 @@ def _by_sum(scene: Scene, asked: Quantity) -> int:
     assert isinstance(event, int)
     frame = scene.frame(event)
     assert frame.wall is not None
+    if (alone := _left_along_the_wall(scene, asked, frame)) is not None:
+        return alone
     terms: list[Expression] = []
     refs: list[Ref] = []
     total_: Any = 0
@@ -614,6 +617,32 @@ def _by_sum(scene: Scene, asked: Quantity) -> int:
         together(refs),
         chain(asked, (right, None), (tree, "rearrange")),
     )
+
+
+def _left_along_the_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | None:
+    """The deflection of a body that goes on along the wall: the angle to that before."""
+    (body,) = asked.arguments
+    assert isinstance(body, Name)
+    assert frame.wall is not None
+    late = in_direction(scene, "along", body.name, frame.number, frame)
+    early = Quantity("velocity", (body,), scene.last_event(body.name, frame.number - 1))
+    if late.value != 0:
+        return None
+    told = _given_angle(scene, early, frame.wall)
+    if told is None:
+        line = angle_line(scene, Quantity("angle", (early, Name(frame.wall))))
+        named = letter_of(scene, Quantity("angle", (early, Name(frame.wall))))[1]
+        own, refs = scene.desk.last_link(line).right, (line, named)
+    else:
+        own, refs = tree_of(told.value, angle=True), told.refs
+    sides = [in_direction(scene, "across", body.name, frame.number - n, frame) for n in (0, 1)]
+    pool = together(refs, late.whole, *(each.whole for each in sides), frame.refs)
+    move, relation = (
+        Move("define", "difference", frame.number, (body.name,)),
+        chain(asked, (own, None)),
+    )
+    premises = scene.judge.needed(move, pool, relation)
+    return None if premises is None else scene.desk.write(move, premises, relation)
 
 
 def _by_its_ratio(scene: Scene, given: Source) -> Source:

@@ -106,12 +106,15 @@ def turns_of(scene: Scene, asked: Quantity) -> Iterator[Turn]:
     if one == other and first > second:
         pair = pair[::-1]
     event = impact_of(scene, *pair)
-    if event is None or (frame := scene.frame(event)).wall is not None:
+    if event is None:
         return
+    frame = scene.frame(event)
     p, q = (_direction(scene, frame, *each) for each in pair)
     if p is None or q is None:
         return
     told = {p.angle, q.angle}
+    if frame.wall is not None and told != {NONE}:
+        return  # at a wall the angles are those to the wall
     if one != other and NONE in told and RIGHT not in told:
         return  # the other angle is what is asked
     move = Move("define", "difference", event, (one,) if one == other else (one, other))
@@ -208,9 +211,7 @@ def _direction(scene: Scene, frame: Frame, body: str, last: int) -> Direction | 
     return own
 
 
-def _given_to_the_line(
-    scene: Scene, angle: Quantity
-) -> tuple[Expression, tuple[Ref, ...]] | None:
+def _given_to_the_line(scene: Scene, angle: Quantity) -> tuple[Expression, tuple[Ref, ...]] | None:
     """An angle to the line of centres that is given in degrees, with the fact."""
     for each in scene.given:
         own = each.link
