@@ -168,7 +168,7 @@ RULES: tuple[Rule, ...] = (
         ("difference",),
         ("of-angles", "in-letters", "on-the-way"),
     ),
-    _rule("angle-read-off", ("define",), "", ("difference",), ("of-angles", "read-off")),
+    _rule("angle-read-off", ("define",), "", ("difference",), ("of-angles", "at-once")),
     _rule("angle-by-a-difference", ("define",), "M", ("difference",), ("of-angles",)),
     _rule("place-by-a-path", ("define",), "M", ("straight-line",), ("place-of-facts",)),
     _rule("place-on-an-axis", ("define",), "", ("straight-line",), ("zero", "on-the-way")),
@@ -928,7 +928,7 @@ CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
     "of-facts": _of_facts,
     "of-angles": _of_angles,
     "in-letters": _in_letters,
-    "read-off": lambda work, line: (
+    "at-once": lambda work, line: (
         isinstance(line.relation, Relation)
         and not isinstance(line.relation.options[0][0].right, Binary)
     ),

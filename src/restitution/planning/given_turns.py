@@ -9,6 +9,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref, Relation
 from restitution.expression.tree import Apply, Binary, Degrees, Expression, Letter, Quantity
+from restitution.planning.angles import RIGHT, STRAIGHT
 from restitution.planning.desk import chain, together
 from restitution.planning.forms import ZERO, swept, tree_of
 from restitution.planning.named_angles import letter_of
@@ -16,7 +17,7 @@ from restitution.planning.premises import background
 from restitution.planning.quantities import formula
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.turn_lines import by_tangents, made_of_angles, terms_of
-from restitution.planning.turns import NONE, RIGHT, STRAIGHT, Direction, Turn, turns_of
+from restitution.planning.turns import NONE, Direction, Turn, turns_of
 
 
 def given_turn(scene: Scene, each: GivenEquation) -> int | None:

@@ -107,12 +107,21 @@ def whole_velocity(scene: Scene, body: str, stage: int) -> Source:
 
 
 def cosine_of(
-    pairs: list[tuple[Expression, Expression]], a: Any, b: Any
+    pairs: list[tuple[Expression, Expression]],
+    a: Any,
+    b: Any,
+    known: tuple[Expression | None, Expression | None] = (None, None),
 ) -> tuple[Expression, sp.Expr]:
-    """The cosine of the angle between two vectors: as it is written, and what it comes to."""
+    """The cosine of the angle between two vectors: as it is written, and what it comes to.
+
+    ``known`` are their sizes, where they are known.
+    """
     above = total(product(p, q) for p, q in pairs)
     sizes = []
     for n in (0, 1):
+        if (size_ := known[n]) is not None:
+            sizes.append(size_)
+            continue
         own = [square(each[n]) for each, value in zip(pairs, (a, b)[n], strict=True) if value != 0]
         one = [each[n] for each, value in zip(pairs, (a, b)[n], strict=True) if value != 0]
         alone = one[0].operand if isinstance(one[0], Negate) else one[0]

@@ -89,7 +89,7 @@ def _of_journey(scene: Scene, quantity: Quantity) -> Formula:
     return _of_line(scene, quantity, *journeys.write(scene, quantity))
 
 
-def _as_known_vector(scene: Scene, body: str, stage: int) -> Source | None:
+def known_vector(scene: Scene, body: str, stage: int) -> Source | None:
     """A velocity that is known as a vector: after a blow, or by a line, in a slanting frame."""
     velocity = Quantity("velocity", (Name(body),), stage)
     if not stage:
@@ -231,7 +231,7 @@ def squares(
     """
     if not stage:
         return _initial_square(scene, body)
-    struck = _as_known_vector(scene, body, stage)
+    struck = known_vector(scene, body, stage)
     if struck is not None:
         value, more = scene.put(struck.value)
         tree = total(square(tree_of(each)) for each in value if each != 0)
@@ -239,7 +239,7 @@ def squares(
     frame = frame_after(scene, body, stage)
     own = parts(scene, body, stage, frame)
     known = known and not any(scene.unknown(each.value) for each in own)
-    speed = _known_speed(scene, body, stage) if known else None
+    speed = known_speed(scene, body, stage) if known else None
     if speed is not None:
         return square(tree_of(speed.value)), speed.value**2, speed.refs
     refs = together(*(each.refs for each in own), _bridge(frame, own))
@@ -247,7 +247,7 @@ def squares(
     return tree, sum(each.value**2 for each in own), refs
 
 
-def _known_speed(scene: Scene, body: str, stage: int) -> Source | None:
+def known_speed(scene: Scene, body: str, stage: int) -> Source | None:
     """A speed that is given, or a line already; None where it is neither."""
     quantity = Quantity("speed", (Name(body),), stage)
     known = scene.desk.known(quantity)

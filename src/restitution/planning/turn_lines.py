@@ -20,14 +20,14 @@ from restitution.expression.tree import (
     Quantity,
     letters,
 )
-from restitution.planning.angles import range_of, write_other_ratio
+from restitution.planning.angles import RIGHT, range_of, write_other_ratio
 from restitution.planning.desk import chain, together
 from restitution.planning.forms import ONE, difference, product, swept, total, tree_of
 from restitution.planning.named_angles import letter_of, tangent_line
 from restitution.planning.premises import background
 from restitution.planning.quantities import formula
 from restitution.planning.scene import Scene
-from restitution.planning.turns import NONE, RIGHT, Direction, Form, Turn
+from restitution.planning.turns import NONE, Direction, Form, Turn
 
 
 @dataclass(frozen=True)

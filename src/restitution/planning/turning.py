@@ -45,6 +45,8 @@ from restitution.planning.quantities import (
     body_and_stage,
     formula,
     in_the_plane,
+    known_speed,
+    known_vector,
     velocity_source,
 )
 from restitution.planning.scalar_angles import is_long, write_cosine, write_right_angle
@@ -446,10 +448,20 @@ def _between_lines(scene: Scene, asked: Quantity) -> Ratio:
     return Ratio(line, letter, "cos", own.value, extent.format(letter))
 
 
-def _by_scalar(scene: Scene, move: Move, sources: list[Source], asked: Quantity) -> Ratio | int:
-    """An angle between two vectors that are known, by their scalar product."""
+def _by_scalar(
+    scene: Scene,
+    move: Move,
+    sources: list[Source],
+    asked: Quantity,
+    sizes: tuple[Expression | None, Expression | None] = (None, None),
+) -> Ratio | int:
+    """An angle between two vectors that are known, by their scalar product.
+
+    ``sizes`` are those of the vectors, where they are known too.
+    """
     a, b = (each.value for each in sources)
-    right, value = cosine_of([(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)], a, b)
+    pairs = [(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)]
+    right, value = cosine_of(pairs, a, b, sizes)
     if is_long(right):
         if value == 0 and (line := write_right_angle(scene, asked)) is not None:
             return line
@@ -470,9 +482,7 @@ def _deflection(
 ) -> Ratio | int:
     """The cosine or tangent of a deflection; the line of one that is made of two angles."""
     if event not in scene.model.frames:
-        sources = [velocity_source(scene, body, stage) for stage in (event - 1, event)]
-        move = Move("define", "scalar-angle", event, (body,))
-        return _by_scalar(scene, move, sources, asked)
+        return _turned_by_a_blow(scene, body, event, asked)
     frame = scene.frame(event)
     early, late = (
         tuple(in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))
@@ -529,6 +539,17 @@ def _deflection(
     own = formula(scene, asked)
     line, letter = tangent_line(scene, asked, own, own.move)
     return Ratio(line, letter, "tan", own.value, _RANGES["deflection"].format(letter))
+
+
+def _turned_by_a_blow(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio | int:
+    """The angle between the velocities before and after a blow; a speed that is given is one."""
+    early = velocity_source(scene, body, event - 1)
+    late = known_vector(scene, body, event) or velocity_source(scene, body, event)
+    speed = known_speed(scene, body, event)
+    move = Move("define", "scalar-angle", event, (body,))
+    plain = speed is not None and sp.sympify(speed.value, strict=True).is_Rational
+    sizes = (None, tree_of(speed.value) if speed is not None and plain else None)
+    return _by_scalar(scene, move, [early, late], asked, sizes)
 
 
 def _by_cosine(scene: Scene, asked: Quantity) -> Ratio | None:
@@ -632,7 +653,7 @@ def _left_along_the_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | N
     if told is None:
         line = angle_line(scene, Quantity("angle", (early, Name(frame.wall))))
         named = letter_of(scene, Quantity("angle", (early, Name(frame.wall))))[1]
-        own, refs = scene.desk.last_link(line).right, (line, named)
+        own, refs = scene.desk.last_link(line).right, together((line, named))
     else:
         own, refs = tree_of(told.value, angle=True), told.refs
     sides = [in_direction(scene, "across", body.name, frame.number - n, frame) for n in (0, 1)]
