@@ -25,6 +25,7 @@ from restitution.explaining.derivation import (
     Relation,
 )
 from restitution.explaining.saying import Sentence, say
+from restitution.explaining.trials import on_either_side
 from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import (
     Binary,
@@ -274,15 +275,18 @@ def _direction(derivation: Derivation, number: int) -> Vector | None:
 def _beside_i(derivation: Derivation, axis: Quantity) -> Vector | None:
     """The direction of a line of centres of which the angle with **i** is named, or given.
 
-    Of the two sides of **i** a working takes that of **j**.
+    It may be on either side of **i**, of which a working takes that of **j**.
     """
-    relations = [each.relation for each in (*derivation.lines, *derivation.facts)]
+    if axis.stage not in on_either_side(derivation):
+        return None
+    relations = [each.relation for each in derivation.lines]
+    relations += [each.relation for each in derivation.facts]
     for each in relations:
         match each:
             case Meaning(letter, Quantity("angle", sides), angle="acute") if axis in sides:
-                return _at(Letter(letter)) if Unit("i") in sides else None
+                return _in_numbers(Letter(letter)) if Unit("i") in sides else None
             case Relation(((Link(Quantity("angle", sides), "=", angle),),)) if axis in sides:
-                return _at(angle) if Unit("i") in sides else None
+                return _in_numbers(angle) if Unit("i") in sides else None
     return None
 
 
