@@ -125,6 +125,10 @@ class Leads:
                 line.move.record == "perpendicular" and is_zero(link.right)
             ):
                 return (say("given.component", fact=told, axis=self._naming.laid(unit)),)
+        if line.move.record in ("sum", "difference") and len(line.move.bodies) == 1:
+            turned = self._turned(line)
+            if turned is not None:
+                return (say("given.and", fact=told), turned)
         if isinstance(line.relation.options[0][0].left, Letter):
             return (say("given.fact", fact=told),)
         past = past_a_right_angle(facts[0].relation.only[0])
@@ -335,7 +339,9 @@ class Leads:
             how = say(self._identity(line))
             equations = () if source is None else self._numbers(source)
             told = self._angles_given(line)
-            if told is not None and told.id not in self._given:
+            if told is not None and line.move.record == "complement":
+                yield say("derived.since", facts=(self._naming.fact(told),))
+            elif told is not None and told.id not in self._given:
                 self._given.add(told.id)
                 yield say("derived.since-by", facts=(self._naming.fact(told),), how=how)
             elif equations:
@@ -406,7 +412,8 @@ class Leads:
             return name
         assert isinstance(line.relation, Relation)
         link = line.relation.options[0][0]
-        ratios = {e.function for e in (*walk(link.left), *walk(link.right)) if isinstance(e, Apply)}
+        nodes = (*walk(link.left), *walk(link.right))
+        ratios = {e.function for e in nodes if isinstance(e, Apply)} - {"sqrt"}
         if ratios != {"tan"}:
             return name
         sides: tuple[Expression, ...]
@@ -427,7 +434,7 @@ class Leads:
         for each in facts:
             if each is not None and each.kind == "given" and len(each.relation.options) == 1:
                 match each.relation.only:
-                    case (Link(Binary("+" | "-"), "="),):
+                    case (Link(Binary("+" | "-"), "=") | Link(_, "=", Binary("+" | "-")),):
                         return each
         return None
 
@@ -447,19 +454,32 @@ class Leads:
                 straight = first.right == Degrees(Fraction(180))
                 name = "turned-wall.straight" if straight else "turned-wall.along"
             return say(name, body=body, wall=event.bodies[1])
-        for each in walk(first.right):
+        for each in (*walk(first.left), *walk(first.right)):
             meaning = self._naming.meanings.get(each.name) if isinstance(each, Letter) else None
             match None if meaning is None else meaning.quantity:
                 case Quantity("angle", (Quantity("velocity"), Unit() as axis)):
                     return say("turned.from", body=body, axis=self._naming.laid(axis))
-        form = _form_of(first.right)
+        form = self._form_of(first)
         alone = len(line.move.bodies) == 1
         if not alone:
             return say(_BETWEEN[form], bodies=line.move.bodies)
         if form == "square":
             name = "turned.square" if self._ends_square(line) else "turned.from-square"
             return say(name, body=body)
-        return say(_TURNED[form], body=body)
+        return say(_TURNED[form], body=body) if form in _TURNED else None
+
+    def _form_of(self, link: Link) -> str:
+        """How an angle is made of two to the line of centres, of which a line may give one."""
+        if isinstance(link.left, Binary):
+            return _form_of(link.left)
+        meaning = (
+            self._naming.meanings.get(link.left.name) if isinstance(link.left, Letter) else None
+        )
+        match None if meaning is None else meaning.quantity:
+            case Quantity("angle", (Quantity("velocity"), Quantity("line_of_centres"))):
+                form = _form_of(link.right)
+                return "difference" if form == "sum" else form
+        return _form_of(link.right)
 
     def _squares(self, line: Line) -> bool:
         """Whether a line rests on a right angle between a velocity and a fixed direction."""
