@@ -53,6 +53,12 @@ _UNITS = {
     (True, "along"): "units.along-wall",
     (True, "across"): "units.across-wall",
 }
+_FROM_THE_FIRST = {"both": "units.both-from", "along": "units.along-from"}
+_RADIAL = {
+    "both": "units.both-circle",
+    "along": "units.along-circle",
+    "across": "units.across-circle",
+}
 _EITHER_WAY = {"both": "units.both-normal", "along": "units.along-normal"}
 
 
@@ -73,7 +79,7 @@ class BoldLetters:
 
     ``used`` are those that it turns out to need, where that is known: then each is introduced with
     those of its time. ``taken`` are letters that stand for something else, ``when`` says a time,
-    and ``laid`` prints a tree.
+    ``laid`` prints a tree, and ``circles`` are the walls that are circular.
     """
 
     derivation: Derivation
@@ -81,6 +87,7 @@ class BoldLetters:
     when: Callable[[int], Sentence]
     laid: Callable[[Expression], lay.Layout]
     used: Used | None = None
+    circles: frozenset[str] = frozenset()
     part: str | None = None
     _velocities: dict[tuple[str, int], lay.Bold] = field(default_factory=dict)
     _parts: dict[tuple[str, int], str | None] = field(default_factory=dict)
@@ -201,6 +208,14 @@ class BoldLetters:
         whole, _ = whole_direction(direction if kind == "along" else direction.turned_left())
         return self.laid(tree_of(whole))
 
+    def across_wall(self, wall: str) -> lay.Layout | None:
+        """The direction of a wall turned to the left, as a vector; None where it is not told."""
+        fact = self.derivation.fact(" ".join(("wall", wall)))
+        direction = None if fact is None else _in_numbers(fact.relation.only[-1].right)
+        if direction is None:
+            return None
+        return self.laid(tree_of(whole_direction(direction.turned_left())[0]))
+
     def unit(self, number: int, kind: str) -> lay.Bold | None:
         """The unit vector along the line of an event, or across it; None where there is none."""
         direction = self._directions.get(number)
@@ -231,8 +246,14 @@ class BoldLetters:
         name = _UNITS[event.wall, which]
         if event.wall:
             slots["wall"] = event.bodies[1]
-            if not self._leads_into(event):
+            if event.bodies[1] in self.circles:
+                name = _RADIAL[which]
+            elif not self._leads_into(event):
                 name = _EITHER_WAY.get(which, name)
+        elif which != "across" and self.derivation.fact(f"axis {number}") is None:
+            # A line of centres that is worked out leads from the first sphere to the second.
+            name = _FROM_THE_FIRST[which]
+            slots |= {"first": event.bodies[0], "second": event.bodies[1]}
         self._pending.append(say(name, **slots))
 
     def _leads_into(self, event: Event) -> bool:

@@ -462,6 +462,10 @@ class Leads:
         form = self._form_of(first)
         alone = len(line.move.bodies) == 1
         if not alone:
+            still = self._standing(line).get("along")
+            if still is not None and form in _BESIDE:
+                (other,) = (each for each in line.move.bodies if each != still)
+                return say(_BESIDE[form], one=still, other=other)
             return say(_BETWEEN[form], bodies=line.move.bodies)
         if form == "square":
             name = "turned.square" if self._ends_square(line) else "turned.from-square"
@@ -565,6 +569,13 @@ class Leads:
 
     def _apart(self, line: Line) -> Sentence | None:
         """Who moves across the line of centres, and who along it, where that is a right angle."""
+        still = self._standing(line)
+        if set(still) != {"along", "across"}:
+            return None
+        return say("derived.apart", one=still["along"], other=still["across"])
+
+    def _standing(self, line: Line) -> dict[str, str]:
+        """The bodies of which a component is zero by the lines that are cited, by its kind."""
         refs = [ref for ref in line.premises if isinstance(ref, int)]
         cited = [each for ref in refs if (each := self._derivation.line(ref)) is not None]
         meanings = {e.relation.letter: e.relation for e in cited if isinstance(e.relation, Meaning)}
@@ -577,9 +588,7 @@ class Leads:
                     match left:
                         case Quantity(kind, (Quantity("velocity", (Name(body),), _), _)):
                             still[kind] = body
-        if set(still) != {"along", "across"}:
-            return None
-        return say("derived.apart", one=still["along"], other=still["across"])
+        return still
 
     def _of_the_story(self, line: Line) -> Sentence | None:
         """What has to be for there to be such an impact, where that is what a line says."""
@@ -780,6 +789,10 @@ _TURNED = {
     "difference": "turned.on",
     "rest-of-sum": "turned.back",
     "straight": "turned.straight",
+}
+_BESIDE = {
+    "square": "between.beside-same",
+    "square-and-more": "between.beside-opposite",
 }
 _BETWEEN = {
     "sum": "between.opposite-sides",

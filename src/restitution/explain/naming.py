@@ -79,7 +79,14 @@ class Naming:
         for line in self.derivation.lines:
             if not isinstance(line.relation, Meaning):
                 self._used |= {n for tree in trees_of(line.relation) for n in letters(tree)}
-        self.bold = BoldLetters(self.derivation, self._used, self._plain_when, self.laid, self.used)
+        self.bold = BoldLetters(
+            self.derivation,
+            self._used,
+            self._plain_when,
+            self.laid,
+            self.used,
+            frozenset(self._circles),
+        )
         self._often = Counter(
             node
             for line in self.derivation.lines
@@ -484,6 +491,10 @@ class Naming:
                 return say("derived.component-unit", axis=self.laid(axis), of=of)
             if kind == "along":
                 return say("derived.component-along-vector", axis=self.laid(axis), of=of)
+            way = self.bold.across_wall(axis.name) if isinstance(axis, Name) else None
+            if way is not None:
+                own = self.laid(axis)
+                return say("derived.component-across-sense", axis=own, way=way, of=of)
             return say("derived.component-across-vector", axis=self.laid(axis), of=of)
         if event.wall and kind == "along":
             return say("derived.component-towards", of=of, wall=event.bodies[1])

@@ -25,6 +25,7 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Negate,
     Number,
     has_quantity,
     letters,
@@ -73,7 +74,8 @@ class Reasons:
             *self._silent(line),
         )
         if line.move.id == "inverse":
-            reasons = ()  # the acute angle is what the arc functions give
+            # An angle of up to 90° is what the arc functions give.
+            reasons = self._beyond_a_right_angle(line, reasons)
         if line.move.id == "reject" and not reasons:
             reasons = tuple(self._positive(line))
         return (say("derived.as", reasons=reasons),) if reasons else ()
@@ -91,6 +93,28 @@ class Reasons:
         if not equations:
             return None
         return say("derived.would", value=value, result=result, equations=equations)
+
+    def _beyond_a_right_angle(
+        self, line: Line, known: tuple[Sentence | lay.Layout, ...]
+    ) -> tuple[Sentence | lay.Layout, ...]:
+        """Why an angle of the statement is obtuse or more: a component has a sign, or its range."""
+        assert isinstance(line.relation, Relation)
+        link = line.relation.only[0]
+        if not isinstance(link.left, Letter) or link.left.name in self._naming.meanings:
+            return ()
+        if not any(isinstance(e, Degrees) and e.value > 90 for e in walk(link.right)):
+            return ()
+        signs: list[Sentence | lay.Layout] = []
+        for ref in line.premises:
+            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            match own.relation if own is not None else None:
+                case Relation(((Link(left, "=", right),),)):
+                    sign = "<" if isinstance(right, Negate) else ">"
+                    ratios = [Apply(each, link.left) for each in ("sin", "cos")]
+                    for each in (e for e in ratios if e in set(walk(left))):
+                        told = Link(each, sign, Number(Fraction(0)))  # type: ignore[arg-type]
+                        signs.append(self._laid(Relation(((told,),))))
+        return tuple(signs) or known
 
     @staticmethod
     def _by_pythagoras(line: Line) -> bool:

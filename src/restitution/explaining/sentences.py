@@ -165,6 +165,19 @@ SENTENCES: Mapping[SentenceId, str] = {
     "units.both-normal": (
         "Let {along} be a unit vector perpendicular to {wall}, and {across} one parallel to {wall}."
     ),
+    "units.both-from": (
+        "Let {along} be the unit vector along the line of centres, from {first} to {second}, and "
+        "{across} the one perpendicular to it."
+    ),
+    "units.along-from": (
+        "Let {along} be the unit vector along the line of centres, from {first} to {second}."
+    ),
+    "units.both-circle": (
+        "Let {along} be the unit vector along the radius, towards {wall}, and {across} the one "
+        "perpendicular to it."
+    ),
+    "units.along-circle": "Let {along} be the unit vector along the radius, towards {wall}.",
+    "units.across-circle": "Let {across} be the unit vector parallel to {wall}.",
     "units.along-normal": "Let {along} be a unit vector perpendicular to {wall}.",
     "units.along-wall": "Let {along} be the unit vector perpendicular to {wall}, towards it.",
     "units.across-wall": "Let {across} be the unit vector parallel to {wall}.",
@@ -296,6 +309,13 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "between.right": (
         "One of {bodies:and} moves along the line of centres, the other at right angles to it:"
+    ),
+    "between.beside-same": (
+        "{one} moves at right angles to the line of centres, and {other} to the same side of it:"
+    ),
+    "between.beside-opposite": (
+        "{one} moves at right angles to the line of centres, and {other} to the opposite side of "
+        "it:"
     ),
     "between.square-same": (
         "One of {bodies:and} moves at right angles to the line of centres, both to the same side:"
@@ -630,6 +650,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.component-parallel": "component of {of} parallel to {wall}",
     "derived.component-unit": "component of {of} along {axis}",
     "derived.component-along-vector": "component of {of} in the direction of {axis}",
+    "derived.component-across-sense": (
+        "component of {of} perpendicular to {axis} in the direction of {way}"
+    ),
     "derived.component-across-vector": "component of {of} perpendicular to {axis}",
     "derived.stays": "the component of {of} stays {value}.",
     "derived.stays-in": "the component of {of} in the direction of {axis} stays {value}.",
