@@ -7,7 +7,7 @@ from restitution.explain.sources import is_time
 from restitution.explaining.derivation import Derivation, Event, Line, Link, Relation
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.trees import trees_of
-from restitution.expression.tree import Binary, Expression, Letter, Quantity, walk
+from restitution.expression.tree import Binary, Expression, Letter, Quantity, is_zero, walk
 
 
 def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence:
@@ -29,11 +29,24 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
     return say("flight.same-time")
 
 
-def chord_title(line: Line) -> Sentence:
-    """The title of a line about a chord of a circular wall."""
+def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
+    """The title of a line about a chord of a circular wall.
+
+    Inside it, a component along the wall is counted to the left of the radius.
+    """
     assert isinstance(line.relation, Relation)
     left = line.relation.options[0][0].left
-    return say("chord.time") if is_time(left) else say("chord.title")
+    if is_time(left):
+        return say("chord.time")
+    own = (each for each in derivation.lines if each.move.record == "chord")
+    sensed = any(
+        isinstance(each.relation, Relation)
+        and isinstance(each.relation.only[0].left, Quantity)
+        and each.relation.only[0].left.kind == "across"
+        and not is_zero(each.relation.only[-1].right)
+        for each in own
+    )
+    return say("chord.title-sense", wall=wall) if sensed else say("chord.title")
 
 
 def _is_meeting(event: Event, line: Line) -> bool:

@@ -166,8 +166,8 @@ class Leads:
         name = record.title(event)
         if record.id == "straight-line" and line.move.bodies:
             return flight_title(self._derivation, self._naming, line)
-        if record.id == "chord":
-            return chord_title(line)
+        if record.id == "chord" and event is not None:
+            return chord_title(self._derivation, line, event.bodies[1])
         match record.id, first.left:
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"

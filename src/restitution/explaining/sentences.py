@@ -207,6 +207,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Usual mistakes: taking the angles with the wall, and taking all three as equal."
     ),
     "chord.title": "A chord makes equal angles with the radii at its ends",
+    "chord.title-sense": (
+        "A chord makes equal angles with the radii at its ends; along {wall}, anticlockwise is "
+        "positive"
+    ),
     "chord.time": "Time = length of the chord ÷ speed",
     "chord.why": (
         "The radius to the point of impact is perpendicular to the wall there. Two radii and "
