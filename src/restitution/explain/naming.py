@@ -244,7 +244,9 @@ class Naming:
             case Quantity("angle" | "deflection" | "direction") if tree in self._letters:
                 return self._early(tree)
             case Quantity("deflection", _, _) if tree in self._inside or self._often[tree] > 1:
-                return self._lettered(tree, "delta")
+                turns = {each for each in self._often if each.kind == "deflection"}
+                turns -= {each.quantity for each in self.meanings.values()}
+                return self._lettered(tree, "delta", str(tree.stage) if len(turns) > 1 else "")
             case Quantity("angle", _, _) if tree in self._inside:
                 free = (each for each in _ANGLES if each not in self._used)
                 return self._lettered(tree, next(free, _ANGLES[0]))
