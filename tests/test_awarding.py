@@ -307,6 +307,20 @@ find alpha
 5 a | inverse | 4, acute: alpha | alpha = arctan(29/32)
 a: 5 alpha = arctan(29/32)
 """,
+    # A body that hits a wall at right angles comes straight back.
+    "straight-back": """
+wall W: along i
+sphere P: mass m, velocity -u j
+P hits W: e = 1/3
+find speed(P), deflection(P)
+---
+1 a | law restitution-wall 1 P | velocity P, axis 1, e 1 | along(velocity(P, 1), j) = 1/3 u
+2 a | law unchanged 1 P | velocity P, axis 1 | along(velocity(P, 1), i) = 0
+3 a | define speed 1 P | 1, 2 | speed(P, 1) = 1/3 u
+4 b | define difference 1 P | velocity P, axis 1, 1, 2 | deflection(P, 1) = 180°
+a: 3 speed(P, 1) = 1/3 u
+b: 4 deflection(P, 1) = 180°
+""",
 }
 
 # Rule, working, line; what stands there in the styles fm1, m4 and caie.
@@ -352,6 +366,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("condition-on-one-component", "mass-ratio", 1, "B1", "B1", "B1"),
     ("condition", "rejected-root", 7, "DM1", "DM1 A1", "DM1"),
     ("difference-of-angles", "greatest-deflection", 9, "", "", ""),
+    ("angle-read-off", "straight-back", 4, "A1ft", "A1ft", "A1ft"),
     ("angle-by-a-difference", "equal-elastic", 10, "DM1 A1ft", "DM1 A1ft", "DM1 A1ft"),
     ("data", "corner", 8, "", "", ""),
     ("place-on-an-axis", "on-its-way", 2, "", "", ""),
