@@ -276,6 +276,43 @@ find alpha
 2 a | rearrange | 1 | alpha = 30°
 a: 2 alpha = 30°
 """,
+    # Spheres touch where their centres are so far apart: the time of that.
+    "touch": """
+sphere A: mass 1, at (0, 0), velocity 5i, radius 1
+sphere B: mass 1, at (33/5, 6/5), at rest, radius 1
+A hits B: e = 1/2
+find time(1)
+---
+1 a | define straight-line 1 A | position A, velocity A | position(A, 1) = 5 time(1) i
+2 a | fact | contact 1, position B, 1 | (5 time(1) - 33/5)^2 + (6/5)^2 = 2^2
+3 a | roots | 2 | time(1) = 1 or time(1) = 41/25
+4 a | reject | 3 | time(1) = 1
+a: 4 time(1) = 1
+""",
+    # Where they touch is told by the line of centres: then it is one step.
+    "touch-along": """
+sphere A: mass m, at (-4r, 0), velocity u at alpha, radius r
+sphere B: mass m, at (0, 0), at rest, radius r
+A hits B: along -30°
+find alpha
+---
+1 a | fact | contact 1, position B | position(A, 1) = -sqrt(3) r i + r j
+2 a | define straight-line 1 A | 1 | (4r - sqrt(3) r) (u sin(alpha)) = r (u cos(alpha))
+3 a | rearrange | 2 | (4 - sqrt(3)) sin(alpha) = cos(alpha)
+4 a | rearrange | 3 | tan(alpha) = (4 + sqrt(3))/13
+a: 4 tan(alpha) = (4 + sqrt(3))/13
+""",
+    # The line of centres by how far the one lies beside the other's path.
+    "beside": """
+sphere A: mass m, velocity u i, radius r
+sphere B: mass m, at rest, radius r
+A hits B: offset r, e = 1/2
+find speed(B)
+---
+1 a | fact | axis 1 | line_of_centres(1) = sqrt(3)/2 i + 1/2 j
+2 a | define component 1 A | velocity A, 1 | along(velocity(A, 0), line_of_centres(1)) = sqrt(3) u/2
+a: 2 speed(B, 1) = sqrt(3) u/2
+""",
     # Times and places: on an axis, at its place, by the other direction.
     "on-its-way": """
 wall W: along i, through (0, 0)
@@ -376,6 +413,10 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("time-by-the-data", "places", 3, "B1", "B1", "B1"),
     ("centres-by-a-path", "pocket", 1, "M1", "M1", "M1"),
     ("centres-two-radii-apart", "pocket", 2, "A1", "A1", "A1"),
+    ("place-in-an-open-time", "touch", 1, "", "", ""),
+    ("equation-of-a-contact", "touch", 2, "M1", "M1", "M1"),
+    ("place-of-a-contact", "touch-along", 1, "M1 A1", "M1 A1", "M1 A1"),
+    ("centres-beside-a-path", "beside", 1, "M1 A1", "M1 A1", "M1 A1"),
     ("chord", "circle", 1, "M1", "M1", "M1"),
     ("chord-again", "circle", 3, "", "", ""),
     ("angles-round-a-circle", "round", 1, "M1", "M1", "M1"),

@@ -63,7 +63,9 @@ def test_inside_by_the_radius_and_then_by_the_chord() -> None:
     assert lines(derivation, "chord") == [
         "along(velocity(P, 1), line_of_centres(2)) = 4u/5",
         "across(velocity(P, 1), line_of_centres(2)) = 6u/5",
-        "time(2) - time(1) = 2(5a) (4u/5)/((4u/5)^2 + (6u/5)^2) = 50a/(13u) [rearrange]",
+        "distance(position(P, 1), position(P, 2)) = 2(5a) (4u/5/(2sqrt(13) u/5)) = "
+        "20sqrt(13) a/13 [rearrange]",
+        "time(2) - time(1) = 20sqrt(13) a/13/(2sqrt(13) u/5) = 50a/(13u) [rearrange]",
     ]
     text = printed(problem, derivation)
     assert "t₁ = 2a/u, as t₁ > 0" in text
@@ -105,7 +107,41 @@ def test_from_the_rim_the_first_path_is_a_chord_too() -> None:
         find time(1), speed(P)
         """
     )
-    assert "time(1) = 2a (sqrt(3) u/2)/u^2 = sqrt(3) a/u [rearrange]" in lines(derivation, "chord")
+    assert lines(derivation, "chord")[:2] == [
+        "distance(position(P, 0), position(P, 1)) = 2a (sqrt(3) u/2/u) = sqrt(3) a [rearrange]",
+        "time(1) = sqrt(3) a/u",
+    ]
+
+
+def test_the_way_back_to_a_point_of_the_wall_is_a_chord() -> None:
+    problem, derivation = planned(
+        """
+        wall C: circle centre (0, 0) radius 2b
+        sphere P: at (0, -2b), velocity w at alpha from j
+        P hits C: e = 1
+        P hits C: e = 1
+        P reaches (0, -2b)
+        find alpha, time(3)
+        """
+    )
+    text = printed(problem, derivation)
+    assert text.count("length of the chord = 2 × 2b((√3 w/2)/w) = 2√3 b") == 3
+    assert "t₃ − t₂ = 2√3 b/w" in text
+
+
+def test_a_ball_that_comes_through_the_centre_goes_along_a_diameter() -> None:
+    problem, derivation = planned(
+        """
+        wall C: circle centre (0, 0) radius 5
+        sphere P: at (-3, -4), velocity 6i + 8j
+        P hits C: e = 1/2
+        P hits C: e = 1/2
+        find time(2)
+        """
+    )
+    text = printed(problem, derivation)
+    assert "P moves through the centre:\n    length of the chord = 2 × 5 = 10 m" in text
+    assert "t₂ − t₁ = 10/5 = 2 s" in text
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -132,11 +168,12 @@ def test_a_wrong_sign_or_radius_is_refused() -> None:
         if not isinstance(line.relation, Relation):
             continue
         text = write_relation(line.relation).partition(" [")[0]
-        if line.move.record == "chord" and "time" not in text:
+        if line.move.record == "chord" and "distance" not in text:
             left, _, right = text.partition(" = ")
-            assert spoiled(problem, derivation, line, f"{left} = -({right})")
+            assert spoiled(problem, derivation, line, f"{left} = -({right.partition(' = ')[0]})")
         elif line.move.record == "chord":
-            assert spoiled(problem, derivation, line, text.replace("2(5a)", "2(4a)"))
+            other = text.partition(" = 20")[0].replace("2(5a)", "2(4a)")
+            assert spoiled(problem, derivation, line, other)
         elif text.startswith("line_of_centres(1) parallel to"):
             assert spoiled(problem, derivation, line, "line_of_centres(1) parallel to 4i - 3j")
             assert spoiled(problem, derivation, line, "line_of_centres(1) parallel to -3i + 4j")

@@ -287,12 +287,13 @@ class _Writer:
 
     def _heading(self, line: Line) -> Iterator[Step]:
         """A heading where the next of several events begins."""
-        number = line.move.event
+        number = line.move.event if line.move.id != "fact" else _impact_of_a_line(line)
         if number is None or number == self.heading or len(self.naming.impacts) < 2:
             return
         if line.move.record in _OF_THE_WHOLE:
             return
-        if number in self.entered and (line.move.id == "define" or line.move.record == "impulse"):
+        again = line.move.id == "define" and not _is_before(line)
+        if number in self.entered and (again or line.move.record == "impulse"):
             return
         event = self.naming.events.get(number)
         if event is not None and event.kind == "impact":
@@ -356,3 +357,19 @@ class _Writer:
 def _because(mark: Mark) -> Mark:
     """A mark with its reason: its own, or the one of its kind."""
     return mark if mark.because else reasoned(mark)
+
+
+def _impact_of_a_line(line: Line) -> int | None:
+    """The impact whose line of centres a datum tells; None of another datum."""
+    numbers = (ref.partition(" ") for ref in line.premises if isinstance(ref, str))
+    return next((int(number) for kind, _, number in numbers if kind == "axis"), None)
+
+
+def _is_before(line: Line) -> bool:
+    """Whether a line resolves a velocity for the impact that comes next."""
+    if line.move.record != "component" or not isinstance(line.relation, Relation):
+        return False
+    match line.relation.options[0][0].left:
+        case Quantity(_, (Quantity("velocity", _, int(stage)), _)):
+            return stage == (line.move.event or 0) - 1
+    return False

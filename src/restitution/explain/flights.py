@@ -7,7 +7,15 @@ from restitution.explain.sources import is_time
 from restitution.explaining.derivation import Derivation, Event, Line, Link, Relation
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.trees import trees_of
-from restitution.expression.tree import Binary, Expression, Letter, Quantity, is_zero, walk
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    Quantity,
+    is_zero,
+    walk,
+)
 
 
 def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence:
@@ -38,6 +46,8 @@ def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
     left = line.relation.options[0][0].left
     if is_time(left):
         return say("chord.time")
+    if isinstance(left, Quantity) and left.kind == "distance":
+        return _length_title(line)
     own = (each for each in derivation.lines if each.move.record == "chord")
     sensed = any(
         isinstance(each.relation, Relation)
@@ -47,6 +57,20 @@ def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
         for each in own
     )
     return say("chord.title-sense", wall=wall) if sensed else say("chord.title")
+
+
+def _length_title(line: Line) -> Sentence:
+    """The title of the length of a chord: of a diameter, or by its angle with the radius."""
+    assert isinstance(line.relation, Relation)
+    match line.relation.options[0][0].right:
+        case Binary("*", Number(), right) if not isinstance(right, Binary):
+            return say("chord.diameter", body=line.move.bodies[0])
+    return say("chord.length")
+
+
+def distance_title(line: Line) -> Sentence:
+    """The title of a distance: by the relative velocity of bodies that met, or by coordinates."""
+    return say("distance.relative" if line.move.event else "distance.coordinates")
 
 
 def _is_meeting(event: Event, line: Line) -> bool:

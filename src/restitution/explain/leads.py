@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-import sympy as sp
-
 from restitution.exact import tidy
 from restitution.explain.factors import factor_cancelled
-from restitution.explain.flights import chord_title, flight_title
+from restitution.explain.flights import chord_title, distance_title, flight_title
+from restitution.explain.measured import worth
 from restitution.explain.meetings import condition_of
 from restitution.explain.naming import Naming
+from restitution.explain.offsets import is_offset, said_of_an_offset
 from restitution.explain.reasons import Reasons
 from restitution.explain.sources import Source, Sources
 from restitution.explaining.definitions import past_a_right_angle, tie_of
@@ -21,7 +21,6 @@ from restitution.explaining.principles import RECORDS
 from restitution.explaining.saying import Sentence, say, slots_of
 from restitution.explaining.sentences import SentenceId
 from restitution.explaining.trees import trees_of
-from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -30,14 +29,12 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Negate,
-    Polar,
     Quantity,
     Unit,
     has_quantity,
     is_zero,
     walk,
 )
-from restitution.planning.forms import tree_of
 from restitution.render import layout as lay
 
 TITLED = frozenset({"law", "define"})
@@ -166,8 +163,10 @@ class Leads:
         name = record.title(event)
         if record.id == "straight-line" and line.move.bodies:
             return flight_title(self._derivation, self._naming, line)
-        if record.id == "chord" and event is not None:
-            return chord_title(self._derivation, line, event.bodies[1])
+        if record.id == "chord":
+            return chord_title(self._derivation, line, "" if event is None else event.bodies[-1])
+        if record.id == "distance":
+            return distance_title(line)
         match record.id, first.left:
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
@@ -273,9 +272,14 @@ class Leads:
                 yield at
             elif given and isinstance(words := self._naming.fact(given[0]), Sentence):
                 yield say("given.fact", fact=words)
-            elif (offset := next(filter(_is_offset, given), None)) is not None:
+            elif (offset := next(filter(is_offset, given), None)) is not None:
                 # Once the offset is known, the same fact gives the line in numbers.
-                yield self._worked_out(offset) if offset.id in self._given else self._offset(offset)
+                known = offset.id in self._given
+                yield (
+                    self._worked_out(offset)
+                    if known
+                    else said_of_an_offset(offset, self._naming, given=False)
+                )
                 self._given.add(offset.id)
             else:
                 yield say("given.data")
@@ -380,7 +384,7 @@ class Leads:
         inside = {each.right for each in walk(below) if isinstance(each, Binary) and each.op == "/"}
         for each in inside:
             if isinstance(each, Letter | Apply) and tidy(
-                _value(top) - _value(rest) * _value(each)
+                worth(top) - worth(rest) * worth(each)
             ).equals(0):
                 return say("derived.divided", factor=self._naming.laid(each))
         return None
@@ -389,20 +393,9 @@ class Leads:
         """How an offset gives the sine of an angle that is given, said the first time."""
         facts = (self._derivation.fact(str(ref)) for ref in line.premises)
         for each in facts:
-            if each is not None and _is_offset(each) and each.id not in self._given:
+            if each is not None and is_offset(each) and each.id not in self._given:
                 self._given.add(each.id)
-                yield self._offset(each, "offset.sine-alone")
-
-    def _offset(self, fact: Fact, sentence: SentenceId = "offset.sine") -> Sentence:
-        """How an offset gives a line of centres: by the sine of the angle to the path."""
-        match fact.relation.only[0].right:
-            case Polar(_, Apply(_, sine)):
-                sine = _size(sine)
-                laid = self._naming.laid(sine)
-                value = self._naming.laid(tree_of(tidy(_value(sine))))
-                told = laid if laid == value else lay.Relation((laid, value), ("=",))
-                return say(sentence, sine=told)
-        raise ValueError(fact)
+                yield said_of_an_offset(each, self._naming, given=True)
 
     def _identity(self, line: Line) -> str:
         """The name of an identity: of a tangent that of a sum, or of a difference."""
@@ -767,22 +760,6 @@ def _under(tree: Expression) -> tuple[Expression, ...]:
     return (tree.argument,) if isinstance(tree, Apply) and tree.function == "sqrt" else ()
 
 
-def _size(tree: Expression) -> Expression:
-    """An offset to one side or the other, over two radii, without its sign."""
-    match tree:
-        case Negate(operand):
-            return operand
-        case Binary("/", Negate(above), below):
-            return Binary("/", above, below)
-    return tree
-
-
-def _value(tree: Expression) -> sp.Expr:
-    """The value of a tree of letters that are positive."""
-    value = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
-    return sp.sympify(value, strict=True)
-
-
 # How an angle is made of two to the line of centres, and what is said of it.
 _TANGENTS = {"sum": "derived.tangent-of-sum", "difference": "derived.tangent-of-difference"}
 _TURNED = {
@@ -835,14 +812,6 @@ def _degrees(tree: Expression) -> Fraction:
         case Degrees(value):
             return value
     return Fraction(0)
-
-
-def _is_offset(fact: Fact) -> bool:
-    """Whether a line of centres is given by how far it lies beside a path."""
-    match fact.relation.options:
-        case ((Link(_, "=", Polar(_, Apply("arcsin"))),),):
-            return True
-    return False
 
 
 def _read_off(line: Line) -> str | None:

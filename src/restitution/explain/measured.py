@@ -96,6 +96,12 @@ def _ends(value: Fraction) -> bool:
     return bool(10**5 % value.denominator == 0)
 
 
+def worth(tree: Expression) -> sp.Expr:
+    """The value of a tree of letters that are positive."""
+    value = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
+    return sp.sympify(value, strict=True)
+
+
 def with_unit(value: lay.Layout, unit: str) -> lay.Layout:
     """A value with its unit; a sum in brackets."""
     if not unit:

@@ -10,9 +10,10 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import cached_property
 
 from restitution.explain.bold_letters import BoldLetters, Used
-from restitution.explain.measured import Measures, is_plain, with_unit
+from restitution.explain.measured import Measures, is_plain, with_unit, worth
 from restitution.explaining.derivation import (
     Derivation,
     Event,
@@ -42,10 +43,12 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning.straight_walls import equation_of_line
 from restitution.problem import Arrival, Given, Meets, Problem
 from restitution.problem import trees as trees_of_problem
 from restitution.render import layout as lay
 from restitution.shapes import Circle
+from restitution.vector import Vector
 
 # Letters for angles between two directions.
 _ANGLES = ("beta", "theta", "phi", "psi", "gamma")
@@ -192,7 +195,7 @@ class Naming:
         """A given number with the unit of the quantity of which it is the value."""
         if not isinstance(right, lay.Layout) or not is_plain(right) or is_zero(link.right):
             return right
-        return with_unit(right, Measures(self.problem, self.meanings).unit(link.left))
+        return with_unit(right, self.unit(link.left))
 
     @property
     def bodies(self) -> dict[str, str]:
@@ -358,6 +361,8 @@ class Naming:
                 return say("derived.time", event=self._moment(stage, of=True))
             case Quantity("position", (Name(body),), stage):
                 return self._at(say("derived.position", body=body), stage)
+            case Quantity("distance") if tree in self._chords:
+                return say("derived.chord")
             case Quantity("distance", arguments, stage):
                 return self._at(say("derived.distance", of=tuple(map(self._end, arguments))), stage)
             case Quantity("line_of_centres", _, stage):
@@ -436,6 +441,15 @@ class Naming:
         """The walls that are circular."""
         return {each.name for each in self.problem.walls if isinstance(each.shape, Circle)}
 
+    @cached_property
+    def _chords(self) -> frozenset[Expression]:
+        """The distances that lines call chords of a circular wall."""
+        return frozenset(
+            line.relation.options[0][0].left
+            for line in self.derivation.lines
+            if line.move.record == "chord" and isinstance(line.relation, Relation)
+        )
+
     def at_contact(self, fact: Fact) -> Sentence | None:
         """What a contact tells of the place of a body: how far it is from a centre, or on a wall.
 
@@ -452,12 +466,30 @@ class Naming:
             case Link(Quantity("dot", (Binary("-", Quantity("position"), _), _)), "=", right) if (
                 event is not None and self.bodies.get(event.bodies[-1]) == "wall" and is_zero(right)
             ):
-                return say("contact.wall", body=event.bodies[0], wall=event.bodies[-1])
+                body, wall = event.bodies
+                line = self._line_of(fact.relation.only[0])
+                if line is None:
+                    return say("contact.wall", body=body, wall=wall)
+                return say("contact.wall-line", body=body, wall=wall, line=line)
             case Link(Quantity("dot"), "=", Binary("^", radius, _)) if event is not None:
                 one, other = event.bodies
+                length = self.laid(radius)
+                if is_plain(length):
+                    length = with_unit(length, self.unit(Quantity("distance", ())))
                 if other in self._circles:
-                    return say("circle.at", body=one, wall=other, radius=self.laid(radius))
-                return say("touch.apart", one=one, other=other, distance=self.laid(radius))
+                    return say("circle.at", body=one, wall=other, radius=length)
+                return say("touch.apart", one=one, other=other, distance=length)
+        return None
+
+    def _line_of(self, contact: Link) -> lay.Layout | None:
+        """The equation of the line of a straight wall; None where x or y stands for something."""
+        match contact.left:
+            case Quantity("dot", (Binary("-", _, Pair() as through), Pair() as normal)):
+                x, y = Letter("x"), Letter("y")
+                if {x.name, y.name} & self._used:
+                    return None
+                across, place = (Vector(worth(e.x), worth(e.y)) for e in (normal, through))
+                return self.relation(Relation(((equation_of_line(across, place, (x, y)),),)))
         return None
 
     def _energy(self, bodies: tuple[Expression, ...]) -> Sentence:
@@ -636,12 +668,16 @@ class Naming:
         """The event, or the start, from which a time is counted."""
         return self._event(self.events[number]) if number in self.events else say("event.start")
 
+    def unit(self, tree: Expression) -> str:
+        """The unit of a quantity; nothing where letters give the scale."""
+        return Measures(self.problem, self.meanings).unit(tree)
+
     def _in_seconds(self, time: Expression) -> lay.Layout:
         """A plain number of seconds with its unit, where the statement has units."""
         laid = self.laid(time)
         if not all(isinstance(each, Number | Binary) for each in walk(time)):
             return laid
-        unit = Measures(self.problem, self.meanings).unit(Quantity("time", (), 1))
+        unit = self.unit(Quantity("time", (), 1))
         return with_unit(laid, unit)
 
     @staticmethod

@@ -185,6 +185,8 @@ class Reasons:
                 return fact.relation
             if kind == "towards":
                 body, wall = self._naming.events[int(number)].bodies
+                if self._naming.bodies.get(wall) == "sphere":
+                    return say("touch.towards", one=body, other=wall)
                 return say("circle.towards", body=body, wall=wall)
             return fact.relation if ordered and fact.kind in ("given", "range") else None
         head, colon, text = ref.partition(":")

@@ -148,7 +148,7 @@ class Rows:
         for n in range(len(sides_) - 1, 1, -1):
             if sides_[n] == sides_[n - 1] and signs[n - 1] == "=":
                 del sides_[n], signs[n - 1]
-        quotient = _quotient(line, links[0].right)
+        quotient = _quotient(line, links[0])
         if quotient is not None and isinstance(sides_[1], lay.Number):
             sides_[1:1], signs[:0] = [quotient], ["="]
         if self._towards(line, links, sides_):
@@ -332,10 +332,11 @@ class Rows:
         return lay.Relation(tuple(sides), tuple(signs))
 
 
-def _quotient(line: Line, tree: Expression) -> lay.Layout | None:
-    """The quotient of two components that are numbers, which is a decimal next."""
-    match tree:
-        case Binary("/", Number(above), Number(below)) if line.move.record in _TANGENTS:
+def _quotient(line: Line, link: Link) -> lay.Layout | None:
+    """The quotient of two numbers, which is a decimal next: of components, or of a flight."""
+    flight = line.move.record == "straight-line" and is_time(link.left)
+    match link.right:
+        case Binary("/", Number(above), Number(below)) if flight or line.move.record in _TANGENTS:
             return lay.Fraction(lay.Number(str(above)), lay.Number(str(below)))
     return None
 

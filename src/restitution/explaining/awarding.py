@@ -170,6 +170,7 @@ RULES: tuple[Rule, ...] = (
     ),
     _rule("angle-read-off", ("define",), "", ("difference",), ("of-angles", "at-once")),
     _rule("angle-by-a-difference", ("define",), "M", ("difference",), ("of-angles",)),
+    _rule("place-in-an-open-time", ("define",), "", ("straight-line",), ("open-place",)),
     _rule("place-by-a-path", ("define",), "M", ("straight-line",), ("place-of-facts",)),
     _rule("place-on-an-axis", ("define",), "", ("straight-line",), ("zero", "on-the-way")),
     _rule(
@@ -197,6 +198,9 @@ RULES: tuple[Rule, ...] = (
     _rule("bounds", ("monotone", "complete"), "M"),
     _rule("comparison", ("sign", "compare"), "M", when=("claim-without-method",)),
     _rule("given-fact", ("put", "fact"), "M", when=("fact-of-motion",)),
+    _rule("centres-beside-a-path", ("fact",), "M A", when=("of-an-offset",)),
+    _rule("place-of-a-contact", ("fact",), "M A", when=("of-a-contact", "of-facts")),
+    _rule("equation-of-a-contact", ("fact",), "M", when=("of-a-contact",)),
 )
 """The table. A line that no rule fits earns nothing by itself."""
 
@@ -914,6 +918,29 @@ def _by_its_letter(work: _Awarding, line: Line) -> bool:
     )
 
 
+def _of_an_offset(work: _Awarding, line: Line) -> bool:
+    """A line of centres by the sine of its angle to a path, for the first time."""
+    facts = [each for each in work.facts(line) if each.id.startswith("axis ")]
+    above = {
+        fact.id for each in work.above(line) for fact in work.facts(each) if each.move.id == "fact"
+    }
+    return any(
+        each.id not in above
+        and any(isinstance(node, Apply) and node.function == "arcsin" for node in walk(tree))
+        for each in facts
+        for tree in trees_of(each.relation)
+    )
+
+
+def _open_place(work: _Awarding, line: Line) -> bool:
+    """A place by a time that is not yet known."""
+    match _subject(line):
+        case Quantity("position"):
+            nodes = [e for tree in trees_of(line.relation) for e in walk(tree)]
+            return any(isinstance(each, Quantity) and each.kind == "time" for each in nodes)
+    return False
+
+
 CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
     "repeated": _repeated,
     "sought": _sought,
@@ -954,5 +981,8 @@ CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
     "new-inequality": _new_inequality,
     "fact-of-motion": _fact_of_motion,
     "claim-without-method": _claim_without_method,
+    "of-an-offset": _of_an_offset,
+    "of-a-contact": lambda work, line: any(e.id.startswith("contact ") for e in work.facts(line)),
+    "open-place": _open_place,
 }
 """What a rule may ask of a line, and of the lines about it."""

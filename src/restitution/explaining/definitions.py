@@ -104,34 +104,53 @@ def _chords(step: Step, event: Event | None) -> Iterator[Link]:
     The radii are those to the two points, away from the centre. At the start a body may be on the
     circle too.
     """
-    if event is None or not event.wall:
+    if event is None or not (event.wall or event.kind == "arrival"):
         return
     body, number = Name(event.bodies[0]), event.number
     own = [e.number for e in step.setting.events if body.name in e.bodies[:2]]
     since = max((each for each in own if each < number), default=0)
-    circle = _circle(step, body, number)
+    velocity = Quantity("velocity", (body,), since)
+    radial: Expression = Quantity("line_of_centres", (), since)
+    chord = _chord_of(body, since, number)
+    if any(link.left == chord for link in _wholes(step)):
+        flight = Binary("-", Quantity("time", (), number), Quantity("time", (), since))
+        for speed in _speeds(velocity, radial):
+            yield Link(Binary("*", flight, speed), "=", chord)
+    circle = _circle(step, body, number if event.wall else since)
     if circle is None:
         return
-    centre, radius = circle
-    radial: Expression = Quantity("line_of_centres", (), since)
-    if since:
+    if not event.wall:
+        if _radius_to(step, body, number, *circle) is None:
+            return
+    elif since:
         if _circle(step, body, since) != circle:
             return
     else:
-        place = _start_on(step, body, centre, radius)
+        place = _radius_to(step, body, 0, *circle)
         if place is None:
             return
         radial = place
-    velocity = Quantity("velocity", (body,), since)
     along, across = (Quantity(kind, (velocity, radial)) for kind in ("along", "across"))
-    here = axis_of(event)
-    yield Link(Quantity("along", (velocity, here)), "=", Negate(along))
-    yield Link(Quantity("across", (velocity, here)), "=", across)
-    flight = Binary("-", Quantity("time", (), number), Quantity("time", (), since))
-    way = Binary("*", Binary("*", Number(Fraction(2)), radius), Negate(along))
-    speed = Quantity("speed", (body,), since)
-    for square in (_sum([_squared(along), _squared(across)]), _squared(speed)):
-        yield Link(Binary("*", flight, square), "=", way)
+    if event.wall:
+        here = axis_of(event)
+        yield Link(Quantity("along", (velocity, here)), "=", Negate(along))
+        yield Link(Quantity("across", (velocity, here)), "=", across)
+    way = Binary("*", Binary("*", Number(Fraction(2)), circle[1]), Negate(along))
+    for speed in _speeds(velocity, radial):
+        yield Link(Binary("*", chord, speed), "=", way)
+
+
+def _speeds(velocity: Quantity, radial: Expression) -> Iterator[Expression]:
+    """A speed by the components along a radius and across it, as it is, and by the vector."""
+    parts = [Quantity(kind, (velocity, radial)) for kind in ("along", "across")]
+    yield Apply("sqrt", _sum([_squared(each) for each in parts]))
+    yield replace(velocity, kind="speed")
+    yield Apply("abs", velocity)
+
+
+def _chord_of(body: Expression, since: int, number: int) -> Quantity:
+    """How far apart the places are at which a body is at two events."""
+    return Quantity("distance", tuple(Quantity("position", (body,), e) for e in (since, number)))
 
 
 def _rounds(step: Step, event: Event | None) -> Iterator[Link]:
@@ -151,7 +170,7 @@ def _rounds(step: Step, event: Event | None) -> Iterator[Link]:
         if circle is None or _circle(step, body, second) != circle:
             continue
         start, end = (_cited_place(step, body, each) for each in (0, last))
-        if start is None or end is None or _start_on(step, body, *circle) is None:
+        if start is None or end is None or _radius_to(step, body, 0, *circle) is None:
             continue
         gap = step.world.value(Binary("-", start, end))
         if not isinstance(gap, Plane) or not (gap.x.vanishes and gap.y.vanishes):
@@ -225,11 +244,11 @@ def _circle(step: Step, body: Name, number: int) -> tuple[Expression | None, Exp
     return None
 
 
-def _start_on(
-    step: Step, body: Name, centre: Expression | None, radius: Expression
+def _radius_to(
+    step: Step, body: Name, number: int, centre: Expression | None, radius: Expression
 ) -> Expression | None:
-    """The radius to the place at the start that is cited, where that is on a circle."""
-    start = Quantity("position", (body,), 0)
+    """The radius to a place at an event, or at the start, that is cited, if it is on a circle."""
+    start = Quantity("position", (body,), number)
     for link in step.links:
         if link.left == start and link.sign == "=":
             way = link.right if centre is None else Binary("-", link.right, centre)

@@ -360,7 +360,8 @@ def _matches(step: Step, line: Link, expected: Value, sign: Sign = "=") -> bool:
     if sign == "≈":
         gap = _plus(own, _times(expected, CONSTANT(-1)))
         return line.sign == sign and isinstance(gap, Quotient) and gap.vanishes
-    if isinstance(expected, Plane) and isinstance(own, Quotient) and step.move.id == "rearrange":
+    parted = step.move.id in ("rearrange", "fact")
+    if isinstance(expected, Plane) and isinstance(own, Quotient) and parted:
         # What stands with i, or with j, on both sides.
         parts = (expected.x, expected.y)
         return sign == line.sign == "=" and any(

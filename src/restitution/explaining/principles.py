@@ -430,7 +430,7 @@ DEFINITIONS = (
     # Centres that touch, on their line.
     Record("beside", "definition", where="spheres", gives=("position",), marks=("M",)),
     # From one point of a circular wall to the next.
-    Record("chord", "definition", where="wall", gives=("along", "across", "time"), marks=("M",)),
+    Record("chord", "definition", gives=("along", "across", "time"), marks=("M",)),
     # By three chords back to where they began.
     Record("round", "definition", gives=("angle",), marks=("M",)),
     Record(

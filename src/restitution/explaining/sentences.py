@@ -182,12 +182,27 @@ SENTENCES: Mapping[SentenceId, str] = {
     "units.along-wall": "Let {along} be the unit vector perpendicular to {wall}, towards it.",
     "units.across-wall": "Let {across} be the unit vector parallel to {wall}.",
     "offset.sine": (
-        "At the impact the centres are two radii apart, and the offset is the part of that across "
-        "the path. So the line of centres makes with the path an angle with sine {sine}:"
+        "At the impact the centres are {apart} apart, and the centre of {other} is {offset} to the "
+        "{side} of {path}. So the angle between the line of centres and that path has sine {sine}:"
+    ),
+    "offset.degrees": (
+        "At the impact the centres are {apart} apart, and the centre of {other} is {offset} to the "
+        "{side} of {path}. So the angle between the line of centres and that path has sine {sine}, "
+        "and is {angle}:"
+    ),
+    "offset.none": (
+        "At the impact the centre of {other} is on {path}. So the line of centres is along that "
+        "path:"
     ),
     "offset.sine-alone": (
-        "At the impact the centres are two radii apart, and the offset is the part of that across "
-        "the path. So the line of centres makes with the path an angle with sine {sine}."
+        "At the impact the centres are {apart} apart, and the centre of {other} is {offset} to the "
+        "{side} of {path}. So the angle between the line of centres and that path has sine {sine}."
+    ),
+    "offset.left": "left",
+    "offset.right": "right",
+    "offset.path": "the path of {body}",
+    "offset.relative": (
+        "the path of {body} relative to {other}, which is in the direction of {direction}"
     ),
     "offset.why": (
         "At the impact the centres are two radii apart: the longest side of a right-angled "
@@ -211,7 +226,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "A chord makes equal angles with the radii at its ends; along {wall}, anticlockwise is "
         "positive"
     ),
+    "chord.length": "Chord = diameter × cosine of its angle with the radius",
+    "chord.diameter": "{body} moves through the centre",
     "chord.time": "Time = length of the chord ÷ speed",
+    "derived.chord": "length of the chord",
     "chord.why": (
         "The radius to the point of impact is perpendicular to the wall there. Two radii and "
         "the path between their ends form an isosceles triangle, so the path makes the same "
@@ -466,8 +484,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{one} and {other} touch when their centres are two radii apart, on the line of centres:"
     ),
     "contact.wall": "{body} is then on the line of {wall}:",
+    "contact.wall-line": "{body} is then on the line of {wall}, {line}:",
     "circle.at": "{body} is then at a distance {radius} from the centre of {wall}:",
     "circle.towards": "{body} is moving towards {wall} then",
+    "touch.towards": "{one} and {other} are approaching then",
     "touch.apart": "{one} and {other} touch when their centres are {distance} apart:",
     # --- conditions, ranges, extrema --------------------------------------------------------------
     "meeting.collide": (
@@ -739,6 +759,17 @@ SENTENCES: Mapping[SentenceId, str] = {
     "loss-wall.title": "Kinetic energy lost, by the component that changes",
     "flight.title": "Distance = speed × time",
     "flight.title-of": "Distance = speed × time, for {body}",
+    "distance.relative": "Distance apart = relative speed × time",
+    "distance.why": (
+        "The distance of two points follows from their coordinates by Pythagoras. Two bodies that "
+        "were together and move on at constant velocities are apart by the size of their relative "
+        "velocity times the time since."
+    ),
+    "distance.mistakes": (
+        "Usual mistakes: subtracting speeds where the velocities have different directions, and "
+        "counting the time from the start in place of the impact."
+    ),
+    "distance.coordinates": "Distance, from the coordinates",
     "flight.time": "Time = distance ÷ speed",
     "flight.time-of": "Time = distance ÷ speed, for {body}",
     "flight.place": "New position = old position + velocity × time",

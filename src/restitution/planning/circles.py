@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from restitution.explaining.derivation import Link
 from restitution.expression.tree import Binary, Expression, Number, Pair, Quantity
+from restitution.planning.place_trees import place_tree
 from restitution.planning.scene import Scene
+from restitution.problem import Arrival
 from restitution.vector import Vector
 
 
@@ -60,3 +62,19 @@ def chord_from(scene: Scene, body: str, number: int) -> int | None:
     way = from_centre(scene, number, scene.vector(fact.relation.only[0].right))
     radius = scene.scalar(circle[1])
     return 0 if scene.model.identically_zero(way.dot(way) - radius**2) else None
+
+
+def chord_to_a_point(scene: Scene, body: str, number: int) -> int | None:
+    """The impact with a circular wall from which a body comes straight to a point of that wall.
+
+    None where it comes in another way.
+    """
+    if not isinstance(scene.model.happening(number).step, Arrival):
+        return None
+    since = scene.model.story.latest(body, number - 1)
+    circle = None if since is None else circle_of(scene, since.number)
+    if since is None or circle is None or len(scene.spheres(since.number)) > 1:
+        return None
+    way = from_centre(scene, since.number, Vector(*scene.value(place_tree(body, number))))
+    radius = scene.scalar(circle[1])
+    return since.number if scene.model.identically_zero(way.dot(way) - radius**2) else None

@@ -5,9 +5,10 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.explaining.derivation import Ref
-from restitution.expression.tree import Binary, Expression
+from restitution.expression.tree import Binary, Expression, Unit, has_quantity
 from restitution.planning.desk import together
 from restitution.planning.forms import difference, negative, product, swept, total, tree_of
+from restitution.planning.place_trees import AXES
 from restitution.planning.polynomials import factored
 from restitution.planning.premises import nonzero, sign_known
 from restitution.planning.scene import Scene
@@ -16,25 +17,31 @@ from restitution.vector import Vector
 
 def swept_product(scene: Scene, last: sp.Expr, first: sp.Expr, pace: sp.Expr) -> Expression:
     """A way times a component, each written as a positive number as far as values tell."""
-    minus = False
-    if scene.model.sign(scene.model.in_data(last - first)) < 0:
-        last, first, minus = first, last, not minus
-    if scene.model.sign(scene.model.in_data(pace)) < 0:
-        pace, minus = -pace, not minus
-    tree = swept(product(difference(tree_of(last), tree_of(first)), tree_of(pace)))
+    (way, pace_), minus = _sizes(scene, last, first, pace)
+    tree = swept(product(way, pace_))
     return negative(tree) if minus else tree
 
 
-def slope(scene: Scene, way: sp.Expr, pace: sp.Expr, over: sp.Expr) -> Expression:
+def slope(scene: Scene, last: sp.Expr, first: sp.Expr, pace: sp.Expr, over: sp.Expr) -> Expression:
     """A way in one direction by that in another: each size positive as far as values tell."""
-    minus = False
-    sizes = []
-    for each in (way, pace, over):
+    (way, *paces), minus = _sizes(scene, last, first, pace, over)
+    tree = product(way, Binary("/", *paces))
+    return negative(tree) if minus else tree
+
+
+def _sizes(
+    scene: Scene, last: sp.Expr, first: sp.Expr, *paces: sp.Expr
+) -> tuple[list[Expression], bool]:
+    """A way and speeds as positive trees, and whether their product is negative."""
+    minus = scene.model.sign(scene.model.in_data(last - first)) < 0
+    if minus:
+        last, first = first, last
+    sizes = [difference(tree_of(last), tree_of(first))]
+    for each in paces:
         back = scene.model.sign(scene.model.in_data(each)) < 0
         minus ^= back
         sizes.append(tree_of(-each if back else each))
-    tree = product(sizes[0], Binary("/", sizes[1], sizes[2]))
-    return negative(tree) if minus else tree
+    return sizes, minus
 
 
 def divisor_refs(scene: Scene, way: sp.Expr, pace: sp.Expr) -> tuple[Ref, ...]:
@@ -75,6 +82,10 @@ def time_quotient(
 
 
 def added(first: Vector, flight: Expression, pace: Vector) -> Expression:
-    """A place and a velocity for some time."""
-    own = tree_of(pace)
-    return swept(total((tree_of(first), product(flight, own))))
+    """A place and a velocity for some time; a time that is open stands behind a size: ``4t i``."""
+    parts = [(each, axis) for each, axis in zip(pace, AXES, strict=True) if each != 0]
+    way = product(flight, tree_of(pace))
+    if len(parts) == 1 and has_quantity(flight):
+        ((size, axis),) = parts
+        way = product(tree_of(size), flight, Unit(axis))
+    return swept(total((tree_of(first), way)))

@@ -281,8 +281,11 @@ def alike(a: Expression, b: Expression) -> bool:
     """Whether two expressions differ in nothing but brackets and the order of factors and terms.
 
     ``e (u sin α)`` and ``e u sin α`` are alike, so are ``√3/2 u`` and ``√3 u/2``, and ``1 + e`` and
-    ``e + 1``; ``½ (4u)`` and ``2u`` are not.
+    ``e + 1``; ``½ (4u)`` and ``2u`` are not, nor are ``d/(u/2)`` and ``2d/u``; of numbers a
+    product is not its value.
     """
+    if is_rational(a.operand if isinstance(a, Negate) else a):
+        return a == b
     return _shape(a) == _shape(b)
 
 
@@ -345,6 +348,9 @@ def _factors(tree: Expression) -> tuple[int, list[str], list[str]]:
             case Binary("*", left, right):
                 take(left, up, down)
                 take(right, up, down)
+            case Binary("/", left, Binary("/") as right):
+                take(left, up, down)
+                down.append(_shape(right))
             case Binary("/", left, right):
                 take(left, up, down)
                 take(right, down, up)

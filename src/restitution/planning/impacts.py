@@ -23,7 +23,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.circles import chord_from, from_centre
+from restitution.planning.circles import chord_from, circle_of, from_centre
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import (
     ONE,
@@ -122,22 +122,26 @@ def _on_a_chord(scene: Scene, kind: str, body: str, since: int, frame: Frame) ->
     A chord makes equal angles with the radii at its ends.
     """
     refs: tuple[Ref, ...] = (f"contact {frame.number}",)
+    form: Expression | None = None
     if since:
         own = scene.frame(since)
         source = _put(scene, after(scene, kind, body, own))
         value, refs = source.value, (*refs, f"contact {since}", *source.whole)
+        value = neat(-value if kind == "along" else value)
     else:
         place, velocity = scene.data(f"position {body}"), scene.initial(body)
         way = from_centre(scene, frame.number, place.value)
         unit = way / scene.model.story.size(way)
-        value, more = scene.put(velocity.value.dot(unit if kind == "along" else unit.turned_left()))
+        direction = -unit if kind == "along" else unit.turned_left()
+        value, more = scene.put(velocity.value.dot(direction))
         refs = together(refs, place.refs, velocity.refs, more)
-    value = neat(-value if kind == "along" else value)
+        form, value = _scalar_product(velocity.value, direction), neat(value)
     quantity = frame.component(kind, body, since)
+    steps: list[tuple[Expression, MoveId | None]] = [(tree_of(value), None)]
+    if form is not None:
+        steps = [(form, None), (tree_of(value), "rearrange")]
     line = scene.desk.write(
-        Move("define", "chord", frame.number, (body,)),
-        refs,
-        chain(quantity, (tree_of(value), None)),
+        Move("define", "chord", frame.number, (body,)), refs, chain(quantity, *steps)
     )
     return scene.desk.know(quantity, value, (line,))
 
@@ -171,13 +175,11 @@ def _by_scalar_product(
 
     ``form`` is how the component is written, where it is no scalar product.
     """
-    whole, length = whole_direction(direction)
     value, more = scene.put(source.value.dot(direction))
     if more:
         source = Source(scene.put(source.value)[0], together(source.refs, more))
     value = tidy(value)
-    terms = total(product(tree_of(a), tree_of(b)) for a, b in zip(whole, source.value, strict=True))
-    first = swept(terms if length == 1 else Binary("/", terms, tree_of(length)))
+    first = _scalar_product(source.value, direction)
     written = form or first
     last = written if reordered(written, tree_of(value)) else tree_of(value)
     number = scene.desk.write(
@@ -188,6 +190,13 @@ def _by_scalar_product(
         "line" if any(source.value) else "silent",
     )
     return scene.desk.know(quantity, value, (number,))
+
+
+def _scalar_product(vector: Vector, direction: Vector) -> Expression:
+    """The scalar product with a unit vector as a line has it: of whole numbers over a length."""
+    whole, length = whole_direction(direction)
+    terms = total(product(tree_of(a), tree_of(b)) for a, b in zip(whole, vector, strict=True))
+    return swept(terms if length == 1 else Binary("/", terms, tree_of(length)))
 
 
 def _body(component: Quantity) -> tuple[str, ...]:
@@ -323,8 +332,9 @@ def by_degrees(
     else:
         return None
     ratio = tidy(value / size) if size != 0 else size
-    # At a wall, angles are measured from it.
-    function = "sin" if (frame.wall is not None) == (kind == "along") else "cos"
+    # At a straight wall, angles are measured from it.
+    straight = frame.wall is not None and circle_of(scene, frame.number) is None
+    function = "sin" if straight == (kind == "along") else "cos"
     share = share_by_degrees(ratio, function)
     if share is None:
         return None

@@ -15,13 +15,12 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import Binary, Degrees, Expression, Polar, Quantity, walk
 from restitution.planning.aims import striker, write_aim
-from restitution.planning.circles import chord_from, circle_of
+from restitution.planning.circles import chord_from, chord_to_a_point, circle_of
 from restitution.planning.closing import nonzero
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.flights import added, divisor_refs, slope, time_quotient
 from restitution.planning.forms import (
     ONE,
-    ZERO,
     difference,
     product,
     swept,
@@ -41,6 +40,7 @@ from restitution.planning.place_trees import (
 from restitution.planning.resolving import unit_of
 from restitution.planning.rims import Way, time_of_touching, time_on_a_chord
 from restitution.planning.scene import Scene
+from restitution.planning.straight_walls import equation_of_line
 from restitution.planning.whereabouts import (
     axis_for,
     axis_of_approach,
@@ -163,6 +163,7 @@ def _by_the_other(scene: Scene, body: str, stage: int, axis: Axis) -> Source | N
     pace, over = velocity(scene, body, since, axis), velocity(scene, body, since, other)
     way = tidy(end.value - start_.value)
     value = tidy(first.value + way * pace.value / over.value)
+    slope_ = slope(scene, end.value, start_.value, pace.value, over.value)
     quantity = coordinate_tree(body, stage, axis)
     number = scene.desk.write(
         Move("define", "straight-line", stage, (body,)),
@@ -172,7 +173,7 @@ def _by_the_other(scene: Scene, body: str, stage: int, axis: Axis) -> Source | N
         ),
         chain(
             quantity,
-            (swept(total((tree_of(first.value), slope(scene, way, pace.value, over.value)))), None),
+            (swept(total((tree_of(first.value), slope_))), None),
             (tree_of(value), "rearrange"),
         ),
     )
@@ -400,6 +401,9 @@ def leg(scene: Scene, number: int) -> tuple[int, Source]:
     axis = axis_for(scene, body, number)
     if circle_of(scene, number) is not None:
         return _leg_to_circle(scene, body, number)
+    if chord_to_a_point(scene, body, number) is not None:
+        since = last_move(scene, body, number)
+        return since, time_on_a_chord(scene, body, number, since, _since(scene, number, since))
     if axis is None:
         return _leg_to_slanted(scene, body, number)
     return leg_along(scene, body, number, axis)
@@ -515,16 +519,14 @@ def _leg_to_slanted(scene: Scene, body: str, number: int) -> tuple[int, Source]:
         together(first.refs, pace.refs, begin),
         chain(place_tree(body, number), (added(first.value, flight, pace.value), None)),
     )
-    terms = [
-        product(
-            tree_of(n),
-            total((tree_of(tidy(a - b)), product(tree_of(v), flight))),
-        )
-        for n, a, b, v in zip(axis, first.value, place, pace.value, strict=True)
-        if n != 0
+    there = [
+        total((tree_of(a), product(tree_of(v), flight)))
+        for a, v in zip(first.value, pace.value, strict=True)
     ]
     fact = scene.desk.write(
-        Move("fact"), (f"contact {number}", open_), Relation(((link(swept(total(terms)), ZERO),),))
+        Move("fact"),
+        (f"contact {number}", open_),
+        Relation(((equation_of_line(axis, place, there),),)),
     )
     closing = tidy(pace.value.dot(axis))
     value = tidy((place - first.value).dot(axis) / closing)
@@ -619,11 +621,14 @@ def _leg_of_two(scene: Scene, number: int, body: str, other: str) -> tuple[int, 
         )
         used = (line,)
     own, own_start, pace, refs = there(body)
+    line = scene.desk.write(
+        Move("define", "straight-line", number, (body,)),
+        refs,
+        chain(coordinate_tree(body, number, axis), (own, None)),
+    )
     left, right = (theirs, own) if own == flight else (own, theirs)
     met = scene.desk.write(
-        Move("define", "straight-line", number, (body,)),
-        together(refs, (f"contact {number}",), used),
-        chain(left, (right, None)),
+        Move("fact"), together((f"contact {number}", line), used), chain(left, (right, None))
     )
     closing = tidy(pace.value - their_pace)
     value = tidy((their_start - own_start) / closing)

@@ -9,12 +9,12 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.expression.tree import Binary, Expression
+from restitution.expression.tree import Apply, Binary, Expression, Name, Negate, Polar, Quantity
 from restitution.planning.circles import circle_of, from_centre
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.flights import added
-from restitution.planning.forms import difference, product, square, swept, total, tree_of
-from restitution.planning.impacts import after, in_direction
+from restitution.planning.forms import difference, neat, product, square, swept, total, tree_of
+from restitution.planning.impacts import after
 from restitution.planning.place_trees import place_tree, time_tree
 from restitution.planning.polynomials import expanded
 from restitution.planning.premises import background
@@ -26,46 +26,83 @@ def time_on_a_chord(scene: Scene, body: str, number: int, since: int, flight: Ex
     """The time from one point of a circular wall to the next: the chord over the speed.
 
     It is written as the value of ``flight``.
-
-    The chord is 2r cos φ, where φ is the angle with the radius; cos φ is a component over the
-    speed.
     """
-    circle = circle_of(scene, number)
-    assert circle is not None
-    refs: list[Ref] = [f"contact {number}"]
-    radius, more = scene.put(scene.scalar(circle[1]))
-    if since:
-        frame = scene.frame(since)
-        parts = [after(scene, kind, body, frame) for kind in ("along", "across")]
-        values = []
-        refs.append(f"contact {since}")
-        for each in parts:
-            value, used = scene.put(each.value)
-            values.append(value)
-            refs += [*each.whole, *used]
-        towards = -values[0]
-        below = total(square(tree_of(each)) for each in values if each != 0)
-        squared = sum(each**2 for each in values)
-    else:
-        frame = scene.frame(number)
-        refs.append("start")
-        towards, _ = scene.put(in_direction(scene, "along", body, 0, frame).value)
-        refs += [f"position {body}", *scene.initial(body).refs]
-        size, used = scene.put(scene.model.story.size(scene.initial(body).value))
-        refs += used
-        below, squared = square(tree_of(size)), size**2
-    above = product(tree_of(sp.Integer(2)), tree_of(radius), tree_of(towards))
-    value = tidy(2 * radius * towards / squared)
+    begin: tuple[Ref, ...] = () if since else ("start",)
+    speed = _speed_on_a_chord(scene, body, since)
+    length = _chord(scene, body, number, since, speed)
+    value = tidy(length.value / speed.value)
     line = scene.desk.write(
         Move("define", "chord", number, (body,)),
-        together(refs, more),
+        together(length.refs, speed.refs, begin),
         chain(
             flight,
-            (swept(Binary("/", above, below)), None),
+            (swept(Binary("/", tree_of(length.value), tree_of(speed.value))), None),
             (tree_of(value), "rearrange"),
         ),
     )
     return scene.desk.know(flight, value, (line,))
+
+
+def _chord(scene: Scene, body: str, number: int, since: int, speed: Source) -> Source:
+    """The length of a chord: 2r cos φ, where φ is the angle with the radius.
+
+    cos φ is the component towards the wall over the speed.
+    """
+    quantity = Quantity("distance", (place_tree(body, since), place_tree(body, number)))
+    circle = circle_of(scene, number) or circle_of(scene, since)
+    assert circle is not None
+    radius, more = scene.put(scene.scalar(circle[1]))
+    refs: list[Ref] = [f"contact {number}", *more]
+    if since:
+        source = after(scene, "along", body, scene.frame(since))
+        towards, used = scene.put(-source.value)
+        refs += [f"contact {since}", *source.whole, *used]
+    else:
+        way = from_centre(scene, number, scene.data(f"position {body}").value)
+        initial = scene.initial(body)
+        towards, used = scene.put(neat(-initial.value.dot(way) / scene.model.story.size(way)))
+        refs += [f"position {body}", *initial.refs, *used]
+    tree = product(tree_of(sp.Integer(2)), tree_of(radius))
+    if towards != speed.value:
+        tree = product(tree, Binary("/", tree_of(towards), tree_of(speed.value)))
+    value = tidy(2 * radius * towards / speed.value)
+    line = scene.desk.write(
+        Move("define", "chord", number, (body,)),
+        together(refs, speed.refs),
+        chain(quantity, (swept(tree), None), (tree_of(value), "rearrange")),
+    )
+    return scene.desk.know(quantity, value, (line,))
+
+
+def _speed_on_a_chord(scene: Scene, body: str, since: int) -> Source:
+    """How fast a body goes after an impact with a circular wall; at the start, as is given."""
+    quantity = Quantity("speed", (Name(body),), since)
+    if not since:
+        initial = scene.initial(body)
+        right = scene.facts[f"velocity {body}"].relation.only[0].right
+        given = scene.scalar(right.size) if isinstance(right, Polar) else None
+        size, used = scene.put(scene.model.story.size(initial.value) if given is None else given)
+        return Source(size, together(initial.refs, used))
+    known = scene.desk.known(quantity)
+    if known is not None:
+        own, used = scene.put(known.value)
+        return Source(own, together(known.refs, used))
+    parts = [after(scene, kind, body, scene.frame(since)) for kind in ("along", "across")]
+    values, refs = [], []
+    for each in parts:
+        value, used = scene.put(each.value)
+        values.append(value)
+        refs += [*each.whole, *used]
+    if values[1] == 0:
+        return Source(-values[0], together(refs))
+    squares = total(square(tree_of(each)) for each in values)
+    size = tidy(sp.sqrt(tidy(expanded(sum(each**2 for each in values)))))
+    line = scene.desk.write(
+        Move("define", "speed", since, (body,)),
+        together(refs),
+        chain(quantity, (Apply("sqrt", squares), None), (tree_of(size), "rearrange")),
+    )
+    return scene.desk.know(quantity, size, (line,))
 
 
 @dataclass(frozen=True)
@@ -118,7 +155,9 @@ def time_of_touching(scene: Scene, number: int, ways: Sequence[Way]) -> Source:
     for a, v in zip(at, pace, strict=True):
         a, v = tidy(a), tidy(v)
         if a != 0 or v != 0:
-            sides.append(square(swept(total((tree_of(a), product(tree_of(v), flight))))))
+            terms = (tree_of(a), product(tree_of(v), flight))
+            first_moves = isinstance(terms[0], Negate) and not isinstance(terms[1], Negate)
+            sides.append(square(swept(total(terms[::-1] if first_moves else terms))))
     radius, more = scene.put(scene.scalar(circle[1]))
     fact = scene.desk.write(
         Move("fact"),
