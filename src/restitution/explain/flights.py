@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from restitution.explain.naming import Naming
 from restitution.explain.sources import is_time
-from restitution.explaining.derivation import Derivation, Event, Line, Link, Relation
+from restitution.explaining.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.trees import trees_of
 from restitution.expression.tree import (
@@ -23,15 +23,11 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
     assert isinstance(line.relation, Relation)
     left = line.relation.options[0][0].left
     body = line.move.bodies[0]
-    event = naming.events.get(line.move.event or 0)
     one = naming.movers == 1
     if is_time(left) or (isinstance(left, Letter) and _names_a_time(derivation, left)):
         return say("flight.time") if one else say("flight.time-of", body=body)
     if _is_place(left) and not _by_the_way(derivation, line):
         return say("flight.place") if one else say("flight.place-of", body=body)
-    if event is not None and _is_meeting(event, line) and _speaks_of_a_time(derivation, line):
-        first, second = event.bodies
-        return say("flight.meet", one=first, other=second)
     if _tells_a_time(derivation, line):
         return say("flight.title") if one else say("flight.title-of", body=body)
     return say("flight.same-time")
@@ -71,12 +67,6 @@ def _length_title(line: Line) -> Sentence:
 def distance_title(line: Line) -> Sentence:
     """The title of a distance: by the relative velocity of bodies that met, or by coordinates."""
     return say("distance.relative" if line.move.event else "distance.coordinates")
-
-
-def _is_meeting(event: Event, line: Line) -> bool:
-    """Whether a line says that two spheres are at one place."""
-    spheres = event.kind == "impact" and not event.wall
-    return spheres and " ".join(("contact", str(event.number))) in line.premises
 
 
 def _names_a_time(derivation: Derivation, letter: Letter) -> bool:

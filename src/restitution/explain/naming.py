@@ -463,6 +463,9 @@ class Naming:
             ):
                 one, other = event.bodies
                 return say("touch.place", one=one, other=other)
+            case Link(Quantity("position"), "=", Quantity("position")) if event is not None:
+                one, other = event.bodies
+                return say("touch.meet", one=one, other=other)
             case Link(Quantity("dot", (Binary("-", Quantity("position"), _), _)), "=", right) if (
                 event is not None and self.bodies.get(event.bodies[-1]) == "wall" and is_zero(right)
             ):

@@ -933,10 +933,28 @@ def _of_an_offset(work: _Awarding, line: Line) -> bool:
 
 
 def _open_place(work: _Awarding, line: Line) -> bool:
-    """A place by a time that is not yet known."""
+    """A place by a time that is not yet known, or a second coordinate by it."""
     match _subject(line):
         case Quantity("position"):
-            nodes = [e for tree in trees_of(line.relation) for e in walk(tree)]
+            return _by_an_open_time(line)
+        case Quantity("along", (Quantity("position"), axis)):
+            before = [
+                e for e in work.above(line) if e.move == replace(line.move, bodies=e.move.bodies)
+            ]
+            return _by_an_open_time(line) and any(
+                _by_an_open_time(each)
+                and isinstance(own := _subject(each), Quantity)
+                and own.arguments[-1] == axis
+                for each in before
+            )
+    return False
+
+
+def _by_an_open_time(line: Line) -> bool:
+    """Whether a time stands in a line that is not what it is about."""
+    match line.relation:
+        case Relation(((first, *_), *_)):
+            nodes = walk(first.right)
             return any(isinstance(each, Quantity) and each.kind == "time" for each in nodes)
     return False
 

@@ -488,6 +488,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "circle.at": "{body} is then at a distance {radius} from the centre of {wall}:",
     "circle.towards": "{body} is moving towards {wall} then",
     "touch.towards": "{one} and {other} are approaching then",
+    "touch.meet": "{one} and {other} meet when their coordinates are equal:",
     "touch.apart": "{one} and {other} touch when their centres are {distance} apart:",
     # --- conditions, ranges, extrema --------------------------------------------------------------
     "meeting.collide": (
@@ -776,7 +777,6 @@ SENTENCES: Mapping[SentenceId, str] = {
     "flight.place-of": "New position = old position + velocity × time, for {body}",
     "flight.same-time": "The path is in the direction of the velocity",
     "flight.add": "Putting the times together:",
-    "flight.meet": "{one} and {other} meet when their coordinates are equal",
     "derived-energy.title": "Kinetic energy",
     "derived-energy.why": (
         "Kinetic energy is half the mass times the square of the speed, and that square is the sum "
