@@ -603,6 +603,12 @@ def _leg_of_two(scene: Scene, number: int, body: str, other: str) -> tuple[int, 
         tree = swept(total((tree_of(place.value), product(tree_of(pace.value), way))))
         return tree, constant, pace, together(place.refs, pace.refs, refs)
 
+    own, own_start, pace, refs = there(body)
+    line = scene.desk.write(
+        Move("define", "straight-line", number, (body,)),
+        refs,
+        chain(coordinate_tree(body, number, axis), (own, None)),
+    )
     if velocity(scene, other, last[other], axis).value == 0:
         end = coordinate_moved(scene, other, number, axis)
         theirs, their_start, their_pace, used = (
@@ -614,18 +620,12 @@ def _leg_of_two(scene: Scene, number: int, body: str, other: str) -> tuple[int, 
     else:
         theirs, their_start, moving, refs = there(other)
         their_pace = moving.value
-        line = scene.desk.write(
+        open_ = scene.desk.write(
             Move("define", "straight-line", number, (other,)),
             refs,
             chain(coordinate_tree(other, number, axis), (theirs, None)),
         )
-        used = (line,)
-    own, own_start, pace, refs = there(body)
-    line = scene.desk.write(
-        Move("define", "straight-line", number, (body,)),
-        refs,
-        chain(coordinate_tree(body, number, axis), (own, None)),
-    )
+        used = (open_,)
     left, right = (theirs, own) if own == flight else (own, theirs)
     met = scene.desk.write(
         Move("fact"), together((f"contact {number}", line), used), chain(left, (right, None))
