@@ -63,8 +63,10 @@ def test_inside_by_the_radius_and_then_by_the_chord() -> None:
     assert lines(derivation, "chord") == [
         "along(velocity(P, 1), line_of_centres(2)) = 4u/5",
         "across(velocity(P, 1), line_of_centres(2)) = 6u/5",
-        "distance(position(P, 1), position(P, 2)) = 2(5a) (4u/5/(2sqrt(13) u/5)) = "
-        "20sqrt(13) a/13 [rearrange]",
+        (
+            "distance(position(P, 1), position(P, 2)) = 2(5a) (4u/5/(2sqrt(13) u/5)) = "
+            "20sqrt(13) a/13 [rearrange]"
+        ),
         "time(2) - time(1) = 20sqrt(13) a/13/(2sqrt(13) u/5) = 50a/(13u) [rearrange]",
     ]
     text = printed(problem, derivation)
