@@ -11,7 +11,7 @@ from restitution.explain.flights import chord_title, distance_title, flight_titl
 from restitution.explain.measured import worth
 from restitution.explain.meetings import condition_of
 from restitution.explain.naming import Naming
-from restitution.explain.offsets import is_offset, said_of_an_offset
+from restitution.explain.offsets import is_offset, offset_sentence
 from restitution.explain.reasons import Reasons
 from restitution.explain.sources import Source, Sources
 from restitution.explaining.definitions import past_a_right_angle, tie_of
@@ -274,11 +274,11 @@ class Leads:
                 yield say("given.fact", fact=words)
             elif (offset := next(filter(is_offset, given), None)) is not None:
                 # Once the offset is known, the same fact gives the line in numbers.
-                known = offset.id in self._given
+                again = offset.id in self._given
                 yield (
                     self._worked_out(offset)
-                    if known
-                    else said_of_an_offset(offset, self._naming, given=False)
+                    if again
+                    else offset_sentence(offset, self._naming, given=False)
                 )
                 self._given.add(offset.id)
             else:
@@ -395,7 +395,7 @@ class Leads:
         for each in facts:
             if each is not None and is_offset(each) and each.id not in self._given:
                 self._given.add(each.id)
-                yield said_of_an_offset(each, self._naming, given=True)
+                yield offset_sentence(each, self._naming, given=True)
 
     def _identity(self, line: Line) -> str:
         """The name of an identity: of a tangent that of a sum, or of a difference."""

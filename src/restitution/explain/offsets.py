@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import sympy as sp
 
 from restitution.errors import RestitutionError
@@ -25,7 +27,7 @@ def is_offset(fact: Fact) -> bool:
     return False
 
 
-def said_of_an_offset(fact: Fact, naming: Naming, given: bool) -> Sentence:
+def offset_sentence(fact: Fact, naming: Naming, given: bool) -> Sentence:
     """How an offset gives a line of centres: by the sine of the angle to the path.
 
     Where the angle is ``given``, that is said next.
@@ -46,7 +48,7 @@ def said_of_an_offset(fact: Fact, naming: Naming, given: bool) -> Sentence:
         beside = tree_of(tidy(-worth(beside)))
     sine = tidy(worth(beside) / worth(apart))
     sides = naming.laid(Binary("/", beside, apart)), naming.laid(tree_of(sine))
-    slots = {
+    slots: dict[str, Any] = {
         "other": other,
         "path": path,
         "offset": _length(naming, beside),
@@ -93,4 +95,4 @@ def _vector(tree: Expression) -> Vector | None:
         return None
 
 
-__all__ = ["is_offset", "said_of_an_offset"]
+__all__ = ["is_offset", "offset_sentence"]

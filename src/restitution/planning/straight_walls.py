@@ -32,10 +32,10 @@ def equation_of_line(normal: Vector, through: Vector, point: Sequence[Expression
         (right if minus else left).append(own)
     if constant != 0:
         right.append(tree_of(constant))
-    sides = [swept(total(left)), swept(total(right))]
+    one, other = swept(total(left)), swept(total(right))
     if len(left) == len(right) == 1 and -plain.y == 1:
-        sides.reverse()
-    return link(*sides)
+        one, other = other, one
+    return link(one, other)
 
 
 def _is_taken_away(factor: Any) -> bool:
