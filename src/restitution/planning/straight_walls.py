@@ -25,7 +25,8 @@ def equation_of_line(normal: Vector, through: Vector, point: Sequence[Expression
     constant = tidy(plain.dot(through))
     if _is_taken_away(plain.x):
         plain, constant = -plain, -constant
-    left, right = [], []
+    left: list[Expression] = []
+    right: list[Expression] = []
     for factor, tree in zip(plain, point, strict=True):
         minus = _is_taken_away(factor)
         own = product(tree_of(-factor if minus else factor), tree)
