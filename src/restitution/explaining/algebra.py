@@ -363,6 +363,8 @@ class World:
 
     def size(self, vector: Plane) -> Quotient:
         """The size of a vector."""
+        if self._is_of_an_angle(vector):
+            return CONSTANT(1)
         return self.root(self.reduced(vector.x * vector.x + vector.y * vector.y))
 
     # --- vectors ---------------------------------------------------------------------------------
@@ -393,6 +395,17 @@ class World:
             return vector
         size = self.size(vector)
         return Plane(self.reduced(vector.x / size), self.reduced(vector.y / size))
+
+    def _is_of_an_angle(self, vector: Plane) -> bool:
+        """Whether a vector is written as the cosine and the sine of an angle: its size is 1."""
+        keys = [list(self.keys(each.above).values()) for each in (vector.x, vector.y)]
+        if any(len(each) != 1 for each in keys):
+            return False
+        (one,), (other,) = keys
+        if {one[0], other[0]} != {"cos", "sin"} or one[1] != other[1]:
+            return False
+        own = [self.generator(each) for each in (one, other)]
+        return all(x in (g, -g) for x, g in zip((vector.x, vector.y), own, strict=True))
 
     def direction(self, tree: Expression) -> Plane | None:
         """A vector in the direction that a tree tells, or None where none is cited."""
@@ -636,6 +649,8 @@ class World:
             return known or self.roles.get(key[1], REAL).kind == "positive"
         if key[0] in ("cos", "sin"):
             terms, degrees = key[1]
+            if terms and terms[0] == ():
+                return True  # a number of degrees, below 45°
             atom, count = terms[0] if len(terms) == 1 and not degrees and terms[0] else ("", 2)
             return getattr(atom, "name", "") in self.nonnegative and 0 < count <= 1
         return key[0] in ("root", "size")
@@ -803,6 +818,9 @@ class World:
 
     def _of_inverse(self, atom: Apply) -> tuple[Quotient, Quotient]:
         x = self.scalar(atom.argument)
+        acute = self._acute_angle_of(x) if atom.function == "arcsin" else None
+        if acute is not None:
+            return self._pair(acute)
         other = self.root(self.reduced(CONSTANT(1) - x * x)) if atom.function != "arctan" else None
         if atom.function == "arcsin" and other is not None:
             return other, x
@@ -810,6 +828,22 @@ class World:
             return x, other
         long = self.root(self.reduced(CONSTANT(1) + x * x))
         return CONSTANT(1) / long, x / long
+
+    def _acute_angle_of(self, x: Quotient) -> Any:
+        """The angle of which an expression is the sine, where that is acute; None without one."""
+        keys = self.keys(x.above)
+        if len(keys) != 1:
+            return None
+        ((_, key),) = keys.items()
+        if key[0] != "sin" or x != self.generator(key):
+            return None
+        terms, degrees = key[1]
+        if len(terms) != 1 or degrees or not terms[0] or terms[0][1] != 1:
+            return None
+        role = self.roles.get(getattr(terms[0][0], "name", ""), REAL)
+        if role.low is None or role.high is None or role.kind != "angle":
+            return None
+        return key[1] if role.low >= 0 and bool(role.high <= sp.pi / 2) else None
 
     def _plain_angle(self, degrees: Fraction) -> tuple[Quotient, Quotient]:
         """The cosine and the sine of a number of degrees: exact where roots have it."""

@@ -557,8 +557,34 @@ def _pointing(step: Step, tree: Expression) -> Expression:
     return own if seen else tree
 
 
+def _to_walls(step: Step, event: Event | None) -> Iterator[Link]:
+    """The tangent of an angle to a wall: to a parallel one, or where the sense along it is open."""
+    if event is None or not event.wall:
+        return
+    own, axis = Name(event.bodies[1]), axis_of(event)
+    for meaning in step.lets:
+        match meaning.quantity:
+            case Quantity(
+                "angle", (Quantity("velocity", _, int(stage)) as velocity, Name() as wall)
+            ):
+                pass
+            case _:
+                continue
+        directions = [
+            step.world.directions.get(Quantity("direction", (each,))) for each in (own, wall)
+        ]
+        if stage != event.number or (
+            wall != own and (None in directions or directions[0] != directions[1])
+        ):
+            continue
+        along, across = (Quantity(kind, (velocity, axis)) for kind in ("along", "across"))
+        for below in (across, Apply("abs", across)):
+            yield Link(Apply("tan", meaning.quantity), "=", Binary("/", along, below))
+
+
 WORKED_OUT: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
     "difference": turnings,
+    "tan": _to_walls,
     "total": _total,
     "total-lost": _total_lost,
     "momentum-of": _momentum_of_all,

@@ -754,8 +754,7 @@ def _is_squared(step: Step, line: Link, base: Link) -> bool:
     """Whether a line has the squares of both sides: of a root, and of what is positive."""
     if line.sign != "=" or base.sign != "=":
         return False
-    sides = [(base.left, base.right), (base.right, base.left)]
-    if not any(isinstance(a, Apply) and a.function in ("sqrt", "abs") for a, _ in sides):
+    if not any(map(_is_size_or_root, (*walk(base.left), *walk(base.right)))):
         return False
     values = [step.world.value(each) for link in (base, line) for each in (link.left, link.right)]
     if not all(isinstance(each, Quotient) for each in values):
@@ -763,10 +762,19 @@ def _is_squared(step: Step, line: Link, base: Link) -> bool:
     a, b, c, d = values
     if not all(step.world.reduced(x**2 - y).vanishes for x, y in ((a, c), (b, d))):  # type: ignore[operator]
         return False
-    return all(
-        isinstance(tree, Apply) or step.signs.of(x) == 1  # type: ignore[arg-type]
-        for tree, x in ((base.left, a), (base.right, b))
-    )
+    return _never_negative(step, base.left) and _never_negative(step, base.right)
+
+
+def _is_size_or_root(tree: Expression) -> bool:
+    return isinstance(tree, Apply) and tree.function in ("sqrt", "abs")
+
+
+def _never_negative(step: Step, tree: Expression) -> bool:
+    """Whether a side is a root or a size, or what is positive, or a product of such."""
+    match tree:
+        case Binary("*" | "/", left, right):
+            return _never_negative(step, left) and _never_negative(step, right)
+    return _is_size_or_root(tree) or step.signs.of(step.world.scalar(tree)) == 1
 
 
 def _same_direction(step: Step, line: Link, base: Link) -> bool:

@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     has_quantity,
     letters,
 )
+from restitution.planning.angle_inequalities import write_of_angles
 from restitution.planning.conditions import Conditions
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import ONE, ZERO, tree_of
@@ -109,9 +110,10 @@ class Claims:
                 line = self.compared(base, relation)
                 if line is not None:
                     return line
-            line = write_turn(self, quantities, relation)
-            if line is not None:
-                return line
+            for way in (write_of_angles, write_turn):
+                line = way(self, quantities, relation)
+                if line is not None:
+                    return line
             line = self._by_tangents(base, lines, relation)
             if line is not None:
                 return line

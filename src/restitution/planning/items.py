@@ -9,11 +9,14 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Fact, Link, Meaning, Move, Relation
+from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Expression,
     Letter,
     Name,
+    Number,
     Quantity,
     has_quantity,
     walk,
@@ -24,7 +27,7 @@ from restitution.planning.axes import write_axis, write_wall
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.either_side import write_sides
 from restitution.planning.expressions import outermost, write_expression
-from restitution.planning.forms import tree_of
+from restitution.planning.forms import ONE, difference, product, square, tree_of
 from restitution.planning.momenta import write_by_momentum
 from restitution.planning.order import Solver
 from restitution.planning.quantities import formula, write_formula
@@ -223,6 +226,18 @@ def _of_letters(scene: Scene, asked: Expression, name: str) -> None:
     value, refs = scene.put(scene.scalar(asked))
     if scene.unknown(value) or not any(isinstance(each, int) for each in refs):
         raise NotPlannedError("an expression of letters that are open")
+    doubled = _of_double_angle(asked)
+    if doubled is not None:
+        values = {each: tree_of(scene.put(scene.scalar(each))[0]) for each in _ratios_in(doubled)}
+        told = rebuilt(doubled, lambda each: values.get(each, each))
+        steps = ((doubled, None), (told, "put"), (tree_of(value), "rearrange"))
+        relation = chain(asked, *steps)  # type: ignore[arg-type]
+        move = Move("identity", "double-angle")
+        premises = scene.judge.needed(move, refs, relation)
+        if premises is not None:
+            line = scene.desk.write(move, premises, relation)
+            scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
+            return
     relation = chain(asked, (tree_of(value), None))
     lines = [each for each in refs if isinstance(each, int)]
     first, *rest = lines
@@ -230,6 +245,25 @@ def _of_letters(scene: Scene, asked: Expression, name: str) -> None:
     if rest or len(lines) != len(refs):
         raise NotPlannedError("an expression of several letters")
     scene.desk.end(name, scene.desk.write(move, (first,), relation), relation)
+
+
+def _of_double_angle(asked: Expression) -> Expression | None:
+    """The sine, the cosine or the tangent of 2θ by those of θ; None of anything else."""
+    match asked:
+        case Apply(kind, Binary("*", Number() as two, Letter() as angle)) if two.value == 2:
+            sine, cosine, tangent = (Apply(each, angle) for each in ("sin", "cos", "tan"))
+        case _:
+            return None
+    doubled: dict[str, Expression] = {
+        "sin": product(two, sine, cosine),
+        "cos": difference(square(cosine), square(sine)),
+        "tan": Binary("/", product(two, tangent), difference(ONE, square(tangent))),
+    }
+    return doubled.get(kind)
+
+
+def _ratios_in(tree: Expression) -> set[Apply]:
+    return {each for each in walk(tree) if isinstance(each, Apply)}
 
 
 def _written(scene: Scene, asked: Quantity) -> int | None:

@@ -4,10 +4,21 @@ from __future__ import annotations
 
 from typing import Any
 
+import sympy as sp
+
 from restitution.explaining.derivation import Meaning, Move, Ref
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Negate, Quantity
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    Quantity,
+    letters,
+)
 from restitution.planning.desk import chain, together
 from restitution.planning.forms import swept, tree_of
+from restitution.planning.premises import background
 from restitution.planning.quantities import Formula
 from restitution.planning.scene import Scene
 
@@ -62,7 +73,11 @@ def ratio_line(
     match right:
         case Binary("/", above, below) if isinstance(swept(below), Negate):
             first = Binary("/", swept(above), swept(below))
-    return scene.desk.write(move, refs, chain(ratio, (first, None), (tree_of(value), "rearrange")))
+    relation = chain(ratio, (first, None), (tree_of(value), "rearrange"))
+    if sp.sympify(value).has(sp.Abs):
+        known = background(scene, letters(relation.only[0].right))
+        refs = scene.judge.enough(move, refs, relation, known) or refs
+    return scene.desk.write(move, refs, relation)
 
 
 def tangent_line(scene: Scene, asked: Quantity, own: Formula, move: Move) -> tuple[int, str]:

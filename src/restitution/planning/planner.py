@@ -217,8 +217,9 @@ def _write_items(scene: Scene, ways: dict[str, int], last: int) -> None:
 
     Raises NotPlannedError where one cannot be written in the ``last`` way.
     """
-    solver = Solver(scene)
     problem, part = scene.problem, scene.solution
+    scene.desk.item = _name(part, 1)  # what is given may be put in before the first is written
+    solver = Solver(scene)
     for index, ((item, now), result) in enumerate(
         zip(problem.asked(part.part), part.items, strict=True), 1
     ):

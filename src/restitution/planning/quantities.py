@@ -291,7 +291,19 @@ def _speed(scene: Scene, quantity: Quantity) -> Formula:
     tree, value, refs = squares(scene, body, stage)
     move = Move("define", "speed", stage or None, (body,))
     size = tidy(sp.sqrt(tidy(expanded(value))))
+    if len({each.args for each in value.atoms(sp.sin, sp.cos)}) > 1:
+        # Products of ratios of several angles are longer multiplied out.
+        size = min(size, _with_factor_outside(value), key=lambda each: each.count_ops())
     return Formula(move, _itself, quantity, Apply("sqrt", tree), size, refs)
+
+
+def _with_factor_outside(square_: sp.Expr) -> sp.Expr:
+    """The root of a sum of squares, with the positive letters outside that all of them have."""
+    terms = sp.Add.make_args(square_)
+    powers = [sp.Mul(*sp.Mul.make_args(each)).as_powers_dict() for each in terms]
+    common = [s for s in powers[0] if s.is_Symbol and s.is_positive]
+    shared = sp.Mul(*(s ** (min(each[s] for each in powers) // 2) for s in common))
+    return shared * sp.sqrt(sp.Add(*(each / shared**2 for each in terms)))
 
 
 def _component(scene: Scene, quantity: Quantity) -> Formula:
@@ -369,8 +381,11 @@ def _angle(scene: Scene, quantity: Quantity) -> Formula:
         return _angle_between(scene, quantity)
     frame = _frame_of_line(scene, body, stage, line)
     along, across = parts(scene, body, stage, frame)
+    walls: tuple[Ref, ...] = ()
     if isinstance(line, Name) and line.name == frame.wall:
         above, below = along, across
+    elif isinstance(line, Name) and _is_beside(scene, line, frame):
+        above, below, walls = along, across, (f"wall {line.name}", f"wall {frame.wall}")
     elif isinstance(line, Quantity) and line.kind == "line_of_centres":
         above, below = across, along
     else:
@@ -381,22 +396,35 @@ def _angle(scene: Scene, quantity: Quantity) -> Formula:
         trees.append(negative(tree) if scene.model.sign(each.value) < 0 else tree)
     if is_zero(trees[1]):
         raise NotPlannedError("a right angle")
-    if not all(is_zero(a) or _of_one_sign(scene, b.value) for a, b in zip(trees, (above, below))):
-        raise NotPlannedError("a tangent of open sign")
     value = tidy(above.value / below.value)
     value = -value if scene.model.sign(value) < 0 else value
+    if not is_zero(trees[0]) and not _of_one_sign(scene, above.value):
+        raise NotPlannedError("a tangent of open sign")
+    if not _of_one_sign(scene, below.value):
+        # Which way the body goes along the line is open.
+        size = sp.Abs(below.value, evaluate=False)
+        trees[1], value = Apply("abs", trees[1]), tidy(above.value) / size
+        value = -value if scene.model.sign(above.value) < 0 else value
     # Of what moves along the line the other component does not matter.
     sources = (above,) if is_zero(trees[0]) else (above, below)
     names = together(frame.names_axis("along"), frame.names_axis("across"))
-    refs = together(*(each.whole for each in sources), names)
+    refs = together(*(each.whole for each in sources), names, walls)
     return Formula(
         Move("define", "tan", frame.number, (body,)),
         tangent,
         quantity,
         Binary("/", *trees),
-        tidy(value),
+        value if value.has(sp.Abs) else tidy(value),
         refs,
     )
+
+
+def _is_beside(scene: Scene, line: Name, frame: Frame) -> bool:
+    """Whether a name is that of a wall parallel to the wall of an impact."""
+    if frame.wall is None or line.name not in scene.model.story.walls:
+        return False
+    direction = scene.model.story.direction(line, scene.events)
+    return bool(tidy(direction.dot(frame.n)) == 0)
 
 
 def _angle_between(scene: Scene, quantity: Quantity) -> Formula:

@@ -13,7 +13,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.errors import UnsupportedError
-from restitution.expression.tree import letters
+from restitution.expression.tree import Degrees, letters, walk
 from restitution.oracle import (
     BeyondError,
     Formula,
@@ -265,8 +265,10 @@ def _used(worker: _Worker, outcome: Outcome) -> set[str]:
 def _leading(tree: Any) -> Fraction:
     from restitution.expression.evaluate import evaluate
 
-    value = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
-    coefficient, _ = sp.sympify(value, strict=True).as_coeff_Mul()
+    value = sp.sympify(evaluate(tree, lambda name: sp.Symbol(name, positive=True)), strict=True)
+    if any(isinstance(each, Degrees) for each in walk(tree)):
+        value = value * 180 / sp.pi  # an angle is printed in degrees
+    coefficient, _ = value.as_coeff_Mul()
     if not coefficient.is_Rational or coefficient == 0:
         raise UnsupportedError("a rounded result is a number, perhaps times letters")
     return Fraction(int(coefficient.p), int(coefficient.q))

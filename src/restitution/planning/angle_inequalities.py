@@ -1,0 +1,139 @@
+"""Inequalities between angles: acute or not by the sign of a tangent, or one of two the greater."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from restitution.explaining.derivation import Link, Meaning, Move, Relation
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import Apply, Degrees, Expression, Letter, Quantity
+from restitution.planning.angle_pairs import extents, made_of_two
+from restitution.planning.desk import NotPlannedError
+from restitution.planning.forms import ZERO, tree_of
+from restitution.planning.inequalities import FLIPPED
+from restitution.planning.polynomials import expanded
+
+if TYPE_CHECKING:
+    from restitution.planning.claims import Claims
+
+
+def write_of_angles(
+    claims: Claims, quantities: Sequence[Quantity], relation: Relation
+) -> int | None:
+    """An inequality between angles of the motion; None where there is no way to it."""
+    if len(relation.only) != 1 or not quantities:
+        return None
+    if any(each.kind not in ("angle", "deflection") for each in quantities):
+        return None
+    mark = claims.worths.mark()
+    for way in (_by_sign, _by_the_other):
+        try:
+            line = way(claims, quantities, relation)
+        except NotPlannedError:
+            line = None
+        if line is not None:
+            return line
+        claims.worths.back(mark)
+    return None
+
+
+def _by_sign(claims: Claims, quantities: Sequence[Quantity], relation: Relation) -> int | None:
+    """That an angle is acute, or obtuse, by the sign of its tangent."""
+    (link,) = relation.only
+    match link:
+        case Link(Quantity() as angle, "<" | ">" as sign, Degrees(value)) if value == 90:
+            pass
+        case _:
+            return None
+    if quantities != [angle]:
+        return None
+    tangent, letter, extent = claims.worths.lettered(claims.worths.angle(angle), angle)
+    told = Link(Apply("tan", letter), FLIPPED[sign], ZERO)
+    signed = claims.compared([tangent], Relation(((told,),)))
+    return None if signed is None else claims.judge.write(_COMPARE, [signed, *extent], relation)
+
+
+def _by_the_other(claims: Claims, quantities: Sequence[Quantity], relation: Relation) -> int | None:
+    """An angle that is made of two, of which one is the greater, as its tangent is."""
+    scene = claims.scene
+    for asked in quantities:
+        claims.worths.determine_angle(asked)
+        parts = made_of_two(scene, asked)
+        if parts is None:
+            continue
+        made, tangents = parts
+        if len(tangents) != 1:
+            continue
+        (tangent,) = tangents
+        own = scene.desk.last_link(tangent).left
+        assert isinstance(own, Apply)
+        less = _which_is_less(claims, relation.only[0], own.argument)
+        if less is None:
+            continue
+        names = {e.name for e in (less.left, less.right) if isinstance(e, Letter)}
+        ratios = Link(Apply("tan", less.left), less.sign, Apply("tan", less.right))
+        compared = claims.compared([tangent], Relation(((ratios,),)))
+        if compared is None:
+            continue
+        pool = [compared, *claims.judge.known(names), *extents(scene, names)]
+        angles = claims.judge.write(_COMPARE, pool, Relation(((less,),)))
+        if angles is None:
+            continue
+        every = {each.letter for each in _lets(claims)} | names
+        pool = [made, angles, *extents(scene, every)]
+        last = claims.judge.write(_COMPARE, pool, relation)
+        if last is not None:
+            return last
+    return None
+
+
+def _which_is_less(claims: Claims, link: Link, angle: Expression) -> Link | None:
+    """What an inequality says of an angle of the motion and one of the data: ``β <= α``."""
+    values = [_in_two(claims, each) for each in (link.left, link.right)]
+    if None in values or not isinstance(angle, Letter):
+        return None
+    gap = expanded(values[0] - values[1])
+    if len(gap.free_symbols) != 2 or angle.name not in {s.name for s in gap.free_symbols}:
+        return None
+    symbol, other = sorted(gap.free_symbols, key=lambda s: s.name != angle.name)
+    factor = gap.coeff(other)
+    if not factor.is_number or expanded(gap - factor * (other - symbol)) != 0:
+        return None
+    sign = link.sign if factor < 0 else FLIPPED[link.sign]
+    return Link(angle, sign, tree_of(other, angle=True))
+
+
+def _in_two(claims: Claims, tree: Expression) -> sp.Expr | None:
+    """A side of an inequality in letters of angles, with those put in that lines make of others."""
+    scene = claims.scene
+    named = {each.quantity: each.letter for each in _lets(claims)}
+    made = {
+        link.left: link.right
+        for each in scene.desk.lines
+        if isinstance(each.relation, Relation) and len(each.relation.options) == 1
+        for link in each.relation.only[:1]
+        if each.move.record in ("sum", "difference")
+    }
+
+    def change(each: Expression) -> Expression:
+        letter = Letter(named[each]) if each in named else each
+        return made.get(letter, letter)
+
+    put = rebuilt(tree, change)
+    symbols = {name: sp.Symbol(name) for name in named.values()}
+    try:
+        return sp.sympify(scene.worth(put, symbols), strict=True)
+    except (KeyError, TypeError):
+        return None
+
+
+def _lets(claims: Claims) -> list[Meaning]:
+    """What the letters of the working stand for."""
+    lines = (each.relation for each in claims.scene.desk.lines)
+    return [each for each in lines if isinstance(each, Meaning)]
+
+
+_COMPARE = (Move("compare"),)
