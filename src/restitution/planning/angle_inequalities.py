@@ -92,10 +92,10 @@ def _by_the_other(claims: Claims, quantities: Sequence[Quantity], relation: Rela
 
 def _which_is_less(claims: Claims, link: Link, angle: Expression) -> Link | None:
     """What an inequality says of an angle of the motion and one of the data: ``β <= α``."""
-    values = [_in_two(claims, each) for each in (link.left, link.right)]
-    if None in values or not isinstance(angle, Letter):
+    left, right = (_in_two(claims, each) for each in (link.left, link.right))
+    if left is None or right is None or not isinstance(angle, Letter):
         return None
-    gap = expanded(values[0] - values[1])
+    gap = expanded(left - right)
     if len(gap.free_symbols) != 2 or angle.name not in {s.name for s in gap.free_symbols}:
         return None
     symbol, other = sorted(gap.free_symbols, key=lambda s: s.name != angle.name)

@@ -228,7 +228,9 @@ def _of_letters(scene: Scene, asked: Expression, name: str) -> None:
         raise NotPlannedError("an expression of letters that are open")
     doubled = _of_double_angle(asked)
     if doubled is not None:
-        values = {each: tree_of(scene.put(scene.scalar(each))[0]) for each in _ratios_in(doubled)}
+        values: dict[Expression, Expression] = {
+            each: tree_of(scene.put(scene.scalar(each))[0]) for each in _ratios_in(doubled)
+        }
         told = rebuilt(doubled, lambda each: values.get(each, each))
         steps = ((doubled, None), (told, "put"), (tree_of(value), "rearrange"))
         relation = chain(asked, *steps)  # type: ignore[arg-type]
