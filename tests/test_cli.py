@@ -386,7 +386,16 @@ def redirected(folder, rest):
     return done.returncode, done.stdout.decode(), done.stderr.decode()
 
 
-@pytest.mark.parametrize("name", WRITING)
+IN_THE_NORMAL_RUN = {"solve", "check", "help"}  # each is two processes; the nightly run has all
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=() if name in IN_THE_NORMAL_RUN else pytest.mark.nightly)
+        for name in WRITING
+    ],
+)
 def test_an_output_that_is_closed_or_full(folder, name):
     said = "standard output: cannot be written: "
     assert redirected(folder, f"{WRITING[name]} >&-") == (1, "", f"{said}it is closed\n")

@@ -14,6 +14,7 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 import claims
@@ -24,6 +25,7 @@ from plain_physics import number
 
 from restitution.errors import RestitutionError
 from restitution.language import parse
+from restitution.problem import Problem
 from restitution.solve import solve
 
 Roots = Callable[[Any], list[Any]]
@@ -227,9 +229,14 @@ def oblique_speed_of_what_is_struck(rng: random.Random) -> Question:
     return Question(statement, "u", u, "e", lambda x: [speed * (m + k) * 5 / (m * x * 4) - 1])
 
 
+@cache
+def _problem(statement: str) -> Problem:
+    return parse(statement)
+
+
 def expected(asked: Question, x: Any) -> list[Any]:
     """The roots with which the story can happen, at one value of the free letter."""
-    problem = parse(asked.statement)
+    problem = _problem(asked.statement)
     physical = []
     for root in asked.roots(x):
         letters = {asked.free: x, asked.sought: root}
@@ -258,7 +265,7 @@ def values_of(asked: Question) -> Iterator[Any]:
         if at_a == at_b:
             continue
         low, high = a, b
-        for _ in range(200):
+        for _ in range(70):  # b is at most ten times a: far closer than the steps below
             middle = (low + high) / 2
             if len(expected(asked, middle)) == at_a:
                 low = middle

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import ast
 import itertools
+import json
+import os
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -75,22 +78,20 @@ def test_unknown_name():
         _ = restitution.colour
 
 
-@pytest.mark.parametrize("name", NAMESAKES)
-@pytest.mark.parametrize(
-    "before",
-    [
-        "import restitution",
-        "import restitution.{0}",
-        "import restitution.{0} as module",
-        "from restitution.{0} import {0} as again",
-        "import importlib; importlib.import_module('restitution.{0}')",
-        "from restitution import {0}",
-        "from restitution import *",
-        "import restitution; restitution.{0}; import restitution.{0}",
-    ],
-)
-def test_function_is_not_hidden_by_the_module_of_its_name(name, before):
-    code = f"""{before.format(name)}
+BEFORE = [
+    "import restitution",
+    "import restitution.{0}",
+    "import restitution.{0} as module",
+    "from restitution.{0} import {0} as again",
+    "import importlib; importlib.import_module('restitution.{0}')",
+    "from restitution import {0}",
+    "from restitution import *",
+    "import restitution; restitution.{0}; import restitution.{0}",
+]
+
+
+def looked_up(name: str, before: str) -> str:
+    return f"""{before.format(name)}
 import importlib, pickle, sys, types
 import restitution as r
 from restitution import {name} as found
@@ -100,14 +101,75 @@ module = importlib.import_module("restitution.{name}")
 assert isinstance(module, types.ModuleType) and module.{name} is found
 assert pickle.loads(pickle.dumps(found)) is found
 print("good")"""
-    assert run(code) == "good"
 
 
-@pytest.mark.parametrize("order", list(itertools.permutations(NAMESAKES)))
-def test_functions_in_every_order_of_import(order):
+def imported(order: tuple[str, ...]) -> str:
     imports = "; ".join(f"import restitution.{name}" for name in order)
     names = ", ".join(f"type(restitution.{name}).__name__" for name in NAMESAKES)
-    assert run(f"{imports}; print({{{names}}})") == "{'function'}"
+    return f"{imports}; print({{{names}}})"
+
+
+ORDERS = list(itertools.permutations(NAMESAKES))
+FORKING = """\
+import io, json, os, sys, traceback, warnings
+import lark, mpmath, numpy, sympy
+outcomes = []
+for code in json.load(sys.stdin):
+    end, beginning = os.pipe()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore") # numpy has threads, none of which is at work
+        child = os.fork()
+    if not child:
+        os.dup2(beginning, 1)
+        os.dup2(beginning, 2)
+        warnings.simplefilter("error")
+        try:
+            exec(code, {"__name__": "__main__"})
+        except BaseException:
+            traceback.print_exc()
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(0)
+    os.close(beginning)
+    with os.fdopen(end) as file:
+        outcomes.append(file.read().strip())
+    os.waitpid(child, 0)
+assert not [name for name in sys.modules if name.startswith("restitution")]
+json.dump(outcomes, sys.stdout)
+"""
+
+
+@cache
+def outcomes() -> dict[str, str]:
+    """What each piece of code prints in a process that has loaded nothing of this package.
+
+    Each process is a copy of one that has the libraries, as these take most of the time.
+    """
+    codes = [looked_up(name, before) for name, before in itertools.product(NAMESAKES, BEFORE)]
+    codes += map(imported, ORDERS)
+    done = subprocess.run(
+        [sys.executable, "-c", FORKING],
+        input=json.dumps(codes),
+        capture_output=True,
+        text=True,
+        timeout=100,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    return dict(zip(codes, json.loads(done.stdout), strict=True))
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="processes are no copies here")
+@pytest.mark.parametrize("name", NAMESAKES)
+@pytest.mark.parametrize("before", BEFORE)
+def test_function_is_not_hidden_by_the_module_of_its_name(name, before):
+    assert outcomes()[looked_up(name, before)] == "good"
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="processes are no copies here")
+@pytest.mark.parametrize("order", ORDERS)
+def test_functions_in_every_order_of_import(order):
+    assert outcomes()[imported(order)] == "{'function'}"
 
 
 def test_what_type_checkers_see_is_what_is_offered():
