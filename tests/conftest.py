@@ -10,7 +10,7 @@ from typing import Any
 import browsing
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect
-from statements import NAMES
+from statements import FILES, NAMES
 
 # In these modules too a failed assertion says what it compared.
 for _path in Path(__file__).parent.glob("laws_of_*.py"):
@@ -27,14 +27,67 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--law", default="", help="laws of statements whose name holds these letters")
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Which tests go to one process, since they share what takes long to make.
+QUICK = {
+    "test_algebra",
+    "test_answer_table",
+    "test_any_size",
+    "test_awarding",
+    "test_bodies",
+    "test_docs",
+    "test_exact",
+    "test_expression",
+    "test_found_again",
+    "test_impact",
+    "test_impossible_coefficient",
+    "test_inverse",
+    "test_lab",
+    "test_language",
+    "test_law",
+    "test_meeting_again",
+    "test_oracle",
+    "test_parsers",
+    "test_physical_sense",
+    "test_planning_events",
+    "test_planning_notes",
+    "test_planning_wide_angles",
+    "test_problem_timeline",
+    "test_project",
+    "test_render",
+    "test_statements",
+    "test_trace",
+    "test_units",
+    "test_vacuous",
+    "test_work",
+}
+"""Modules for ``-m quick``: of every layer some, none of a browser, of servers or of commands."""
 
-    All tests of a statement, for it is solved once; all of pages, which share a server and a
-    browser; all of a module, but of those whose tests have nothing in common.
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Nothing else is even read where only quick tests are wanted."""
+    name = collection_path.stem
+    if config.option.markexpr == "quick" and name.startswith("test_") and name not in QUICK:
+        return True
+    return None
+
+
+@pytest.hookimpl(tryfirst=True)  # marks are looked at afterwards
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Which tests are quick, and which go to one process, sharing what takes long to make.
+
+    That is all tests of a statement, for it is solved once; all of pages, which share a server
+    and a browser; all of a module, but of those whose tests have nothing in common.
     """
+    few = frozenset(FILES[::40])
     for item in items:
         item.add_marker(pytest.mark.xdist_group(_group(item)))
+        path = item.callspec.params.get("path") if hasattr(item, "callspec") else None
+        one_of_many = item.path.stem == "test_statements" and path is not None
+        if (
+            item.path.stem in QUICK
+            and item.get_closest_marker("nightly") is None
+            and (not one_of_many or path in few)
+        ):
+            item.add_marker(pytest.mark.quick)
 
 
 # Their tests take long, and share nothing.
