@@ -112,6 +112,7 @@ class _Writer:
         """The steps of a part."""
         lines = [each for each in self.derivation.lines if self.ends.part(each) == label]
         self.naming.bold.part = label
+        self.before = ()
         return tuple(joined(self.steps(lines, label)))
 
     def afresh(self) -> None:

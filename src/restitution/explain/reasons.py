@@ -73,6 +73,7 @@ class Reasons:
             *self._known(line),
             *self._silent(line),
         )
+        reasons = reasons or tuple(self._positive_sum(line))
         if line.move.id == "inverse":
             # An angle of up to 90° is what the arc functions give.
             reasons = self._beyond_a_right_angle(line, reasons)
@@ -233,6 +234,24 @@ class Reasons:
         left = line.relation.options[0][0].left
         if isinstance(left, Letter):
             yield say("derived.positive", letter=self._naming.laid(left))
+
+    def _positive_sum(self, line: Line) -> Iterator[lay.Layout]:
+        """That coefficients of restitution are not negative, where a sum of them is positive.
+
+        A reader sees it by that, and of 1 + e + e² there is nothing that has to be cited.
+        """
+        cited = [self._told(ref) for ref in line.premises]
+        if line.move.id != "sign" or len(cited) != 1 or cited[0] is None:
+            return
+        whole = cited[0].options[0][-1].right
+        signs = {each.op for each in walk(whole) if isinstance(each, Binary)}
+        if "-" in signs or "+" not in signs:
+            return
+        if any(isinstance(each, Negate | Apply) for each in walk(whole)):
+            return
+        names = sorted(letters(whole))
+        for name in (n for n in names if n in self._roles and self._roles[n].kind == "restitution"):
+            yield self._laid(Relation(((Link(Letter(name), ">=", ZERO),),)))
 
     def _monotone(self, line: Line) -> Iterator[Sentence]:
         """That a quantity increases, or decreases, between the ends that are cited."""

@@ -15,6 +15,7 @@ from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Number,
@@ -588,6 +589,9 @@ class Claims:
             for n in letters(side)
         }
         pool = [*refs, *self.judge.known(n for n in names if n in roles(self.scene.problem))]
+        line = self._by_its_tangent(relation, pool)
+        if line is not None:
+            return line
         rooted = self._rooted(refs, relation, pool)
         if rooted is not None:
             pool = [rooted, *pool]
@@ -617,6 +621,40 @@ class Claims:
         if line is None:
             self.worths.back(mark)
         return line
+
+    def _by_its_tangent(self, relation: Relation, pool: Sequence[Ref]) -> int | None:
+        """A bound in degrees of an acute angle of the data, by that of its tangent."""
+        match relation.options:
+            case ((Link(Letter(name) as letter, sign, Degrees(degrees)),),) if 0 < degrees < 90:
+                tangent = Apply("tan", letter)
+            case _:
+                return None
+        if self.judge.bounds(name) != (f"acute: {name}",):
+            return None
+        most = tidy(sp.tan(sp.rad(sp.Rational(degrees.numerator, degrees.denominator))))
+        mark = self.worths.mark()
+        bound = next(self._bounding(tangent, sign, most), None)
+        if bound is None:
+            told = Relation(((Link(tangent, sign, tree_of(most)),),))
+            bound = self.judge.write((Move("compare"), Move("sign")), pool, told)
+        if bound is not None:
+            known = self.judge.known([name])
+            line = self.judge.write((Move("compare"),), [bound, *known], relation)
+            if line is not None:
+                return line
+        self.worths.back(mark)
+        return None
+
+    def _bounding(self, subject: Expression, sign: Sign, most: sp.Expr) -> Iterator[int]:
+        """The lines in force that bound an expression so by a number."""
+        for each in self.scene.desk.lines:
+            if not isinstance(each.relation, Relation) or len(each.relation.options) != 1:
+                continue
+            link = each.relation.only[-1]
+            if (link.left, link.sign) != (subject, sign) or not self.scene.desk.holds(each.number):
+                continue
+            if self.worths.value(link.right) == most:
+                yield each.number
 
     def coefficients(self, names: Iterable[str]) -> list[str]:
         """The coefficients of restitution among some letters."""

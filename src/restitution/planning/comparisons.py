@@ -18,8 +18,8 @@ from restitution.expression.tree import (
     is_zero,
 )
 from restitution.planning.claims import Claims
-from restitution.planning.desk import NotPlannedError, Source
-from restitution.planning.forms import tree_of
+from restitution.planning.desk import NotPlannedError, Source, chain
+from restitution.planning.forms import swept, tree_of
 from restitution.planning.inequalities import FLIPPED
 from restitution.planning.polynomials import cancelled, factored
 from restitution.planning.quantities import frame_after
@@ -57,8 +57,9 @@ class Comparison:
         if len(numbers) == 2:
             turn = 1 if link.sign[0] == ">" else -1
             value = tidy(factored(values[::turn][0] - values[::turn][1]))
-            told = Link(Binary("-", *sides[::turn]), "=", tree_of(value))
-            line = self._difference(Relation(((told,),)), numbers)
+            put = swept(Binary("-", *map(tree_of, values[::turn])))
+            told = chain(Binary("-", *sides[::turn]), (put, None), (tree_of(value), "rearrange"))
+            line = self._difference(told, numbers)
             if line is not None:
                 number_ = self.claims.compared([line], relation)
                 if number_ is None:

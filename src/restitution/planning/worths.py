@@ -335,10 +335,14 @@ class Worths:
             case Binary("/", above, below) if has_quantity(above):
                 line = self.worth(above)
                 return None if line is None else self._valued(tree, Move("rearrange"), [line])
-            case Binary("*", _, _) if has_quantity(tree):
-                for each in self.quantities(tree):
-                    self.determine(each)
-                return write_expression(self.scene, tree)[0]
+            case Binary("*" | "+" | "-", _, _) if has_quantity(tree):
+                mark = self.mark()
+                try:
+                    for each in self.quantities(tree):
+                        self.determine(each)
+                    return write_expression(self.scene, tree)[0]
+                except NotPlannedError:
+                    self.back(mark)
         return None
 
     def _of_place(self, tree: Quantity) -> int:
