@@ -60,7 +60,7 @@ class Reasons:
         """What a line rests on, to stand behind it."""
         if self._by_pythagoras(line):
             return (say("derived.pythagoras"),)
-        if line.move.id not in _REASONED and not self._ordered(line):
+        if line.move.id not in _REASONED and not (self._ordered(line) or self._is_root(line)):
             return ()
         if line.move.id == "cancel" and factor_cancelled(self._derivation, line) is not None:
             return ()  # the words before the line say it
@@ -123,6 +123,17 @@ class Reasons:
         assert isinstance(line.relation, Relation)
         steps = {link.by for links in line.relation.options for link in links}
         return line.move.record in _OF_SQUARES and "identity" in steps
+
+    def _is_root(self, line: Line) -> bool:
+        """Whether of an equation of squares the roots are taken, which may have two signs."""
+        above = [own for ref in line.premises if (own := self._told(ref)) is not None]
+        assert isinstance(line.relation, Relation)
+        if line.move.id != "rearrange" or len(above) != 1 or len(line.relation.options) != 1:
+            return False
+        match above[0].options[0][-1].left:
+            case Binary("^", base, Number(Fraction(numerator=2, denominator=1))):
+                return line.relation.only[0].left == base
+        return False
 
     @staticmethod
     def _ordered(line: Line) -> bool:
