@@ -306,7 +306,7 @@ SAID = {
     ),
     "an energy without the square": (
         OBLIQUE.replace("along i", "along i, e = 1") + "find minimum of energy(A) over k",
-        "≥ ½mu² sin²α as ((1 − k)u cos α/(1 + k))² ≥ 0",
+        "≥ ½mu² sin²α, as ((1 − k)u cos α/(1 + k))² ≥ 0",
     ),
 }
 
