@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import groupby
 
 import sympy as sp
 
@@ -26,6 +27,16 @@ class DataAngles:
         self._derivation = derivation
         self._naming = naming
         self._told: set[Expression] = set()
+
+    def in_order(self, lines: Sequence[Line]) -> Iterator[Line]:
+        """Lines with the ratios of angles that follow each other in the order of the statement."""
+        order = {fact.id: n for n, fact in enumerate(self._derivation.facts)}
+        for ratios, run in groupby(lines, lambda each: each.move.id == "triangle"):
+            own = list(run)
+            places = {e.number: [order[r] for r in e.premises if r in order] for e in own}
+            if ratios and all(places.values()):
+                own.sort(key=lambda each: min(places[each.number]))
+            yield from own
 
     def before(self, line: Line) -> Iterator[Sentence]:
         """The ratios of an angle in a velocity of which a line takes components."""

@@ -111,6 +111,7 @@ class _Writer:
     def part(self, label: str | None) -> tuple[Step, ...]:
         """The steps of a part."""
         lines = [each for each in self.derivation.lines if self.ends.part(each) == label]
+        lines = list(self.angles.in_order(lines))
         self.naming.bold.part = label
         self.before = ()
         return tuple(joined(self.steps(lines, label)))
@@ -339,7 +340,7 @@ class _Writer:
         rows[-1] = replace(
             rows[-1],
             points=points,
-            reasons=(*rows[-1].reasons, *self.reasons.of(line)),
+            reasons=(*rows[-1].reasons, *self.leads.behind(line), *self.reasons.of(line)),
             asides=(*rows[-1].asides, *self.rows.asides(line)),
             number="" if behind is None else str(behind),
         )

@@ -67,6 +67,7 @@ class Leads:
         self._naming = naming
         self._sources = sources
         self._given: set[str] = set()
+        self._behind: dict[int, Sentence] = {}
 
     def given(self, line: Line) -> tuple[Sentence, ...]:
         """The given fact that a definition turns into an equation."""
@@ -115,6 +116,9 @@ class Leads:
         if isinstance(facts[0].relation.options[0][0].left, Letter) and not isinstance(
             told, Sentence
         ):
+            if self.title(line) is not None:
+                self._behind[line.number] = say("derived.as", reasons=(told,))
+                return ()
             return (say("derived.since", facts=(told,)),)
         assert isinstance(line.relation, Relation)
         match facts[0].relation.options[0][0], line.relation.only:
@@ -147,6 +151,10 @@ class Leads:
             return (say("given.proportion", fact=told),)
         return (*self._sine_of_an_offset(line), say("given.fact", fact=told))
 
+    def behind(self, line: Line) -> tuple[Sentence, ...]:
+        """The value of a letter that a definition puts in, which stands behind the line."""
+        return (self._behind[line.number],) if line.number in self._behind else ()
+
     def title(self, line: Line) -> Sentence | None:
         """The principle or definition of a line; None where the line speaks for itself."""
         record = RECORDS.get(line.move.record or "")
@@ -170,6 +178,8 @@ class Leads:
         match record.id, first.left:
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
+            case "distance", _ if not any(map(_is_place, map(self._cited, line.premises))):
+                name = "distance.relative"
             case "energy-lost", _ if not any(isinstance(ref, int) for ref in line.premises):
                 name = "derived-energy.title"  # by speeds of the data
             case "perpendicular", _ if not is_zero(last.right) or self._squares(line):
@@ -812,6 +822,15 @@ def _degrees(tree: Expression) -> Fraction:
         case Degrees(value):
             return value
     return Fraction(0)
+
+
+def _is_place(line: Line | None) -> bool:
+    """Whether a line gives the place of a body, or a coordinate of it."""
+    relation = None if line is None else line.relation
+    if not isinstance(relation, Relation):
+        return False
+    left = relation.options[0][0].left
+    return any(isinstance(e, Quantity) and e.kind == "position" for e in walk(left))
 
 
 def _read_off(line: Line) -> str | None:

@@ -124,7 +124,7 @@ def is_plain(value: lay.Layout) -> bool:
         case lay.Function(_, lay.Degrees(angle)):
             return is_plain(angle)
         case lay.Fraction(above, below):
-            return is_plain(above) and is_plain(below)
+            return is_plain(above) and is_plain(below) and not _has_bold(above)
         case lay.Product(factors, ""):
             return all(map(is_plain, factors)) and not any(map(_has_bold, factors[:-1]))
         case lay.Sum(terms):

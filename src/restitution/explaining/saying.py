@@ -79,7 +79,7 @@ def operand(sentence: Sentence) -> Layout:
 
 def note(warning: str) -> str:
     """A warning as it stands under a working."""
-    return str(say("page.note", warning=warning))
+    return str(say("page.note", warning=warning.removesuffix(".")))
 
 
 @lru_cache(maxsize=1024)

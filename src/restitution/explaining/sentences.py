@@ -29,7 +29,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "so": "So",
     "again": " again",
     "page.title": "Worked solution",
-    "page.note": "Note: {warning}",
+    "page.note": "Note: {warning}.",
     # --- events, and the headings of their working ------------------------------------------------
     "heading.impact": "{order:capital} impact: {first} hits {second}",
     "heading.impact-number": "Impact {number}: {first} hits {second}",
@@ -480,6 +480,22 @@ SENTENCES: Mapping[SentenceId, str] = {
         "place of the one is that of the other, and two radii along the line of centres."
     ),
     "beside.mistakes": "Usual mistakes: one radius in place of two, and the wrong side.",
+    "distance.title": "Distance, from the coordinates",
+    "distance.relative": "Distance = relative speed × time",
+    "distance.why": (
+        "The differences of the coordinates are the two shorter sides of a right-angled triangle, "
+        "of which the distance is the longest. Of two bodies that part, the distance grows at "
+        "the rate of their relative speed."
+    ),
+    "distance.mistakes": (
+        "Usual mistakes: places at different times, and the speed of one body for the relative one."
+    ),
+    "momentum-of.title": "Momentum = mass × velocity",
+    "momentum-of.why": (
+        "Momentum is a vector, the velocity times the mass. That of several bodies is the sum of "
+        "theirs."
+    ),
+    "momentum-of.mistakes": "Usual mistake: adding sizes in place of vectors.",
     "touch.place": (
         "{one} and {other} touch when their centres are two radii apart, on the line of centres:"
     ),
