@@ -94,7 +94,7 @@ class Ends:
         known = self._asked.get(item)
         return known.text if known is not None and known.text else item
 
-    def named(self, item: str) -> tuple[lay.Layout | str, ...]:
+    def named(self, item: str) -> lay.Layout | str:
         """An item in the words of the question; as it was typed where it has none."""
         if self._named is None:
             self._named = {}
@@ -107,7 +107,7 @@ class Ends:
             if len(spoken) == len(self._parts):
                 self._named = dict(zip(self._parts, spoken, strict=True))
         words = self._named.get(item)
-        return (self.text(item),) if words is None else (_laid(words),)
+        return self.text(item) if words is None else _laid(words)
 
     def is_place(self, line: Line) -> bool:
         """Whether it is a place that was asked."""

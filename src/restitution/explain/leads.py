@@ -178,8 +178,6 @@ class Leads:
         match record.id, first.left:
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
-            case "distance", _ if not any(map(_is_place, map(self._cited, line.premises))):
-                name = "distance.relative"
             case "energy-lost", _ if not any(isinstance(ref, int) for ref in line.premises):
                 name = "derived-energy.title"  # by speeds of the data
             case "perpendicular", _ if not is_zero(last.right) or self._squares(line):
@@ -822,15 +820,6 @@ def _degrees(tree: Expression) -> Fraction:
         case Degrees(value):
             return value
     return Fraction(0)
-
-
-def _is_place(line: Line | None) -> bool:
-    """Whether a line gives the place of a body, or a coordinate of it."""
-    relation = None if line is None else line.relation
-    if not isinstance(relation, Relation):
-        return False
-    left = relation.options[0][0].left
-    return any(isinstance(e, Quantity) and e.kind == "position" for e in walk(left))
 
 
 def _read_off(line: Line) -> str | None:

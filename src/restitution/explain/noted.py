@@ -78,15 +78,16 @@ class Notes:
 
     def _items(self, notes: Sequence[Note]) -> Sentence:
         """What was asked, in the words of the question."""
-        names = dict.fromkeys(each for note in notes for each in self._ends.named(note.item))
+        names = dict.fromkeys(self._ends.named(note.item) for note in notes)
         return say("derived.items", items=tuple(names))
 
-    def _in_words(self, note: Note) -> Sentence | str:
-        """An item: a greatest or a least value in words, and not as it was typed."""
+    def _in_words(self, note: Note) -> Sentence | lay.Layout | str:
+        """An item in words, and not as it was typed."""
         match self._ends.item(note.item):
             case Extremum(kind, expression):
-                return self._naming.extreme(expression, greatest=kind == "maximum")
-        return self._ends.text(note.item)
+                extreme = self._naming.extreme(expression, greatest=kind == "maximum")
+                return say("derived.the", quantity=extreme)
+        return self._ends.named(note.item)
 
     def _impossible(self, note: Note, items: Sentence) -> Sentence:
         """The value of a coefficient, and the bound that it breaks."""

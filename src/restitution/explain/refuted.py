@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import Any
 
 import sympy as sp
@@ -22,6 +22,7 @@ from restitution.expression.tree import Expression, Negate, Quantity, has_quanti
 from restitution.planning.forms import product, tree_of
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Show
 from restitution.render import layout as lay
+from restitution.render.text import to_text
 from restitution.vector import Vector
 
 _HOLDS: Mapping[str, Callable[[float], bool]] = {
@@ -41,14 +42,28 @@ _DENIED = {
 
 
 def claim_of(note: Note, naming: Naming, ends: Ends) -> Sentence | lay.Layout | str:
-    """What a claim says."""
+    """What a claim says: in the words of the question, but for an equation in letters."""
     asked = ends.item(note.item)
     if isinstance(asked, Show) and isinstance(asked.relation, Meets):
         return claim_of_meeting(asked.relation, naming)
     if note.claim is not None and isinstance(asked, Show) and isinstance(asked.relation, Compare):
-        laid = naming.relation(note.claim)
-        return _with_article(laid)
-    return ends.text(note.item)
+        laid, named = naming.relation(note.claim), ends.named(note.item)
+        # The letters that the question has for quantities may be others in the working.
+        lettered = ", where " in (named if isinstance(named, str) else to_text(named))
+        if lettered or not _in_words(laid):
+            return _with_article(laid)
+    return ends.named(note.item)
+
+
+def _in_words(layout: Any) -> bool:
+    """Whether mathematics holds words: the name of a quantity that has no letter."""
+    if isinstance(layout, tuple):
+        return any(map(_in_words, layout))
+    if isinstance(layout, lay.Words | lay.Phrase):
+        return True
+    return isinstance(layout, lay.Layout) and any(
+        _in_words(getattr(layout, each.name)) for each in fields(layout)
+    )
 
 
 def _with_article(laid: lay.Layout) -> Sentence | lay.Layout:
@@ -188,8 +203,7 @@ def _of_subject(
     """That a range, or a greatest or least value, is another."""
     if isinstance(asked.subject, Extremum) and note.claim is not None:
         link = note.claim.only[0]
-        kind = "derived.greatest" if asked.subject.kind == "maximum" else "derived.least"
-        extreme = say(kind, quantity=naming.laid(link.left))
+        extreme = naming.extreme(link.left, greatest=asked.subject.kind == "maximum")
         claimed = naming.laid(link.right)
         if not note.sides:
             return say("refuted.extreme", quantity=extreme, claimed=claimed)

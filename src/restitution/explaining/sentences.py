@@ -480,16 +480,6 @@ SENTENCES: Mapping[SentenceId, str] = {
         "place of the one is that of the other, and two radii along the line of centres."
     ),
     "beside.mistakes": "Usual mistakes: one radius in place of two, and the wrong side.",
-    "distance.title": "Distance, from the coordinates",
-    "distance.relative": "Distance = relative speed × time",
-    "distance.why": (
-        "The differences of the coordinates are the two shorter sides of a right-angled triangle, "
-        "of which the distance is the longest. Of two bodies that part, the distance grows at "
-        "the rate of their relative speed."
-    ),
-    "distance.mistakes": (
-        "Usual mistakes: places at different times, and the speed of one body for the relative one."
-    ),
     "momentum-of.title": "Momentum = mass × velocity",
     "momentum-of.why": (
         "Momentum is a vector, the velocity times the mass. That of several bodies is the sum of "
@@ -582,10 +572,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     # --- answers ----------------------------------------------------------------------------------
     "note.none": "{items:capital} cannot be found, as {reason}.",
-    "note.unwritten": "{item:capital}: {answer}. The working of this is not written out.",
+    "note.unwritten": "{item:capital} is {answer}. The working of this is not written out.",
     "note.unwritten-line": "The working of this is not written out:",
     "note.unwritten-line-from": "The steps from here are not written out:",
-    "note.unwritten-from": "{item:capital}: {answer}. The steps from here are not written out.",
+    "note.unwritten-from": "{item:capital} is {answer}. The steps from here are not written out.",
     "note.none-shown": "It cannot be shown that {items}, as {reason}.",
     "note.none-either": "{items:capital} cannot be found either.",
     "note.none-data-above-one": (

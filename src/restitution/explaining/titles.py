@@ -44,7 +44,6 @@ _TITLES: Mapping[str, tuple[SentenceId | None, SentenceId | None]] = {
     "turned": ("turned-velocity.title", "turned-velocity.title"),
     "either-side": ("either-side.wall", "either-side.title"),
     "beside": (None, "beside.title"),
-    "distance": ("distance.title", "distance.title"),
     "momentum-of": ("momentum-of.title", "momentum-of.title"),
 }
 
