@@ -46,7 +46,7 @@ CLAIMS = {
     ),
     "an inequality": (
         OBLIQUE + "show energy_lost > 1/2 energy(0)",
-        "It is not true in general that the kinetic energy lost > ½ × total kinetic energy",
+        "It is not true in general that the kinetic energy lost in the collision is greater than",
     ),
     "one side of a chain": (
         WALL + "show 1/3 v < speed(S) <= v",

@@ -250,7 +250,7 @@ class BoldLetters:
                 name = _RADIAL[which]
             elif not self._leads_into(event):
                 name = _EITHER_WAY.get(which, name)
-        elif which != "across" and self.derivation.fact(f"axis {number}") is None:
+        elif which != "across" and self.derivation.fact(" ".join(("axis", str(number)))) is None:
             # A line of centres that is worked out leads from the first sphere to the second.
             name = _FROM_THE_FIRST[which]
             slots |= {"first": event.bodies[0], "second": event.bodies[1]}

@@ -49,7 +49,7 @@ def claim_of(note: Note, naming: Naming, ends: Ends) -> Sentence | lay.Layout | 
     if note.claim is not None and isinstance(asked, Show) and isinstance(asked.relation, Compare):
         laid, named = naming.relation(note.claim), ends.named(note.item)
         # The letters that the question has for quantities may be others in the working.
-        lettered = ", where " in (named if isinstance(named, str) else to_text(named))
+        lettered = "where" in (named if isinstance(named, str) else to_text(named)).split()
         if lettered or not _in_words(laid):
             return _with_article(laid)
     return ends.named(note.item)
