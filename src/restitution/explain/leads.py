@@ -732,6 +732,11 @@ class Leads:
 
     def anyway(self, line: Line) -> Iterator[Sentence]:
         """What is given and holds for all values of the letters, above a range beside others."""
+        match line.relation:
+            case Relation(((Link(_, _, Letter() as letter), Link()),)) if (
+                self._reasons.is_own_range(line)
+            ):
+                yield say("range.every", letter=self._naming.laid(letter))
         for ref in line.premises if line.move.id == "compare" else ():
             own = self._derivation.line(ref) if isinstance(ref, int) else None
             if own is None or own.shown != "silent" or own.move.id != "put":

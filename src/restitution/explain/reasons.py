@@ -64,6 +64,8 @@ class Reasons:
             return ()
         if line.move.id == "cancel" and factor_cancelled(self._derivation, line) is not None:
             return ()  # the words before the line say it
+        if self.is_own_range(line):
+            return ()
         would = self._would(line)
         if would is not None:
             return (say("derived.as", reasons=(would,)),)
@@ -141,6 +143,12 @@ class Reasons:
         assert isinstance(line.relation, Relation)
         signs = {each.sign for links in line.relation.options for each in links}
         return line.move.id == "put" and bool(signs & {*_UP, *_DOWN})
+
+    def is_own_range(self, line: Line) -> bool:
+        """Whether a line only says what a letter may be anyway: all its values are possible."""
+        assert isinstance(line.relation, Relation)
+        reasons = self._known(line) if line.move.id in ("sign", "compare") else ()
+        return reasons == (self._laid(line.relation),)
 
     def known(self, line: Line) -> tuple[Sentence | lay.Layout, ...]:
         """What is known of letters on which a line rests."""

@@ -515,6 +515,8 @@ class _Reader:
         """
         if line.move.id != "compare" or not isinstance(ref, int):
             return False
+        if self._keeps_its_range(line, ref):
+            return True
         others = {r for each in line.premises if each != ref for r in self._under_ref(each)}
         return any(
             fact.kind in ("given", "range")
@@ -522,6 +524,21 @@ class _Reader:
             and any(link.sign in _ORDERED for links in fact.relation.options for link in links)
             for fact in (self.facts[r] for r in self._under(ref) if r in self.facts)
         )
+
+    def _keeps_its_range(self, line: Line, ref: int) -> bool:
+        """Whether a premise says that another coefficient is at most 1, as it has to be.
+
+        So no other bound comes of it for what a line bounds.
+        """
+        assert isinstance(line.relation, Relation)
+        match self.lines[ref].relation:
+            case Relation(((Link(Letter(name), "<=", Number(value)),),)) if value == 1:
+                role = self.setting.roles.get(name)
+            case _:
+                return False
+        if role is None or role.kind != "restitution":
+            return False
+        return name not in names_in(line.relation)
 
     def _under_ref(self, ref: Ref) -> set[Ref]:
         return self._under(ref) if isinstance(ref, int) else {ref}

@@ -504,6 +504,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{one} and {other} do not collide again if {first} does not gain on {second} along the "
         "line of centres."
     ),
+    "range.every": "So every value of {letter} is possible:",
     "extremum.approached": "as {place}, but does not reach it",
     "extremum.no-greatest": "as {place}, so there is no greatest value",
     "extremum.no-least": "as {place}, so there is no least value",

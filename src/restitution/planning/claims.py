@@ -162,6 +162,11 @@ class Claims:
         """Joins to a range the conditions that are given and that others imply."""
         desk = self.scene.desk
         line = desk.line(number)
+        if number == len(desk.lines) and line.move.id == "sign" and self._own_range(line.premises):
+            desk.lines.pop()
+            kept = self._kept_bounds(relation)
+            move = Move("compare") if kept else line.move
+            return desk.write(move, (*kept, *line.premises), relation)
         under = desk.under(number)
         rest = [
             each
@@ -180,6 +185,25 @@ class Claims:
             if condition is not None and len(premises) < MOST_COMPARED:
                 premises = (*premises, condition)
         return desk.write(line.move, premises, relation)
+
+    def _own_range(self, premises: Sequence[Ref]) -> bool:
+        """Whether premises only say what a letter may be anyway."""
+        return all(isinstance(each, str) and each not in self.scene.facts for each in premises)
+
+    def _kept_bounds(self, relation: Relation) -> list[int]:
+        """That the coefficients that are tied to a letter are at most 1 for all its values."""
+        own = {n for e in relation.only for side in (e.left, e.right) for n in letters(side)}
+        known = roles(self.scene.problem)
+        lines: list[int] = []
+        for tie in self.ties.lines():
+            link = self.scene.desk.last_link(tie)
+            for name in sorted((letters(link.left) | letters(link.right)) - own):
+                if name not in known or known[name].kind != "restitution":
+                    continue
+                most = Relation(((Link(Letter(name), "<=", ONE),),))
+                line = self.judge.write((Move("sign"),), [tie, *self.judge.known(own)], most)
+                lines += [] if line is None else [line]
+        return lines
 
     def _worths(self, trees: Sequence[Expression], quantities: Sequence[Quantity]) -> list[int]:
         """The lines of what stands in a claim: of its sides, or of the quantities in them."""
