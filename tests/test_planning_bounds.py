@@ -129,6 +129,54 @@ SAYS = {
         REST.format(k="k ", e=", e = 1/2") + "given along(velocity(A), i) > 0\nfind range of k",
         ["0 < k < 2, as k > 0"],
     ),
+    "a place between ends, without its denominator": (
+        (
+            "wall OX: from (0, 0) to (3a, 0)\nwall OY: from (0, 0) to (0, 3a)\n"
+            "sphere P: at (a, a), velocity -k u i - u j\nP hits OX: e = 1/4\nP hits OY\n"
+            "find range of k"
+        ),
+        ["0 < (1 − k)a/(4k) < 3a 0 < 1 − k < 12k 1/13 < k < 1"],
+    ),
+    "a range under the range of another letter": (
+        WALL.format(e="") + "given 3/4 <= speed(P)/u <= 7/8, alpha = 60°\n"
+        "find range of e, range of impulse",
+        ["(√33 + 4√3)mu/8 as √3(1 + e)mu/2 increases with e"],
+    ),
+    "both ends of a range that is given": (
+        WALL.format(e="") + "given 1/3 <= e <= 2/3\nfind range of impulse in terms of m, u, alpha",
+        ["increases with e, α is acute and ⅓ ≤ e ≤ ⅔"],
+    ),
+    "a coefficient that bounds no other": (
+        (
+            "wall W: along j\nsphere A: mass m, velocity u i\nsphere B: mass m, at rest\n"
+            "A hits B: along i, e = e1\nB hits W: e = e2\ngiven speed(B) = 1/4 u\n"
+            "find e2 in terms of e1\nfind range of e1"
+        ),
+        ["e₂ ≤ 1, as", "So every value of e₁ is possible: 0 ≤ e₁ ≤ 1"],
+    ),
+    "a coefficient by one that is tied to it": (
+        (
+            "sphere A: mass m, velocity u i\nsphere B: mass m, at rest\n"
+            "sphere C: mass 2m, at rest\nA hits B: along i, e = e1\nB hits C: along i, e = e2\n"
+            "given velocity(C) = 2/5 u i\nfind e2 in terms of e1\nfind range of e2"
+        ),
+        ["e₂ ≥ ⅕ as (7 − 5e₁)/(5(1 + e₁)) decreases as e₁ increases and e₁ ≤ 1"],
+    ),
+    "a coefficient that is twice another": (
+        (
+            "wall W: along i\nwall X: along j\nsphere P: mass m, velocity u at 30° to W\n"
+            "P hits W: e = e\nP hits X: e = 3e\nfind range of e"
+        ),
+        ["A coefficient of restitution is at most 1: 3e ≤ 1 e ≤ ⅓"],
+    ),
+    "the size of a sum of sines": (
+        (
+            "sphere A: mass m, velocity u at alpha\n"
+            "sphere B: mass m, velocity 2u at 90° - alpha from -i\nA hits B: along i\n"
+            "find maximum of impulse over alpha"
+        ),
+        ["as (cos α + 2 sin α)² = 5 − (2 cos α − sin α)² ≤ 5"],
+    ),
 }
 
 

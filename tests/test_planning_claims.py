@@ -476,7 +476,7 @@ def test_speeds_are_compared_by_their_squares(statement: str, lines: list[str]) 
                 "wall W: along theta\nsphere P: mass m, velocity u i\nP hits W: e = 1/2\n"
                 "find maximum of across(velocity(P), i) over theta"
             ),
-            "as 2 sin θ cos θ = sin 2θ ≤ 1",
+            "as sin 2θ ≤ 1",
         ),
         (
             OBLIQUE + "given e k < 1\nfind maximum of tan(deflection(A)) over alpha",

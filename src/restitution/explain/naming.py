@@ -39,10 +39,12 @@ from restitution.expression.tree import (
     Quantity,
     Stage,
     Unit,
+    has_quantity,
     is_zero,
     letters,
     walk,
 )
+from restitution.planning.inequalities import turned
 from restitution.planning.straight_walls import equation_of_line
 from restitution.problem import Arrival, Given, Meets, Problem
 from restitution.problem import trees as trees_of_problem
@@ -159,6 +161,8 @@ class Naming:
         link = fact.relation.options[0][0]
         if len(fact.relation.options) > 1 or len(fact.relation.options[0]) > 1:
             return self.relation(fact.relation)
+        if link.sign in _BOUNDS and not has_quantity(link.left):
+            link = turned(link)
         match link:
             case Link(Quantity("velocity", (Name(body),), _), "=", value) if _is_rest(value):
                 return say("claim.rest", body=body)

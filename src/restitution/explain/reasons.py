@@ -334,11 +334,14 @@ class Reasons:
         for own in above:
             if own is None or not isinstance(own.relation, Relation):
                 continue
-            if own.relation.options[0][0].left != links[0].left:
+            left, bound = own.relation.options[0][0].left, links[0].right
+            if left == Binary("^", links[0].left, Number(Fraction(2))):
+                bound = Binary("^", bound, Number(Fraction(2)))
+            elif left != links[0].left:
                 continue
             for link in own.relation.options[0]:
                 for term, square in _squares(link.right, links[0].sign):
-                    if self._is_left(link.right, term, links[0].right):
+                    if self._is_left(link.right, term, bound):
                         facts = [Link(square, ">=", ZERO)]
                         match term:
                             case Binary("/", _, Letter(name) as below) if (

@@ -27,7 +27,7 @@ from restitution.planning.angle_inequalities import write_of_angles
 from restitution.planning.conditions import Conditions
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import ONE, ZERO, tree_of
-from restitution.planning.gaps import is_plain, write_difference
+from restitution.planning.gaps import is_left, is_plain, write_difference
 from restitution.planning.inequalities import (
     FLIPPED,
     is_monic,
@@ -38,6 +38,7 @@ from restitution.planning.inequalities import (
 )
 from restitution.planning.letter_ties import Ties, is_letter_or_square
 from restitution.planning.order import Solver
+from restitution.planning.polynomials import one_fraction
 from restitution.planning.quotients import write_quotient
 from restitution.planning.scene import Scene
 from restitution.planning.turned_at_walls import tangent_of, write_turn
@@ -337,9 +338,12 @@ class Claims:
             return None
         mark = self.worths.mark()
         written: list[int] = []
-        for link in relation.only:
+        for each in relation.only:
+            link = turned(each) if has_quantity(each.right) else each
             own = Relation(((link,),))
-            if ZERO in (link.left, link.right) or is_plain(self.scene, lines[0], own):
+            if self._is_left(lines[0], link):
+                line = self._without_square(lines[0], own)
+            elif ZERO in (link.left, link.right) or is_plain(self.scene, lines[0], own):
                 line = self._bounded(lines[0], link)
             else:
                 line = self.monotone(lines[0], own)
@@ -359,6 +363,19 @@ class Claims:
         if line is None:
             self.worths.back(mark)
         return line
+
+    def _is_left(self, line: int, link: Link) -> bool:
+        """Whether a lower bound is what a line says without one of its squares."""
+        if link.sign != ">=":
+            return False
+        tree = self.scene.desk.relation(line).only[0].right
+        return is_left(self.worths, tree, self.worths.value(link.right))
+
+    def _without_square(self, line: int, relation: Relation) -> int | None:
+        """A lower bound as a square is not negative; of a speed by its square, without a root."""
+        speed = self.scene.desk.last_link(line).left
+        start = self.worths.squared(speed) if isinstance(speed, Quantity) else None
+        return self.compared([line if start is None else start], relation)
 
     def _by_quotient(self, line: int, relation: Relation) -> int | None:
         """A bound that is the greatest value of a quotient."""
@@ -430,9 +447,9 @@ class Claims:
 
         def by_conditions(base: list[Ref], relation: Relation) -> int | None:
             lines = [each for each in base if isinstance(each, int)]
-            if len(lines) == 1 and self.conditions.lines(wanted):
-                line = self.monotone(lines[0], relation, self.conditions.lines(wanted))
-                if line is not None:
+            for bounds in (self._ranges(lines), self.conditions.lines(wanted)):
+                line = self.monotone(lines[0], relation, bounds) if len(lines) == 1 else None
+                if line is not None and bounds:
                     return line
             return self.compared([*base, *self.conditions.lines(wanted)], relation, base)
 
@@ -468,6 +485,26 @@ class Claims:
         yield by_ties
         yield by_all
         yield by_story
+
+    def _ranges(self, lines: Sequence[int]) -> list[int]:
+        """The ranges of the letters in some lines, where lines above say them."""
+        desk = self.scene.desk
+        inside = {n for each in lines for n in letters(desk.last_link(each).right)}
+        found = [line for each in sorted(inside) for line in self._bounds_of(Letter(each))]
+        return [each for each in found if len(desk.relation(each).only) == 2]
+
+    def _bounds_of(self, subject: Expression) -> list[int]:
+        """The lines above that bound a letter, or a ratio of one."""
+        desk = self.scene.desk
+        return [
+            each.number
+            for each in desk.lines
+            if isinstance(each.relation, Relation)
+            and len(each.relation.options) == 1
+            and all(link.sign in FLIPPED for link in each.relation.only)
+            and subject_of(each.relation) == subject
+            and desk.holds(each.number)
+        ]
 
     def monotone(self, line: int, relation: Relation, bounds: Sequence[Ref] = ()) -> int | None:
         """The ends of what only grows, or only falls, with one letter.
@@ -517,7 +554,10 @@ class Claims:
                 first = [ref for ref in ends if any(e in str(ref) for e in _near(bound))]
                 known = self.worths.known_in(x)
                 pool = [line, *first, *ends, *known]
-                number_ = self.judge.write((Move("sign"),), pool, Relation(((short,),)))
+                moves: tuple[Move, ...] = (Move("sign"),)
+                if short.left == link.left and self._is_twice_in(link.right, symbol):
+                    moves = (Move("monotone"), *moves)
+                number_ = self.judge.write(moves, pool, Relation(((short,),)))
                 if number_ is None:
                     self.worths.back(mark)
                     continue
@@ -542,6 +582,11 @@ class Claims:
         if found is None and self.conditions.lines(wanted):
             found = self.compared([*base, *written, *self.conditions.lines(wanted)], relation)
         return found
+
+    def _is_twice_in(self, tree: Expression, symbol: sp.Symbol) -> bool:
+        """Whether a letter stands above and below in a quotient: no bound is seen at once."""
+        above, below = sp.fraction(one_fraction(self.worths.value(tree)))
+        return symbol in above.free_symbols and symbol in below.free_symbols
 
     def _by_ratios(self, target: set[str], relation: Relation) -> int | None:
         """An angle of which the data give a ratio in numbers, by the tangent of it."""
@@ -703,6 +748,14 @@ class Claims:
         subject = subject_of(relation)
         if not isinstance(subject, Letter):
             return None
+        standing = [
+            line
+            for ratio in ("tan", "sin", "cos")
+            for line in self._bounds_of(Apply(ratio, subject))
+            if len(self.scene.desk.relation(line).only) == len(relation.only) - 1
+        ]
+        if standing:
+            return standing[0]
         for ref in refs:
             own = self.scene.desk.line(ref).relation if isinstance(ref, int) else None
             if not isinstance(own, Relation) or len(own.only) != 1:

@@ -22,10 +22,15 @@ from restitution.planning.deflections import scalar_product
 from restitution.planning.desk import together
 from restitution.planning.forms import ZERO, swept, tree_of
 from restitution.planning.frames import Frame
-from restitution.planning.inequalities import FLIPPED, solve_linear, without_signs
+from restitution.planning.inequalities import FLIPPED, solve_linear, turned, without_signs
 from restitution.planning.polynomials import expanded
 from restitution.planning.quantities import body_and_stage, frame_after
-from restitution.planning.squares import solve_quadratic, square_and_solve, write_speeds
+from restitution.planning.squares import (
+    solve_quadratic,
+    square_and_solve,
+    without_roots,
+    write_speeds,
+)
 from restitution.planning.wall_ends import write_between
 from restitution.planning.worths import Worths
 from restitution.problem import Given, Meets
@@ -88,6 +93,8 @@ class Conditions:
         if fact.id.startswith("within "):
             return write_between(self.worths, fact, wanted)
         (link,) = fact.relation.only
+        if not has_quantity(link.left) and has_quantity(link.right):
+            link = turned(link)
         if fact.id.startswith("most "):
             x = expanded(self.scene.scalar(link.left) - self.scene.scalar(link.right))
             solved = solve_linear(self.scene, link.sign, x, wanted)
@@ -106,7 +113,7 @@ class Conditions:
         sign, x = own
         squared = write_speeds(self.worths, fact, link, sign, x)
         if squared is not None:
-            return self.finished(squared, sign, x, wanted)
+            return self.finished(squared, *without_roots(self.worths, squared, sign, x), wanted)
         pool = [fact.id, *self.sources(link), *self.worths.known_in(gap)]
         relation = Relation(((Link(tree_of(x), sign, ZERO),),))
         if x.has(sp.sin) and x.has(sp.cos):
@@ -145,14 +152,14 @@ class Conditions:
             self.worths.determine(Quantity("velocity", (Name(body),), stage))
         event = max(frame_after(self.scene, *each).number for each in pair)
         tree, value, refs = scalar_product(self.scene, pair, event)
-        turned = FLIPPED[link.sign]
-        stripped = without_signs(self.scene, expanded(value), turned)
+        opposite = FLIPPED[link.sign]
+        stripped = without_signs(self.scene, expanded(value), opposite)
         if stripped is None:
             return None
         sign, x = stripped
         move = Move("define", "perpendicular", event, tuple(dict.fromkeys(b for b, _ in pair)))
         known = self.worths.known_in(expanded(value))
-        first = Relation(((Link(swept(tree), turned, ZERO),),))
+        first = Relation(((Link(swept(tree), opposite, ZERO),),))
         pool = [fact.id, *refs, *self.scene.frame(event).refs, *known]
         number = self.judge.write((move,), pool, first)
         if number is None:

@@ -4,23 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from fractions import Fraction
 from typing import Any
 
 import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Line, Link, Move, Ref, Relation, Sign
-from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
     Letter,
-    Number,
     Quantity,
     letters,
-    walk,
 )
 from restitution.planning.angle_pairs import (
     extents,
@@ -32,7 +28,7 @@ from restitution.planning.angle_pairs import (
 from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import ONE, ZERO, product, square, total, tree_of
-from restitution.planning.gaps import is_plain, write_difference
+from restitution.planning.gaps import is_left, is_plain, write_difference
 from restitution.planning.order import Solver, Standing
 from restitution.planning.polynomials import cancelled, expanded, factored, one_fraction
 from restitution.planning.quotients import by_tangent, write_quotient
@@ -458,26 +454,17 @@ class _Extremum:
         """The line without its last form, where its first without a square is the least value."""
         own = self.scene.desk.line(line)
         links = self.scene.desk.relation(line).only
-        if not self.least or len(links) != 2 or not self._is_left(links[0].right):
+        if (
+            not self.least
+            or len(links) != 2
+            or not is_left(self.claims.worths, links[0].right, self.value)
+        ):
             return None
         written = self.scene.desk.lines[start.desk.lines :]
         if not written or written[-1] != own:
             return None
         self.scene.desk.lines.pop()
         return self.scene.desk.write(own.move, own.premises, Relation((links[:1],)))
-
-    def _is_left(self, tree: Expression) -> bool:
-        """Whether the value sought is what is left of a sum without one of its squares."""
-        value = self.value
-        if isinstance(tree, Apply) and tree.function == "sqrt":
-            tree, value = tree.argument, value**2
-        for term in walk(tree):
-            match term:
-                case Binary("^", _, Number(Fraction(numerator=2))):
-                    rest = rebuilt(tree, lambda each: ZERO if each == term else each)  # noqa: B023
-                    if tidy(self.claims.worths.value(rest) - value) == 0:
-                        return True
-        return False
 
     def _gap(self, line: int) -> int | None:
         """A bound by the difference to it, in factors of certain signs."""

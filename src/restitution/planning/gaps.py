@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from restitution.components import proved_sign
+from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Relation, Sign
-from restitution.expression.tree import Binary, Expression, Quantity
-from restitution.planning.forms import square, tree_of
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import Apply, Binary, Expression, Number, Quantity, walk
+from restitution.planning.forms import ZERO, square, tree_of
 from restitution.planning.impacts import scene_value
 from restitution.planning.inequalities import FLIPPED
 from restitution.planning.scene import Scene
@@ -18,6 +21,7 @@ from restitution.solve.letters import roles
 
 if TYPE_CHECKING:
     from restitution.planning.claims import Claims
+    from restitution.planning.worths import Worths
 
 _TO_FORM = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
 
@@ -45,6 +49,19 @@ def is_plain(scene: Scene, line: int, relation: Relation) -> bool:
         if any(_has_root(each) for each in sp.Mul.make_args(ratio)):
             return False
     return True
+
+
+def is_left(worths: Worths, tree: Expression, value: sp.Expr) -> bool:
+    """Whether a value is what is left of a sum, or of its root, without one of the squares."""
+    if isinstance(tree, Apply) and tree.function == "sqrt":
+        tree, value = tree.argument, value**2
+    for term in walk(tree):
+        match term:
+            case Binary("^", _, Number(Fraction(numerator=2))):
+                rest = rebuilt(tree, lambda each: ZERO if each == term else each)  # noqa: B023
+                if tidy(worths.value(rest) - value) == 0:
+                    return True
+    return False
 
 
 def _has_root(x: sp.Expr) -> bool:
@@ -116,7 +133,8 @@ def _forms(gap: sp.Expr) -> Iterator[sp.Expr]:
             for kind, other in ((sp.sin, sp.cos), (sp.cos, sp.sin))
         ]
     for form in forms:
-        own = sp.factor(form)
+        roots = {x for x in form.atoms(sp.Pow) if x.is_number and not x.exp.is_Integer}
+        own = sp.factor(form, extension=sorted(roots, key=str)) if roots else sp.factor(form)
         for each in angles:
             own = own.replace(
                 lambda x: x.is_Add and sp.expand(x - (1 - sp.sin(each) ** 2)) == 0,  # noqa: B023

@@ -10,7 +10,7 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Fact, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import Apply, Expression, Quantity, has_quantity, letters
 from restitution.planning.forms import ZERO, square, swept, tree_of
-from restitution.planning.inequalities import FLIPPED, solve_linear
+from restitution.planning.inequalities import FLIPPED, solve_linear, without_signs
 from restitution.planning.polynomials import cancelled, expanded, factored, one_fraction
 from restitution.planning.quantities import formula
 from restitution.planning.worths import Worths
@@ -85,12 +85,22 @@ def square_and_solve(
     return solved
 
 
+def without_roots(worths: Worths, line: int, sign: Sign, x: sp.Expr) -> tuple[Sign, sp.Expr]:
+    """``x sign 0`` as a line has it in which the sizes are squared: no root is left."""
+    if not x.has(sp.Abs):
+        return sign, x
+    own = worths.scene.desk.last_link(line)
+    gap = expanded(worths.value(own.left) - worths.value(own.right))
+    return without_signs(worths.scene, gap, own.sign) or (sign, x)
+
+
 def solve_squares(
     worths: Worths, line: int, sign: Sign, x: sp.Expr, known: Sequence[Ref]
 ) -> int | None:
     """An inequality without roots, solved: a quadratic by its factors."""
     scene, judge = worths.scene, worths.judge
     own = scene.desk.last_link(line)
+    sign, x = without_roots(worths, line, sign, x)
     solved = solve_linear(scene, sign, x)
     pool = [line, *known]
     whole = _without_denominators(worths, own)
