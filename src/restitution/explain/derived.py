@@ -26,6 +26,7 @@ from restitution.explain.measured import Measures, is_plain, with_unit
 from restitution.explain.meetings import meetings
 from restitution.explain.naming import Naming
 from restitution.explain.noted import Notes
+from restitution.explain.radii import Radii
 from restitution.explain.reasons import Reasons
 from restitution.explain.rows import Rows
 from restitution.explain.sources import Sources
@@ -100,6 +101,7 @@ class _Writer:
         self.meetings = dict(meetings(derivation, self.ends, self.naming))
         self.angles = DataAngles(derivation, self.naming)
         self.rows = Rows(derivation, self.naming, self.measures, self.ends)
+        self.radii = Radii(derivation, self.naming)
         self.staying = Staying(derivation, self.naming, self.measures, self.sources, self.ends)
         self.cases = {n: each for each in derivation.cases for n in each.lines}
         self.case: int | None = None
@@ -180,6 +182,10 @@ class _Writer:
                     self.afresh()
                     meeting = (self.meetings[line.number],)
                     yield Step("note", sentences=meeting, item=self.ends.place(line))
+                touching = tuple(self.radii.before(line))
+                if touching:
+                    self.afresh()
+                    yield Step("setting", sentences=touching)
                 step = self._step(line, waiting)
                 waiting = []
             introduced = self.naming.introduced()

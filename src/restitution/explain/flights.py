@@ -5,6 +5,7 @@ from __future__ import annotations
 from restitution.explain.naming import Naming
 from restitution.explain.sources import is_time
 from restitution.explaining.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.resting import is_of_a_body_at_rest
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.trees import trees_of
 from restitution.expression.tree import (
@@ -26,6 +27,11 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
     one = naming.movers == 1
     if is_time(left) or (isinstance(left, Letter) and _names_a_time(derivation, left)):
         return say("flight.time") if one else say("flight.time-of", body=body)
+    if isinstance(left, Quantity) and left.kind == "position":
+        if is_of_a_body_at_rest(derivation, line):
+            return say("flight.rest", body=body)
+        if _from_the_origin(derivation, line):
+            return say("flight.origin") if one else say("flight.origin-of", body=body)
     if _is_place(left) and not _by_the_way(derivation, line):
         return say("flight.place") if one else say("flight.place-of", body=body)
     if _tells_a_time(derivation, line):
@@ -67,6 +73,15 @@ def _length_title(line: Line) -> Sentence:
 def distance_title(line: Line) -> Sentence:
     """The title of a distance: by the relative velocity of bodies that met, or by coordinates."""
     return say("distance.relative" if line.move.event else "distance.coordinates")
+
+
+def _from_the_origin(derivation: Derivation, line: Line) -> bool:
+    """Whether a place is a velocity times a time, and nothing more."""
+    assert isinstance(line.relation, Relation)
+    right = line.relation.options[0][0].right
+    return _speaks_of_a_time(derivation, line) and not (
+        isinstance(right, Binary) and right.op in ("+", "-")
+    )
 
 
 def _names_a_time(derivation: Derivation, letter: Letter) -> bool:

@@ -534,6 +534,8 @@ class Leads:
                 event = self._naming.event_of_axis(axis)
                 if event is None and stage < (line.move.event or 0):
                     event = self._naming.events.get(line.move.event or 0)
+                if event is None and isinstance(axis, Unit):
+                    return say("resolved-axes.title")
             case _:
                 return None
         if event is None:

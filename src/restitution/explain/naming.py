@@ -367,6 +367,14 @@ class Naming:
                 return self._at(say("derived.position", body=body), stage)
             case Quantity("distance") if tree in self._chords:
                 return say("derived.chord")
+            case Quantity(
+                "distance",
+                (
+                    Quantity("position", (Name(body),), early),
+                    Quantity("position", (Name(other),), late),
+                ),
+            ) if body == other and (whens := [*map(self._when_at, (early, late))]) and all(whens):
+                return say("derived.distance-of", body=body, early=whens[0], late=whens[1])
             case Quantity("distance", arguments, stage):
                 return self._at(say("derived.distance", of=tuple(map(self._end, arguments))), stage)
             case Quantity("line_of_centres", _, stage):
@@ -639,16 +647,19 @@ class Naming:
         return {n: step for n, step in enumerate(told, 1) if isinstance(step, Arrival)}
 
     def _at(self, words: Sentence, stage: Stage) -> Sentence:
+        when = self._when_at(stage)
+        return words if when is None else say("derived.when", quantity=words, when=when)
+
+    def _when_at(self, stage: Stage) -> Sentence | None:
+        """When a place is meant, in words: at the start, at an event, or at a time."""
         match stage:
             case AtTime(time):
-                when = self._later(time)
+                return self._later(time)
             case 0:
-                when = say("derived.at-the-start")
+                return say("derived.at-the-start")
             case int(number) if number in self.events:
-                when = self._moment(number)
-            case _:
-                return words
-        return say("derived.when", quantity=words, when=when)
+                return self._moment(number)
+        return None
 
     def _later(self, time: Expression) -> Sentence:
         """A time by what it is counted from: an event, or where the clock starts."""

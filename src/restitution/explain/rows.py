@@ -31,10 +31,12 @@ from restitution.expression.tree import (
     Name,
     Negate,
     Number,
+    Pair,
     Quantity,
     has_quantity,
     walk,
 )
+from restitution.planning.forms import coordinates
 from restitution.problem import Value
 from restitution.render import layout as lay
 from restitution.render.text import to_text
@@ -189,6 +191,12 @@ class Rows:
                 if not shown:
                     return ()
                 sides, signs = [each for each, _ in shown], tuple(sign for _, sign in shown[1:])
+                decimals = self._measures.decimals and self._measures.unit(link.left)
+                point = coordinates(as_decimal(link.right) if decimals else link.right)
+                if point is not None:
+                    sides[0] = self._naming.laid(Pair(*point))
+                if decimals and signs == ("=",):
+                    sides, signs = sides[:1], ()
                 if is_plain(self._naming.laid(link.right)):
                     unit = self._measures.unit(line.relation.options[0][0].left)
                     sides[-1] = with_unit(sides[-1], unit)

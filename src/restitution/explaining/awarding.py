@@ -38,6 +38,7 @@ from restitution.explaining.derivation import (
     whole_of,
 )
 from restitution.explaining.marks import Mark, Marks, Style, reasoned
+from restitution.explaining.resting import is_of_a_body_at_rest
 from restitution.explaining.trees import trees_of
 from restitution.expression.tree import (
     Apply,
@@ -170,6 +171,7 @@ RULES: tuple[Rule, ...] = (
     ),
     _rule("angle-read-off", ("define",), "", ("difference",), ("of-angles", "at-once")),
     _rule("angle-by-a-difference", ("define",), "M", ("difference",), ("of-angles",)),
+    _rule("place-at-rest", ("define",), "", ("straight-line",), ("at-rest", "on-the-way")),
     _rule("place-in-an-open-time", ("define",), "", ("straight-line",), ("open-place",)),
     _rule("place-by-a-path", ("define",), "M", ("straight-line",), ("place-of-facts",)),
     _rule("place-on-an-axis", ("define",), "", ("straight-line",), ("zero", "on-the-way")),
@@ -1002,5 +1004,6 @@ CONDITIONS: Mapping[str, Callable[[_Awarding, Line], bool]] = {
     "of-an-offset": _of_an_offset,
     "of-a-contact": lambda work, line: any(e.id.startswith("contact ") for e in work.facts(line)),
     "open-place": _open_place,
+    "at-rest": lambda work, line: is_of_a_body_at_rest(work.derivation, line),
 }
 """What a rule may ask of a line, and of the lines about it."""

@@ -147,6 +147,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "resolved-wall.before-sense": (
         "Components before the impact, those parallel to {wall} in the direction of {axis}:"
     ),
+    "resolved-axes.title": "Components along the axes:",
     "resolved-spheres.after-units": "Components after the impact:",
     "resolved-wall.before-units": "Components before the impact:",
     "resolved-wall.after-units": "Components after the impact:",
@@ -494,6 +495,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     "circle.at": "{body} is then at a distance {radius} from the centre of {wall}:",
     "circle.towards": "{body} is moving towards {wall} then",
     "touch.towards": "{one} and {other} are approaching then",
+    "touch.wall": (
+        "At the impact with {wall} the centre of {body} is {radius} from {wall}, so its "
+        "{axis}-coordinate is {value}."
+    ),
     "touch.meet": "{one} and {other} meet when their coordinates are equal:",
     "touch.apart": "{one} and {other} touch when their centres are {distance} apart:",
     # --- conditions, ranges, extrema --------------------------------------------------------------
@@ -669,6 +674,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.position": "position of {body}",
     "derived.coordinate-x": "x-coordinate of {body}",
     "derived.coordinate-y": "y-coordinate of {body}",
+    "derived.distance-of": "distance between the positions of {body} {early} and {late}",
     "derived.distance": "distance between {of:and}",
     "derived.line": "line of centres",
     "derived.line-unit": "unit vector along the line of centres",
@@ -780,6 +786,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "distance.coordinates": "Distance, from the coordinates",
     "flight.time": "Time = distance ÷ speed",
     "flight.time-of": "Time = distance ÷ speed, for {body}",
+    "flight.rest": "{body} is at rest, so it stays where it is",
+    "flight.origin": "Position = velocity × time, from the origin",
+    "flight.origin-of": "Position = velocity × time, for {body} from the origin",
     "flight.place": "New position = old position + velocity × time",
     "flight.place-of": "New position = old position + velocity × time, for {body}",
     "flight.same-time": "The path is in the direction of the velocity",

@@ -224,6 +224,25 @@ def vector(x: Expression, y: Expression) -> Expression:
     return total((product(x, Unit("i")), product(y, Unit("j"))))
 
 
+def coordinates(tree: Expression) -> tuple[Expression, Expression] | None:
+    """What stands with **i** and with **j** in ``x i + y j``; None of another tree."""
+    match tree:
+        case Unit(axis):
+            return (ONE, ZERO) if axis == "i" else (ZERO, ONE)
+        case Negate(operand):
+            own = coordinates(operand)
+            return None if own is None else (negative(own[0]), negative(own[1]))
+        case Binary("*", size, Unit(axis)):
+            return (size, ZERO) if axis == "i" else (ZERO, size)
+        case Binary("+" | "-" as op, left, right):
+            one, other = coordinates(left), coordinates(right)
+            if one is None or other is None:
+                return None
+            join = difference if op == "-" else lambda a, b: total((a, b))
+            return join(one[0], other[0]), join(one[1], other[1])
+    return None
+
+
 def square(tree: Expression) -> Expression:
     """A tree squared."""
     if isinstance(tree, Negate):
