@@ -313,6 +313,31 @@ find speed(B)
 2 a | define component 1 A | velocity A, 1 | along(velocity(A, 0), line_of_centres(1)) = sqrt(3) u/2
 a: 2 speed(B, 1) = sqrt(3) u/2
 """,
+    # Who rests after an impact is where it was.
+    "rests": """
+wall W: along j, through (8, 0)
+sphere A: mass 1, at (0, 0), velocity 2i
+sphere B: mass 1, at (4, 0), at rest
+A hits B: along i, e = 1
+B hits W: e = 1/2
+find distance(A, B)
+---
+1 a | law unchanged 1 A | velocity A, axis 1 | across(velocity(A, 1), line_of_centres(1)) = 0
+2 a | law restitution 1 A B | velocity A, axis 1 | along(velocity(A, 1), line_of_centres(1)) = 0
+3 a | define straight-line 2 A | contact 1, 1, 2 | position(A, 2) = 4i
+4 a | define distance | contact 2, 3 | distance(A, B, 2) = 8 - 4 = 4 [rearrange]
+a: 4 distance(A, B, 2) = 4
+""",
+    # Two bodies that are at one place at the start.
+    "at-once": """
+sphere A: mass 2, at (0, 0), velocity u i
+sphere B: mass 1, at (0, 0), at rest
+A hits B: along i, e = 1/2
+find time(1)
+---
+1 a | define straight-line 1 A | position A, position B, start | time(1) = 0
+a: 1 time(1) = 0
+""",
     # Times and places: on an axis, at its place, by the other direction.
     "on-its-way": """
 wall W: along i, through (0, 0)
@@ -413,6 +438,8 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("time-by-the-data", "places", 3, "B1", "B1", "B1"),
     ("centres-by-a-path", "pocket", 1, "M1", "M1", "M1"),
     ("centres-two-radii-apart", "pocket", 2, "A1", "A1", "A1"),
+    ("place-at-rest", "rests", 3, "", "", ""),
+    ("time-of-no-way", "at-once", 1, "B1", "B1", "B1"),
     ("place-in-an-open-time", "touch", 1, "", "", ""),
     ("equation-of-a-contact", "touch", 2, "M1", "M1", "M1"),
     ("place-of-a-contact", "touch-along", 1, "M1 A1", "M1 A1", "M1 A1"),

@@ -276,11 +276,15 @@ def _direction(derivation: Derivation, number: int) -> Vector | None:
     if any(e.move.record == "chord" and e.move.event == number for e in derivation.lines):
         return None  # components on a chord are known before that direction is
     axis = Quantity("line_of_centres", (), number)
-    # The last line that tells it has the sense in which components are taken.
+    # The last line that tells it has the sense in which components are taken; below them it may
+    # stand again, with a letter put in that was sought.
+    lines = [] if derivation.cases else derivation.lines
+    resolved = [e.move.record == "component" and e.move.event == number for e in lines]
+    first = resolved.index(True) if True in resolved else len(lines)
     told: list[Line | Fact] = [
         each
-        for each in reversed(derivation.lines)
-        if not derivation.cases and not isinstance(each.relation, Meaning)
+        for each in (*reversed(lines[:first]), *reversed(lines[first:]))
+        if not isinstance(each.relation, Meaning)
     ]
     fact = derivation.fact(" ".join(("axis", str(number))))
     for each in (*told, *(() if fact is None else (fact,))):

@@ -25,6 +25,8 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
     left = line.relation.options[0][0].left
     body = line.move.bodies[0]
     one = naming.movers == 1
+    if is_time(left) and is_zero(line.relation.options[0][-1].right):
+        return say("flight.at-once", bodies=naming.events[line.move.event or 0].bodies)
     if is_time(left) or (isinstance(left, Letter) and _names_a_time(derivation, left)):
         return say("flight.time") if one else say("flight.time-of", body=body)
     if isinstance(left, Quantity) and left.kind == "position":

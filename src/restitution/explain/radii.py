@@ -31,7 +31,7 @@ class Radii:
         if line.move.record != "straight-line":
             return
         for ref in line.premises:
-            if not isinstance(ref, str) or not ref.startswith("contact ") or ref in self._done:
+            if not isinstance(ref, str) or ref.partition(" ")[0] != "contact" or ref in self._done:
                 continue
             sentence = self._sentence(ref)
             if sentence is not None:

@@ -171,6 +171,7 @@ RULES: tuple[Rule, ...] = (
     ),
     _rule("angle-read-off", ("define",), "", ("difference",), ("of-angles", "at-once")),
     _rule("angle-by-a-difference", ("define",), "M", ("difference",), ("of-angles",)),
+    _rule("time-of-no-way", ("define",), "", ("straight-line",), ("zero", "time")),
     _rule("place-at-rest", ("define",), "", ("straight-line",), ("at-rest", "on-the-way")),
     _rule("place-in-an-open-time", ("define",), "", ("straight-line",), ("open-place",)),
     _rule("place-by-a-path", ("define",), "M", ("straight-line",), ("place-of-facts",)),

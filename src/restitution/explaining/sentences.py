@@ -786,6 +786,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "distance.coordinates": "Distance, from the coordinates",
     "flight.time": "Time = distance ÷ speed",
     "flight.time-of": "Time = distance ÷ speed, for {body}",
+    "flight.at-once": "{bodies:and} are at one place at the start",
     "flight.rest": "{body} is at rest, so it stays where it is",
     "flight.origin": "Position = velocity × time, from the origin",
     "flight.origin-of": "Position = velocity × time, for {body} from the origin",

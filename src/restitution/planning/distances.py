@@ -15,8 +15,8 @@ from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import difference, product, square, swept, total, tree_of
 from restitution.planning.impacts import in_direction
 from restitution.planning.instants import piece, place_then, time_since
-from restitution.planning.place_trees import duration_tree, time_tree
-from restitution.planning.places import spot, time_of
+from restitution.planning.place_trees import AXES, Axis, coordinate_tree, duration_tree, time_tree
+from restitution.planning.places import place, spot, time_of
 from restitution.planning.polynomials import expanded, factored
 from restitution.planning.scene import Scene
 from restitution.planning.separations import separation_known
@@ -138,10 +138,18 @@ def _end(scene: Scene, tree: Expression, stage: Any) -> Source:
         case Name(name):
             return _end(scene, Quantity("position", (tree,), stage), stage)
         case Quantity("position", (Name(body),), int(number)):
+            if any(_is_worked_out(scene, body, number, axis) for axis in AXES):
+                return place(scene, body, number)
             return spot(scene, body, number)
         case Quantity("position", (Name(body),), AtTime()):
             return place_then(scene, tree, body)
     raise NotPlannedError("the end of a distance")
+
+
+def _is_worked_out(scene: Scene, body: str, number: int, axis: Axis) -> bool:
+    """Whether a coordinate stands in a letter that has a value by now."""
+    known = scene.desk.known(coordinate_tree(body, number, axis))
+    return known is not None and scene.put(known.value)[0] != known.value
 
 
 def _distance_since_contact(scene: Scene, asked: Quantity) -> Source | None:

@@ -353,6 +353,19 @@ def share_by_degrees(ratio: sp.Expr, function: str) -> Expression | None:
     return Apply(function, Degrees(Fraction(int(angle))))
 
 
+def _product_of_units(a: Vector, b: Vector, value: sp.Expr) -> Expression:
+    """The scalar product of two unit vectors: as products, where neither is along an axis."""
+    (one, size), (other, length) = whole_direction(a), whole_direction(b)
+    if size == 1 or length == 1:
+        return tree_of(value)
+    minus = bool(value.is_negative)
+    terms = (
+        product(tree_of(-p if minus else p), tree_of(q)) for p, q in zip(one, other, strict=True)
+    )
+    quotient = swept(Binary("/", total(terms), tree_of(tidy(size * length))))
+    return Negate(quotient) if minus else quotient
+
+
 def _parallel(scene: Scene, a: Vector, b: Vector) -> int:
     """1 or −1 where two unit vectors are parallel, 0 where they are not."""
     if tidy(a.cross(b)) != 0:
@@ -371,8 +384,13 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
     functions = ("cos", "sin") if kind == "along" else ("sin", "cos")
     names = [share_by_degrees(b, f) for b, f in zip(shares, functions, strict=True)]
     terms = [
-        product(tree_of(a.value), tree_of(b) if name is None else _signed(name, b))
-        for a, b, name in zip(put, shares, names, strict=True)
+        product(
+            tree_of(a.value),
+            _product_of_units(own.direction(each), direction, b)
+            if name is None
+            else _signed(name, b),
+        )
+        for each, a, b, name in zip(("along", "across"), put, shares, names, strict=True)
         if a.value
     ]
     refs = together(*(each.whole for each in put), own.unit_free, frame.unit_free)

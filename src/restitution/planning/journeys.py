@@ -8,19 +8,17 @@ import sympy as sp
 
 from restitution.explaining.derivation import Move
 from restitution.expression.tree import AtTime, Binary, Expression, Name, Quantity, Unit
-from restitution.planning.desk import NotPlannedError, Source, chain, together
+from restitution.planning.desk import NotPlannedError, Source, chain
 from restitution.planning.distances import distance, sized
 from restitution.planning.forms import tree_of
 from restitution.planning.instants import piece, place_then
 from restitution.planning.paths import without_walls
-from restitution.planning.place_trees import AXES, place_tree
 from restitution.planning.places import (
     coordinate,
-    coordinate_given,
     coordinate_moved,
     flight_time,
     leg_line,
-    place_moved,
+    place,
     time_of,
 )
 from restitution.planning.scene import Scene
@@ -61,7 +59,7 @@ def write(scene: Scene, asked: Expression) -> tuple[int, Any]:
             if not any(isinstance(each, int) for each in source.refs):
                 source = coordinate_moved(scene, body, stage, axis)
         case Quantity("position", (Name(body),), int(stage)):
-            source = _place(scene, body, stage)
+            source = place(scene, body, stage)
         case Quantity("position", (Name(body),), AtTime()):
             source = place_then(scene, asked, body)
         case Quantity("distance", (_, _)):
@@ -88,24 +86,6 @@ def _check(scene: Scene, asked: Expression, value: Any) -> None:
     gaps = [sized(scene, in_data(a)) - sized(scene, in_data(b)) for a, b in pairs]
     if not all(scene.model.identically_zero(each) for each in gaps):
         raise NotPlannedError("another piece of the path than the lines say")
-
-
-def _place(scene: Scene, body: str, stage: int) -> Source:
-    """A place by its coordinates, where one of them is given; else by a vector."""
-    quantity = place_tree(body, stage)
-    known = standing(scene, quantity)
-    if known is not None:
-        return known
-    if all(coordinate_given(scene, body, stage, axis) is None for axis in AXES):
-        return place_moved(scene, body, stage)
-    parts = [coordinate(scene, body, stage, axis) for axis in AXES]
-    value = Vector(*(each.value for each in parts))
-    number = scene.desk.write(
-        Move("define", "assemble", stage or None, (body,)),
-        together(*(each.refs for each in parts)),
-        chain(quantity, (tree_of(value), None)),
-    )
-    return scene.desk.know(quantity, value, (number,))
 
 
 def _duration(scene: Scene, asked: Expression, late: int, early: int) -> Source:

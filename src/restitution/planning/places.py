@@ -288,6 +288,24 @@ def spot(scene: Scene, body: str, stage: int) -> Source:
     return Source(Vector(x.value, y.value), together(x.refs, y.refs))
 
 
+def place(scene: Scene, body: str, stage: int) -> Source:
+    """A place by its coordinates, where one of them is given; else by a vector."""
+    quantity = place_tree(body, stage)
+    known = standing(scene, quantity)
+    if known is not None:
+        return known
+    if all(coordinate_given(scene, body, stage, axis) is None for axis in AXES):
+        return place_moved(scene, body, stage)
+    parts = [coordinate(scene, body, stage, axis) for axis in AXES]
+    value = Vector(*(each.value for each in parts))
+    number = scene.desk.write(
+        Move("define", "assemble", stage or None, (body,)),
+        together(*(each.refs for each in parts)),
+        chain(quantity, (tree_of(value), None)),
+    )
+    return scene.desk.know(quantity, value, (number,))
+
+
 def velocity_then(scene: Scene, body: str, stage: int) -> Source:
     """A velocity as a vector, by its components along **i** and **j**."""
     x, y = (velocity(scene, body, stage, axis) for axis in AXES)
