@@ -367,15 +367,10 @@ class Naming:
                 return self._at(say("derived.position", body=body), stage)
             case Quantity("distance") if tree in self._chords:
                 return say("derived.chord")
-            case Quantity(
-                "distance",
-                (
-                    Quantity("position", (Name(body),), early),
-                    Quantity("position", (Name(other),), late),
-                ),
-            ) if body == other and (whens := [*map(self._when_at, (early, late))]) and all(whens):
-                return say("derived.distance-of", body=body, early=whens[0], late=whens[1])
             case Quantity("distance", arguments, stage):
+                between = self._between_places(arguments)
+                if between is not None:
+                    return between
                 return self._at(say("derived.distance", of=tuple(map(self._end, arguments))), stage)
             case Quantity("line_of_centres", _, stage):
                 told = isinstance(stage, int) and self.bold.way(stage, "along") is not None
@@ -388,6 +383,18 @@ class Naming:
                 words = say("derived.value", value=lay.from_tree(self._timeless(tree)))
                 return self._at(words, stage)
         return say("derived.value", value=lay.from_tree(self._timeless(tree)))
+
+    def _between_places(self, ends: tuple[Expression, ...]) -> Sentence | None:
+        """A distance between two places of one body; None of another distance."""
+        match ends:
+            case (
+                Quantity("position", (Name(body),), first),
+                Quantity("position", (Name(other),), second),
+            ) if body == other:
+                early, late = self._when_at(first), self._when_at(second)
+                if early is not None and late is not None:
+                    return say("derived.distance-of", body=body, early=early, late=late)
+        return None
 
     def _of_other_times(self, tree: Quantity) -> bool:
         """Whether the working speaks of the same quantity at another time."""
