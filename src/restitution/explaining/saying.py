@@ -111,10 +111,22 @@ def _filled(slot: Slot, how: str) -> Words:
         words = slot.words
     else:
         words = (slot,) if isinstance(slot, Layout) else (str(slot),)
-    if how == _CAPITAL and words and isinstance(words[0], str):
-        first = words[0]
-        words = (f"{first[:1].upper()}{first[1:]}", *words[1:])
+    if how == _CAPITAL and words:
+        words = (_with_a_capital(words[0]), *words[1:])
     return words
+
+
+def _with_a_capital(piece: str | Layout) -> str | Layout:
+    """Words that begin a sentence; mathematics stays as it is."""
+    if isinstance(piece, str):
+        return f"{piece[:1].upper()}{piece[1:]}"
+    if isinstance(piece, Text):
+        return Text(f"{piece.text[:1].upper()}{piece.text[1:]}")
+    if isinstance(piece, Phrase):
+        first, *rest = piece.items
+        begun = _with_a_capital(first)
+        return Phrase((begun, *rest), piece.separator) if isinstance(begun, Layout) else piece
+    return piece
 
 
 def _listed(items: tuple[Slot, ...], how: str) -> Words:

@@ -98,14 +98,25 @@ def _quotient_root(scene: Scene, square_: sp.Expr) -> sp.Expr | None:
     factors = sp.factor_list(sp.together(square_).as_numer_denom()[1])[1]
     if not any(base.is_Add and power % 2 for base, power in factors):
         return None
-    outside, inside = sp.Integer(1), sp.Integer(1)
-    for base, power in sp.factor(square_).as_powers_dict().items():
-        half, odd = divmod(power, 2)
-        outside, inside = outside * base**half, inside * base**odd
+    (above, left_above), (below, left_below) = map(
+        _squares_out, sp.together(square_).as_numer_denom()
+    )
+    if scene.model.sign(scene.model.in_data(left_below)) < 0:
+        left_above, left_below = expanded(-left_above), expanded(-left_below)
+    outside, inside = above / below, left_above / left_below
     if scene.model.sign(scene.model.in_data(inside)) <= 0:
         return None
     back = scene.model.sign(scene.model.in_data(outside)) < 0
     return sp.sympify((-outside if back else outside) * sp.sqrt(inside), strict=True)
+
+
+def _squares_out(whole: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """The root of the squares in a product, and the rest: u² − v², and not (u + v)(u − v)."""
+    number, factors = sp.factor_list(whole)
+    outside = sp.Mul(*(base ** (power // 2) for base, power in factors))
+    rest = number * sp.Mul(*(base ** (power % 2) for base, power in factors))
+    open_ = expanded(rest)
+    return outside, open_ if len(sp.Add.make_args(open_)) <= 2 else rest
 
 
 def _option(subject: Expression, value: sp.Expr) -> tuple[Link, ...]:
