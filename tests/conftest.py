@@ -96,13 +96,13 @@ SPREAD = {"test_cli", "test_gas", "test_never_hangs", "test_properties"}
 
 def _group(item: pytest.Item) -> str:
     if isinstance(item, pytest.Function):
+        if {"page", "served"} & set(item.fixturenames):
+            return "pages"
         params = item.callspec.params if hasattr(item, "callspec") else {}
         path, name = params.get("path"), params.get("name")
         statement = path.stem if isinstance(path, Path) else name
         if statement in NAMES:
             return str(statement)
-        if {"page", "served"} & set(item.fixturenames):
-            return "pages"
     return item.nodeid if item.path.stem in SPREAD else item.path.stem
 
 

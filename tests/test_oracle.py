@@ -117,6 +117,29 @@ def test_an_end_that_alone_is_possible() -> None:
     )
 
 
+@pytest.mark.parametrize("root", [sp.sqrt(10**12 - 1), sp.sqrt(2 * 3 * 5 * 7 * 11 * 13 * 17)])
+@pytest.mark.parametrize("more", [0, sp.sqrt(3)], ids=["alone", "one beside it"])
+def test_the_root_of_a_product_of_primes_is_one_letter(
+    root: Any, more: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The decision procedure has an answer, and counter-examples are true ones."""
+    replies = []
+    checked = decision.checked
+
+    def seen(solver: Any) -> tuple[str, str]:
+        replies.append(checked(solver)[0])
+        return replies[-1], ""
+
+    monkeypatch.setattr(decision, "checked", seen)
+    oracle = Oracle(ROLES, (compared(x**2, "<=", root**2), compared(y, "<=", more)))
+    assert oracle.decide(compared(x + y, "<=", root + more)).answer == "proved"
+    wrong = compared(x + y, "<", root + more)
+    verdict = oracle.decide(wrong)
+    assert verdict.answer == "refuted" and verdict.witness is not None
+    assert holds_at(wrong, verdict.witness) is not True
+    assert replies and "unknown" not in replies
+
+
 def test_for_every_value_there_is_another() -> None:
     oracle = Oracle(ROLES, (compared(u, ">=", 25), compared(u, "<=", 50)))
     claim = All((compared((1 + e) * u, "=", 50),))

@@ -217,6 +217,29 @@ def _scale(world: Polynomials, used: Sequence[str], tree: _Tree) -> list[str]:
     ]
 
 
+def _joined(world: Polynomials, used: Sequence[str], tree: _Tree) -> dict[str, list[str]]:
+    """Roots of whole numbers that stand in products with the same others alone, by the first.
+
+    The root of a product of seven primes is one letter then, and not seven.
+    """
+    own = {}
+    for each in world.relations:
+        names = _names(world, each)
+        if len(names) == 1 and set(each.degrees()) <= {0, 2} and len(each) == 2:
+            (name,) = names
+            if name not in world.letters.values() and world.senses[name] == "0+":
+                own[name] = each
+    own = {name: each for name, each in own.items() if name in used and name not in world.between}
+    others = [each for each in world.relations if each not in own.values()]
+    every = [*_polynomials(tree), *others, *(bound.polynomial for bound in world.bounds)]
+    monomials = [each for polynomial in every for each in polynomial.monoms()]
+    groups: dict[tuple[int, ...], list[str]] = {}
+    for name in own:
+        n = world.names.index(name)
+        groups.setdefault(tuple(each[n] for each in monomials), []).append(name)
+    return {group[0]: group for group in groups.values() if len(group) > 1}
+
+
 class _Span:
     """The span of rows of whole numbers, each reduced once."""
 
@@ -279,7 +302,7 @@ def covers(
 def _ask(world: Polynomials, tree: _Tree, used: Sequence[str], scale: Sequence[str]) -> Reply:
     import z3
 
-    question = _Question(world, used, scale)
+    question = _Question(world, used, scale, _joined(world, used, tree))
     solver = z3.SolverFor("QF_NRA", ctx=question.context)
     solver.set("timeout", MILLISECONDS)
     for definition in question.definitions(used, used):
@@ -314,10 +337,18 @@ def limit_memory(megabytes: int) -> None:
 class _Question:
     """Generators as numbers of Z3, in a context of their own."""
 
-    def __init__(self, world: Polynomials, used: Sequence[str], scale: Sequence[str]) -> None:
+    def __init__(
+        self,
+        world: Polynomials,
+        used: Sequence[str],
+        scale: Sequence[str],
+        joined: Mapping[str, Sequence[str]] | None = None,
+    ) -> None:
         import z3
 
-        self.world, self.scale = world, scale
+        self.world, self.scale, self.joined = world, scale, joined or {}
+        left_out = {name for group in self.joined.values() for name in group[1:]}
+        used = [name for name in used if name not in left_out]
         self.context = z3.Context()
         self.numbers: dict[str, Any] = {}
         self._places: list[tuple[int, Any]] = []
@@ -357,7 +388,7 @@ class _Question:
         """What these generators are, by their signs, bounds and relations among the known ones."""
         world, names, known = self.world, set(names), set(known)
         formulas = []
-        for name in sorted(names):
+        for name in sorted(names & set(self.numbers)):
             number = self.numbers[name]
             if name in self.scale:
                 formulas.append(number == 1)
@@ -371,8 +402,17 @@ class _Question:
         defining = [(relation, "=") for relation in world.relations] + [
             (bound.polynomial, ">" if bound.strict else ">=") for bound in world.bounds
         ]
+        grouped = {name for group in self.joined.values() for name in group}
+        for first, group in self.joined.items():
+            square = QQ(1)
+            for each in world.relations:
+                if len(own := _names(world, each)) == 1 and own <= set(group):
+                    square *= -each.coeff(1) / each.LC
+            formulas.append(self.numbers[first] * self.numbers[first] == self._number(square))
         for polynomial, operator in defining:
             own = _names(world, polynomial)
+            if len(own) == 1 and own <= grouped:
+                continue
             if own & names and own <= known:
                 formulas.append(_related(self.value(polynomial), operator))
         return formulas
