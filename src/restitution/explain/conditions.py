@@ -33,6 +33,8 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
                 continue
             if _is_asked(part, answers) or _speaks_of_others(solution, item, answers):
                 continue
+            if _is_of_itself(item, answers):
+                continue
             alike = len({each.condition for each in answers}) == 1
             if not alike and len(answers) != len(ends):
                 continue
@@ -55,6 +57,24 @@ def _is_asked(part: PartSolution, answers: Sequence[Answer]) -> bool:
     }
     told = {each for answer in answers for each in answer.condition}
     return len(told) == 1 and any(name in _names_in(text) for name in ranges for text in told)
+
+
+def _is_of_itself(item: ItemResult, answers: Sequence[Answer]) -> bool:
+    """Whether a condition is that the letter that is asked has an admissible value."""
+    own = item.item.expression if isinstance(item.item, Value) else None
+    return isinstance(own, Letter) and any(
+        lay.from_sympy(sp.Symbol(own.name)) in _sides(each.condition_layout) for each in answers
+    )
+
+
+def _sides(condition: Layout | None) -> list[Layout]:
+    """What stands between the signs of a condition."""
+    match condition:
+        case lay.Phrase(items):
+            return [side for each in items for side in _sides(each)]
+        case lay.Relation(operands):
+            return list(operands)
+    return []
 
 
 def _names_in(text: str) -> list[str]:

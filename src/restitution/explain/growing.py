@@ -30,7 +30,7 @@ def growth(
         own = [each for each in ends if name in letters(each.left) | letters(each.right)]
         if len(names) > 1 and not _is_end(tree, name, own, bound, name in positive):
             continue
-        way = _way(tree, name, own, bound)
+        way = way_of(tree, name, own, bound)
         if way:
             return name, way
     return None
@@ -82,7 +82,7 @@ def _agrees(tree: Expression, name: str, end: Any, side: Expression) -> bool:
         return False
 
 
-def _way(tree: Expression, name: str, ends: Sequence[Link], bound: Relation) -> int:
+def way_of(tree: Expression, name: str, ends: Sequence[Link], bound: Relation) -> int:
     """The sign of the change from the lower to the upper end, all other letters at one point.
 
     A value that is not bounded in between changes its sign there: so it is that next to the end

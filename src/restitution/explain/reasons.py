@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.explain.factors import factor_cancelled
-from restitution.explain.growing import growth
+from restitution.explain.growing import growth, way_of
 from restitution.explain.naming import Naming
 from restitution.explain.sources import Sources, bound_broken
 from restitution.explaining.algebra import NotComparableError, Quotient
@@ -27,11 +27,13 @@ from restitution.expression.tree import (
     Letter,
     Negate,
     Number,
+    Quantity,
     has_quantity,
     letters,
     walk,
 )
 from restitution.planning.forms import factors, tree_of
+from restitution.planning.inequalities import turned
 from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.solve.letters import roles
@@ -208,7 +210,12 @@ class Reasons:
                 if self._naming.bodies.get(wall) == "sphere":
                     return say("touch.towards", one=body, other=wall)
                 return say("circle.towards", body=body, wall=wall)
-            return fact.relation if ordered and fact.kind in ("given", "range") else None
+            if not ordered or fact.kind not in ("given", "range"):
+                return None
+            match fact.relation:
+                case Relation(((Link(Number(), _, Quantity()) as link,),)):
+                    return Relation(((turned(link),),))
+            return fact.relation
         head, colon, text = ref.partition(":")
         if colon and head.strip() == "acute":
             angle = self._naming.laid(read_tree(text, self._naming.bodies))
@@ -310,8 +317,12 @@ class Reasons:
         found = growth(above[0].right, line.relation, ends, positive)
         if found is not None:
             name, way = found
+            whole = above[0].right
+            if not _is_short(whole):
+                part = _part_with(whole, name)
+                turn = 0 if part is None else way_of(part, name, ends, line.relation)
+                whole, way = (above[0].left, way) if part is None or not turn else (part, turn)
             id_ = "derived.increases" if way > 0 else "derived.decreases"
-            whole = above[0].right if _is_short(above[0].right) else above[0].left
             quantity = self._naming.laid(whole)
             letter = self._naming.laid(Letter(name))
             yield say(id_, quantity=quantity, letter=letter)
@@ -549,6 +560,17 @@ def _far_end(
             if side == subject and link.sign in signs:
                 return other
     return None
+
+
+def _part_with(tree: Expression, name: str) -> Expression | None:
+    """The one factor of a product, or above in a quotient, that has a letter, if it is short."""
+    above = tree
+    if isinstance(tree, Binary) and tree.op == "/":
+        if name in letters(tree.right):
+            return None
+        above = tree.left
+    parts = [each for each in factors(above) if name in letters(each)]
+    return parts[0] if len(parts) == 1 and _is_short(parts[0]) else None
 
 
 def _is_short(tree: Expression) -> bool:

@@ -107,6 +107,9 @@ def solve_squares(
     if whole is not None:
         left, right = whole
         steps = [Link(tree_of(left), own.sign, tree_of(right))]
+        gap = worths.value(own.left) - worths.value(own.right)
+        if solved is not None and scene.model.identically_zero(left - right - gap):
+            steps = []  # nothing was multiplied
         if solved is not None:
             steps += _second_degree(own, left - right)
         for each in steps:
