@@ -10,11 +10,11 @@ import sympy as sp
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explain.naming import Naming
-from restitution.explaining.derivation import Derivation, Line
+from restitution.explaining.derivation import Derivation, Fact, Line
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.trees import trees_of
 from restitution.expression.evaluate import evaluate
-from restitution.expression.tree import Apply, Expression, letters, walk
+from restitution.expression.tree import Apply, Expression, Quantity, letters, walk
 from restitution.planning.forms import tree_of
 
 _ARCS = ("arctan", "arcsin", "arccos")
@@ -46,7 +46,7 @@ class DataAngles:
         alike = (e for e in self._derivation.lines if e.move.event == line.move.event)
         for ref in dict.fromkeys(ref for each in (line, *alike) for ref in each.premises):
             fact = self._derivation.fact(ref) if isinstance(ref, str) else None
-            if fact is None or fact.id.partition(" ")[0] != "velocity":
+            if fact is None or not _is_of_velocity(fact):
                 continue
             for node in (each for tree in trees_of(fact.relation) for each in walk(tree)):
                 if not isinstance(node, Apply) or node.function not in _ARCS:
@@ -69,6 +69,13 @@ class DataAngles:
             yield say("given.sine", value=laid, cosine=cosine)
         else:
             yield say("given.cosine", value=laid, sine=sine)
+
+
+def _is_of_velocity(fact: Fact) -> bool:
+    """Whether a fact says what a velocity is, at the start or after an event."""
+    links = fact.relation.options[0]
+    given = any(isinstance(e.left, Quantity) and e.left.kind == "velocity" for e in links)
+    return fact.id.partition(" ")[0] == "velocity" or given
 
 
 __all__ = ["DataAngles"]

@@ -108,7 +108,15 @@ _CLOSING = (
     "parallel",
     "sum",
 )
-_ENERGIES = ("energy", "energy-ratio", "energy-lost", "total", "total-lost", "difference")
+_ENERGIES = (
+    "energy",
+    "energy-ratio",
+    "energy-lost",
+    "energy-change",
+    "total",
+    "total-lost",
+    "difference",
+)
 
 RULES: tuple[Rule, ...] = (
     # Principles. What an earlier part has used at the same impact is no method again.

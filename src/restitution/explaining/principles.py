@@ -353,6 +353,16 @@ DEFINITIONS = (
     Record(
         "energy-lost", "definition", where="impact", gives=("energy_lost",), cost=2.5, marks=("M",)
     ),
+    # Of one body, of which the component across the line does not change.
+    Record(
+        "energy-change",
+        "definition",
+        ((f"energy(X, 1) - energy(X, 0) = 1/2 mass(X) ({_c('X', 1)}^2 - {_c('X', 0)}^2)"),),
+        "impact",
+        ("energy",),
+        2.5,
+        ("M", "A"),
+    ),
     # What a cited right angle, or a cited common direction, says of components or vectors.
     Record("perpendicular", "definition", gives=("along", "across"), marks=("M",)),
     Record("parallel", "definition", gives=("along", "across"), marks=("M",)),

@@ -770,6 +770,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "turned.title": "Angle of deflection",
     "turned-wall.title": "Angle of deflection",
     "loss-spheres.title": "Kinetic energy lost, by the components that change",
+    "change-of-energy.title": "Change of kinetic energy, by the component that changes",
     "loss-wall.title": "Kinetic energy lost, by the component that changes",
     "flight.title": "Distance = speed × time",
     "flight.title-of": "Distance = speed × time, for {body}",

@@ -25,6 +25,7 @@ _TITLES: Mapping[str, tuple[SentenceId | None, SentenceId | None]] = {
     "tan-deflection": ("turned.title", "turned.title"),
     "scalar-angle": ("derived-between.title", "derived-between.title"),
     "energy-lost": ("loss-wall.title", "loss-spheres.title"),
+    "energy-change": ("change-of-energy.title", "change-of-energy.title"),
     "energy": ("derived-energy.title", "derived-energy.title"),
     "energy-ratio": ("derived-energy.title", "derived-energy.title"),
     "total": ("derived-energy.title", "derived-energy.title"),

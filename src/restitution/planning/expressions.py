@@ -26,7 +26,12 @@ from restitution.planning.forms import square, swept, total, tree_of
 from restitution.planning.named_angles import letter_of
 from restitution.planning.place_trees import is_duration
 from restitution.planning.polynomials import expanded
-from restitution.planning.quantities import formula, velocity_source, write_formula
+from restitution.planning.quantities import (
+    energy_change,
+    formula,
+    velocity_source,
+    write_formula,
+)
 from restitution.planning.scene import Scene
 from restitution.planning.separations import relative_speed
 from restitution.planning.turning import angle_line, write_decimal
@@ -47,6 +52,9 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         inside = scene.value(asked.argument)
         if isinstance(inside, Vector):
             return _write_size(scene, asked, inside)
+    change = energy_change(scene, asked)
+    if change is not None:
+        return write_formula(scene, change), tree_of(change.value)
     values: dict[Expression, Expression] = {}
     refs: list[Ref] = []
     ranges: list[Ref] = []

@@ -13,7 +13,7 @@ from restitution.planning.closing import close
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import difference, product, square, swept, total, tree_of
 from restitution.planning.frames import Frame
-from restitution.planning.impacts import after, before, closing_at_wall
+from restitution.planning.impacts import before, closing_at_wall, in_direction
 from restitution.planning.pairs import close_two
 from restitution.planning.quantities import velocity_source
 from restitution.planning.scene import GivenEquation, Scene
@@ -249,7 +249,8 @@ def write_impulse(scene: Scene, given: GivenEquation) -> int:
         raise NotPlannedError("no impulse at an impact that is a vector")
     frame, mass = scene.frame(event), scene.mass(body)
     size, refs = _size(scene, value, frame)
-    first, last = before(scene, "along", body, frame), after(scene, "along", body, frame)
+    first = before(scene, "along", body, frame)
+    last = in_direction(scene, "along", body, event, frame)
     late, more = scene.put(last.value)
     early = first.value
     a, b = tree_of(early), tree_of(late)

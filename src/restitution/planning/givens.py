@@ -52,7 +52,7 @@ from restitution.planning.lines_between import (
     write_equal_angles,
 )
 from restitution.planning.premises import background
-from restitution.planning.quantities import Formula, formula, squares
+from restitution.planning.quantities import Formula, formula, impulse_on, squares
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.separations import relative_speed
@@ -300,6 +300,15 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
     return scene.desk.write(own.move, together(each.refs, refs, own.refs), relation)
 
 
+def write_impulse_on(scene: Scene, each: GivenEquation, body: str) -> int | None:
+    """The size of an impulse that is given, as the change of momentum of a body; None of others."""
+    match each.link:
+        case Link(Quantity("impulse", (), int(event)) as impulse, "=", right):
+            if event in scene.model.frames and not has_quantity(right):
+                return _closed(scene, each, impulse_on(scene, impulse, body, event))
+    return None
+
+
 def _scalar_product(
     scene: Scene, each: GivenEquation, own: Formula, left: Expression, refs: tuple[Ref, ...]
 ) -> int:
@@ -378,11 +387,15 @@ def _squared_tangent(
             raise NotPlannedError("an angle between velocities that are both open")
     assert isinstance(own.right, Binary)
     squares = [square(part) for part in (own.right.left, own.right.right)]
-    left = tree_of(tidy(sp.tan(angle) ** 2))
+    last = tree_of(neat(own.value**2))
     return scene.desk.write(
         replace(own.move, record="tan-squared"),
         together(each.refs, refs, own.refs),
-        chain(left, (swept(Binary("/", *squares)), None)),
+        chain(
+            square(tree_of(tidy(sp.tan(angle)))),
+            (swept(Binary("/", *squares)), None),
+            (last, "rearrange"),
+        ),
     )
 
 

@@ -299,7 +299,7 @@ def tree_in_law(source: Source) -> Expression:
 def _by_ratio(
     scene: Scene, kind: str, body: str, frame: Frame, source: Source
 ) -> Expression | None:
-    """A component at the start by a ratio of an angle that has a value: ``5 sin α``.
+    """A component at the start by what has a value in it: ``5 sin α``, ``u sin 60°``.
 
     None where the velocity is not given by its size and an angle, or where the component keeps
     the ratio, or stands in a line of its own.
@@ -309,6 +309,10 @@ def _by_ratio(
     if source.form is not None or scene.desk.known(frame.component(kind, body, 0)) is not None:
         return None
     value = neat(scene.initial(body).value.dot(frame.direction(kind)))
+    form = by_degrees(scene, kind, body, frame, value)
+    if form is not None:
+        # The angle is a number, and the speed has been found.
+        return form if letters(form) and not source.value.free_symbols else None
     ratios = value.atoms(sp.sin, sp.cos)
     if value.is_Add or len(ratios) != 1 or not any(each.free_symbols for each in ratios):
         return None
@@ -560,7 +564,7 @@ def closing_at_wall(scene: Scene, body: str, frame: Frame, kind: str) -> int:
     refs = together(later.whole, earlier.whole, frame.names_axis(kind))
     if kind == "across":
         move = Move("law", "unchanged", frame.number, (body,))
-        sides = [tree_of(later.value), tree_of(earlier.value)]
+        sides = [tree_of(later.value), tree_in_law(earlier)]
         open_ = scene.unknown(earlier.value) and not scene.unknown(later.value)
         if open_ or isinstance(sides[1], Letter):
             sides.reverse()

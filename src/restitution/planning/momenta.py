@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move
-from restitution.explaining.facts import staged
-from restitution.expression.tree import Name, Polar, Quantity, walk
+from restitution.expression.tree import Letter, Name, Polar, Quantity, walk
 from restitution.planning.axes import take_impulse
 from restitution.planning.desk import Source, chain, together
 from restitution.planning.forms import product, swept, total, tree_of
 from restitution.planning.quantities import body_and_stage
 from restitution.planning.scene import Scene
-from restitution.problem import Find, Show, trees_of_step
 from restitution.vector import Vector
 
 
@@ -29,6 +27,9 @@ def write_by_momentum(scene: Scene, velocity: Quantity) -> bool:
     frame = scene.frame(stage)
     if frame.wall is not None or 0 in frame.n or not all(each.is_number for each in frame.n):
         return False
+    component = scene.model.components.get((stage, body))
+    if component is not None and scene.desk.known(Letter(component.symbol.name)) is not None:
+        return False  # it is put together of what stands
     if _component_is_wanted(scene, body, stage):
         return False
     (other,) = (each for each in scene.spheres(stage) if each != body)
@@ -69,16 +70,14 @@ def _component_is_wanted(scene: Scene, body: str, stage: int) -> bool:
     if any(body in scene.bodies(event) for event in range(stage + 1, scene.events + 1)):
         return True
     velocity = Quantity("velocity", (Name(body),), stage)
-    for item, now in scene.problem.asked(scene.part):
-        for tree in trees_of_step(item if isinstance(item, Show) else Find((item,))):
-            for each in walk(staged(scene.problem, tree, now)):
-                match each:
-                    case Quantity("energy_lost", (), int(event)) if event == stage:
-                        return True
-                    case Quantity("along" | "across", (one, _)) if one == velocity:
-                        return True
-                    case Quantity("angle", (one, Quantity("line_of_centres"))) if one == velocity:
-                        return True
+    for each in scene.asked:
+        match each:
+            case Quantity("energy_lost", (), int(event)) if event == stage:
+                return True
+            case Quantity("along" | "across", (one, _)) if one == velocity:
+                return True
+            case Quantity("angle", (one, Quantity("line_of_centres"))) if one == velocity:
+                return True
     return False
 
 

@@ -27,7 +27,7 @@ from restitution.planning.desk import Mark, NotPlannedError, Source, chain, toge
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.given_momenta import take_mass, take_momentum, write_masses
-from restitution.planning.givens import candidate, move_of, write_given
+from restitution.planning.givens import candidate, move_of, write_given, write_impulse_on
 from restitution.planning.impacts import (
     _given_after,
     after,
@@ -323,6 +323,7 @@ class Solver:
             self._velocity_given,
             self._wall,
             self._fact_expresses,
+            self._fact_ties,
             self._block,
             self._single,
             self._closing,
@@ -471,6 +472,43 @@ class Solver:
                 if number is not None and self._closes(number, symbol):
                     return (own,)
         return None
+
+    def _fact_ties(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """A fact that says how many times one component after an impact the other one is."""
+        ids = {each.id for each in left}
+        for own in left:
+            given, open_ = self.givens.get(own.id), self._open(own)
+            if given is None or len(open_) != 2 or len(own.residuals) != 1:
+                continue
+            number, _ = self._letters.get(min(open_, key=str), (0, ""))
+            laws = {f"momentum {number}", f"restitution {number}"}
+            if open_ != self._after(number).keys() or not laws <= ids:
+                continue
+            gap = self.scene.with_values(own.residuals[0])[0]
+            slopes = [sp.diff(gap, each).expand() for each in open_]
+            if any(slope == 0 or slope.free_symbols & open_ for slope in slopes):
+                continue
+            if gap.subs(dict.fromkeys(open_, 0)).expand() == 0 and self._tie(given, open_):
+                return (own,)
+        return None
+
+    def _tie(self, given: GivenEquation, open_: frozenset[sp.Symbol]) -> bool:
+        """Takes one of two components as a multiple of the other, as a fact says it."""
+        scene = self.scene
+        try:
+            line = write_given(scene, given)
+        except NotPlannedError as error:
+            self.reasons.append(error)
+            return False
+        gap, link = residual(scene, line), scene.desk.last_link(line)
+        alone = [s for s in open_ if Letter(s.name) in (link.left, link.right)]
+        first = min(alone or open_, key=lambda s: s.name)
+        value = tidy(_solved(gap, first))
+        if not alone:
+            relation = chain(Letter(first.name), (tree_of(value), None))
+            line = scene.desk.write(Move("rearrange"), (line,), relation)
+        scene.desk.know(Letter(first.name), value, (line,))
+        return True
 
     def _waits(self, symbol: sp.Symbol, left: Sequence[Candidate]) -> bool:
         """Whether it is the component after a wall that a sphere reaches as it is still to come."""
@@ -785,12 +823,29 @@ class Solver:
             if len(open_) != 1:
                 continue
             (symbol,) = open_
-            if self._mass_by_vectors(own, symbol):
+            if self._mass_by_impulse(own, symbol) or self._mass_by_vectors(own, symbol):
                 return (own,)
             number = self._line(own)
             if number is not None and self._closes(number, symbol):
                 return (own,)
         return None
+
+    def _mass_by_impulse(self, own: Candidate, symbol: sp.Symbol) -> bool:
+        """Whether an impulse that is given closes for the mass of the sphere it was not used of."""
+        law = self._law(own)
+        if law is None or law.kind != "momentum" or symbol in self._letters:
+            return False
+        scene = self.scene
+        bodies = [
+            e for e in scene.bodies(law.number) if symbol in scene.unknown(scene.mass(e).value)
+        ]
+        for given in self.givens.values():
+            if len(bodies) != 1 or given.fact.id not in self.used:
+                continue
+            line = write_impulse_on(scene, given, bodies[0])
+            if line is not None:
+                return self._closes(line, symbol)
+        return False
 
     def _mass_by_vectors(self, own: Candidate, symbol: sp.Symbol) -> bool:
         """Whether momentum closes for a mass, with the velocities as vectors."""

@@ -665,6 +665,12 @@ def _impulse(scene: Scene, quantity: Quantity) -> Formula:
     closed = [each for each in spheres if not _is_open(scene, each, event)]
     if closed and body not in closed:
         body = closed[0]
+    return impulse_on(scene, quantity, body, event)
+
+
+def impulse_on(scene: Scene, quantity: Quantity, body: str, event: int) -> Formula:
+    """The size of an impulse, as the change of momentum of one of the bodies."""
+    frame = scene.frame(event)
     early, late = (in_direction(scene, "along", body, k, frame) for k in (event - 1, event))
     change = late.value - early.value
     mass = scene.mass(body)
@@ -803,6 +809,41 @@ def _energy_lost(scene: Scene, quantity: Quantity) -> Formula:
         tidy(expanded(sum(values))),
         together(refs),
     )
+
+
+def energy_change(scene: Scene, asked: Expression) -> Formula | None:
+    """The change of the energy of one body at an impact, by the component that changes.
+
+    None of another difference, and where one of the two energies is a line, or is asked too.
+    """
+    match asked:
+        case Binary(
+            "-",
+            Quantity("energy", (Name(body),), int(late)) as first,
+            Quantity("energy", (Name(other),), int(early)) as second,
+        ) if body == other:
+            pass
+        case _:
+            return None
+    event = scene.last_event(body, max(late, early))
+    frame = scene.frame(event) if event in scene.model.frames else None
+    if frame is None or scene.last_event(body, event - 1) != scene.last_event(
+        body, min(late, early)
+    ):
+        return None
+    if any(
+        scene.desk.known(each) is not None or each in scene.asked_alone for each in (first, second)
+    ):
+        return None
+    ends = [in_direction(scene, "along", body, k, frame) for k in (event, event - 1)]
+    ends = ends if late > early else ends[::-1]
+    mass = scene.mass(body)
+    squared = difference(*(square(tree_of(each.value)) for each in ends))
+    value = mass.value * (ends[0].value ** 2 - ends[1].value ** 2) / 2
+    refs = together(frame.names_axis("along"), mass.refs, *(each.whole for each in ends))
+    move = Move("define", "energy-change", event, (body,))
+    right = _half(tree_of(mass.value), squared)
+    return Formula(move, _itself, asked, right, tidy(expanded(value)), refs)
 
 
 def _lost_by_given_speeds(scene: Scene, quantity: Quantity, event: int) -> Formula | None:

@@ -11,6 +11,7 @@ import sympy as sp
 
 from restitution.components import Model
 from restitution.explaining.derivation import Fact, Link, Meaning, Move, Ref, Relation
+from restitution.explaining.facts import staged
 from restitution.explaining.trees import rebuilt
 from restitution.expression.evaluate import Evaluator
 from restitution.expression.tree import (
@@ -29,7 +30,7 @@ from restitution.planning.forms import neat, tree_of
 from restitution.planning.frames import Frame, frame_of
 from restitution.planning.judging import Judge
 from restitution.planning.polynomials import expanded
-from restitution.problem import Arrival, Part, Problem, trees
+from restitution.problem import Arrival, Find, Part, Problem, Show, trees, trees_of_step
 from restitution.solve import facts as solve_facts
 from restitution.solve.conditions import Equation
 from restitution.solve.solution import PartSolution
@@ -107,6 +108,26 @@ class Scene:
             isinstance(node, Quantity) and (node.kind == "time" or isinstance(node.stage, AtTime))
             for tree in trees(self.problem)
             for node in walk(tree)
+        )
+
+    @cached_property
+    def asked(self) -> frozenset[Expression]:
+        """Everything in what the part asks and what it is to show."""
+        return frozenset(
+            node
+            for item, now in self.problem.asked(self.part)
+            for tree in trees_of_step(item if isinstance(item, Show) else Find((item,)))
+            for node in walk(staged(self.problem, tree, now))
+        )
+
+    @cached_property
+    def asked_alone(self) -> frozenset[Expression]:
+        """What the part asks for by itself, as lines say it."""
+        return frozenset(
+            staged(self.problem, tree, now)
+            for item, now in self.problem.asked(self.part)
+            if not isinstance(item, Show)
+            for tree in trees_of_step(Find((item,)))
         )
 
     @property

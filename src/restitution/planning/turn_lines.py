@@ -218,13 +218,8 @@ def by_tangents(
     both = scene.scalar(product(*tangents))
     both_tree = tree_of(tidy(both)) if both.free_symbols else None
     put = swept(_tangent_of(form, tangents[0], tangents[1], both_tree))
-    if given is not None:
-        relation = chain(put, (given[0], None))
-    elif asked:
-        final = tree_of(tidy(scene.scalar(put)))
-        relation = chain(turned, (put, None), (final, "rearrange"))
-    else:
-        relation = chain(put, (turned, None))
+    final = tree_of(tidy(scene.scalar(put)))
+    relation = chain(turned if given is None else given[0], (put, None), (final, "rearrange"))
     sources = together(*(each.refs for each in terms), () if given is None else given[1])
     refs = scene.judge.enough(Move("put"), (number, *sources), relation, known)
     return None if refs is None else scene.desk.write(Move("put"), refs, relation)

@@ -11,7 +11,7 @@ from restitution.explaining.derivation import Link, Move, Relation
 from restitution.expression.tree import Apply, Letter, Name, Quantity
 from restitution.planning.closing import close
 from restitution.planning.desk import NotPlannedError, chain, link, together
-from restitution.planning.forms import square, total, tree_of
+from restitution.planning.forms import square, swept, total, tree_of
 from restitution.planning.quantities import formula, write_formula
 from restitution.planning.ratios import inverse
 from restitution.planning.scene import Scene
@@ -31,18 +31,21 @@ def take_blow(scene: Scene, body: str, event: int) -> None:
     open_ = scene.value(told)
     assert isinstance(open_, Vector)
     own = formula(scene, impulse)
-    if scene.unknown(open_):
+    put, refs = (open_, ()) if scene.unknown(open_) else scene.put(open_)
+    left = tree_of(tuple(put))
+    rights, last = own.value, tree_of(own.value)
+    if impulse in scene.asked:
         line = write_formula(scene, own)
-        sides = tree_of(tuple(open_)), tree_of(own.value)
-        line = scene.desk.write(Move("put"), (fact.id, line), Relation(((link(*sides),),)))
-        rights = own.value
+        line = scene.desk.write(Move("put"), (fact.id, line), Relation(((link(left, last),),)))
     else:
-        put, refs = scene.put(open_)
         line = scene.desk.write(
             own.move,
             together(own.refs, (fact.id,), refs),
-            Relation(((link(tree_of(tuple(put)), own.right),),)),
+            Relation(((link(left, swept(own.right)),),)),
         )
+        if scene.unknown(open_) and swept(own.right) != last:
+            line = scene.desk.write(Move("rearrange"), (line,), chain(left, (last, None)))
+    if not scene.unknown(open_):
         pairs = [_solved(scene, *each) for each in zip(own.value, put, strict=True)]
         open_, rights = (Vector(*each) for each in zip(*pairs, strict=True))
     lines: list[int] = []
