@@ -165,7 +165,8 @@ def test_equal_energies_give_a_quadratic_in_standard_form(mass: str, speed: str)
 def test_common_factors_and_brackets_go_before_the_unknown_is_alone() -> None:
     _, derivation = kept(
         "sphere A: mass 3, velocity 5i + 2j\nsphere B: mass 1, velocity -3i + 4j\n"
-        "A hits B: along i\ngiven velocity(A) parallel to velocity(B)\nfind e"
+        "A hits B: along i\n"
+        "given along(velocity(B), i) = 2 along(velocity(A), i) + 1\nfind e"
     )
     (first, second) = lines(derivation, "rearrange")[-2:]
     assert "(" not in said(derivation)[first.number - 3].replace("(2)", "")

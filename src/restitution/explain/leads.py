@@ -639,7 +639,9 @@ class Leads:
                 )
                 told = any(isinstance(e, Sentence) and e.topic == "claim" for e in facts)
                 moves = self._moves(source.facts)
-                if len(facts) == 1 and told:
+                if facts and facts[0] == self._written(line):
+                    yield say("given.data")
+                elif len(facts) == 1 and told:
                     meeting = self._meeting(source.facts[0], line)
                     yield meeting or say("given.fact", fact=facts[0])
                 elif moves is not None and not equations:
@@ -669,6 +671,11 @@ class Leads:
             case _:
                 if equations:
                     yield say("derived.add", equations=equations)
+
+    def _written(self, line: Line) -> lay.Layout | None:
+        """A line as it is printed."""
+        relation = line.relation
+        return self._naming.relation(relation) if isinstance(relation, Relation) else None
 
     @staticmethod
     def _made(line: Line) -> SentenceId:

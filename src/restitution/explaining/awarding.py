@@ -163,7 +163,7 @@ RULES: tuple[Rule, ...] = (
         "speed-size-angle-distance",
         ("define",),
         "M V",
-        ("speed", "size", "scalar-angle", "distance", "product"),
+        ("speed", "size", "scalar-angle", "distance", "product", "momentum-of"),
     ),
     _rule(
         "condition-on-one-component", ("define",), "B", ("perpendicular", "parallel"), ("of-facts",)
@@ -753,9 +753,16 @@ def _solves(work: _Awarding, line: Line) -> frozenset[int | None]:
         event
         for each, those in zip(cited, events, strict=True)
         for event in those
-        if work.new & _letters(each) - own
+        if not _is_settled(work, each)
+        and work.new & _letters(each) - own
         and any(e != each and work.new & _letters(e) & _letters(each) for e in cited)
     )
+
+
+def _is_settled(work: _Awarding, line: Line) -> bool:
+    """Whether a line says what an unknown is, with no unknown on its other side."""
+    sides = None if isinstance(line.relation, Meaning) else _single(line.relation)
+    return sides is not None and isinstance(sides[0], Letter) and not letters(sides[1]) & work.new
 
 
 def _solved_before(work: _Awarding, line: Line) -> list[Line]:
@@ -872,8 +879,10 @@ def _opposite(work: _Awarding, line: Line) -> bool:
 
 
 def _new_inequality(work: _Awarding, line: Line) -> bool:
-    """An inequality that comes of none; a comparison only where it is that of a place on a wall."""
-    if line.move.id == "compare" and not any(e.id.startswith("within ") for e in work.facts(line)):
+    """An inequality that comes of none; a comparison by a place on a wall, or by a given bound."""
+    if line.move.id == "compare" and not any(
+        each.id.startswith("within ") or _bounds_a_quantity(each) for each in work.facts(line)
+    ):
         return False
     if isinstance(line.relation, Relation) and _tells_a_quadrant(line.relation):
         return False
@@ -896,6 +905,13 @@ def _claim_without_method(work: _Awarding, line: Line) -> bool:
     own = [each for each in work.above(line) if each.item == line.item]
     rules = (work.rule(each) for each in own)
     return not any(rule is not None and "M" in rule.earned(work.style) for rule in rules)
+
+
+def _bounds_a_quantity(fact: Fact) -> bool:
+    """Whether it is given between what bounds a quantity of the motion is."""
+    links = [link for each in fact.relation.options for link in each]
+    unequal = all(link.sign in ("<", "<=", ">", ">=") for link in links)
+    return fact.kind == "given" and unequal and any(map(has_quantity, trees_of(fact.relation)))
 
 
 def _fact_of_motion(work: _Awarding, line: Line) -> bool:

@@ -275,12 +275,17 @@ def settled(scene: Scene, tree: Expression) -> Source | None:
     return scene.desk.know(tree, value, (line,))
 
 
+# With a denominator up to this, numbers are multiplied in one's head.
+_EASY = 12
+
+
 def _is_plain(before_: sp.Expr, after_: sp.Expr) -> bool:
     """Whether a product of letters and a rational number still is one, of one letter less."""
     return not (
         sp.Mul.make_args(before_)[0].is_Add
         or before_.atoms(sp.Add, sp.Function, sp.Pow)
         or after_.atoms(sp.Add, sp.Function, sp.Pow)
+        or after_.as_coeff_Mul()[0].q > _EASY
         or len(before_.free_symbols - after_.free_symbols) != 1
     )
 
@@ -629,7 +634,10 @@ def restitution(scene: Scene, frame: Frame) -> int:
 
 def _now(scene: Scene, body: str, frame: Frame) -> Source:
     """A component after an impact: its value if it is known, else its letter."""
-    return _put(scene, after(scene, "along", body, frame))
+    source = after(scene, "along", body, frame)
+    if source.value.is_Symbol:
+        settled(scene, Letter(source.value.name))
+    return _put(scene, source)
 
 
 def residual(scene: Scene, number: int) -> sp.Expr:

@@ -725,7 +725,7 @@ class Solver:
         frame = scene.frame(number)
         for body in scene.spheres(number):
             after(scene, "along", body, frame)
-        lines = momentum(scene, frame), restitution(scene, frame)
+        lines = self._law_of("momentum", number), self._law_of("restitution", number)
         for symbol in bodies:
             self.waiting[symbol] = frame, lines, tuple(bodies)
 
@@ -921,12 +921,14 @@ class Solver:
         return asked, symbol.name
 
     def _law_line(self, law: Law) -> int:
+        return self._law_of(law.kind, law.number)
+
+    def _law_of(self, kind: str, event: int) -> int:
         """The line of a law; where it stands already, with what is known by now put in."""
-        scene = self.scene
-        number = written_law(scene, law.kind, law.number)
+        number = written_law(self.scene, kind, event)
         if number is not None:
-            return with_known(scene, number)
-        return _LAWS[law.kind](scene, scene.frame(law.number))
+            return with_known(self.scene, number)
+        return _LAWS[kind](self.scene, self.scene.frame(event))
 
 
 @remembered(512)

@@ -1,0 +1,116 @@
+"""The shorter of two ways: a difference where it is enough, nothing worked out that stands."""
+
+from __future__ import annotations
+
+import pytest
+from test_planning_closing import lines, planned, said
+
+from restitution.explain import to_text
+from restitution.explain.derived import explanation_of
+from restitution.explaining.awarding import awarded
+from restitution.explaining.derivation import Derivation
+
+PAIR = "sphere A: mass {a}, velocity {u}\nsphere B: mass {b}, velocity {x}\nA hits B: along i"
+
+
+def laws(derivation: Derivation) -> list[str | None]:
+    """The principles of a working, in the order of its lines."""
+    return [each.move.record for each in lines(derivation, "law")]
+
+
+@pytest.mark.parametrize("size", ["velocity(A) - velocity(B)", "velocity(B) - velocity(A)"])
+def test_a_relative_speed_comes_of_restitution_alone(size: str) -> None:
+    text = PAIR.format(a="3", u="4i + 3j", b="2", x="-2i - j")
+    _, derivation = planned(f"{text}\ngiven abs({size}) = 5\nfind e")
+    assert laws(derivation) == ["unchanged", "unchanged", "restitution"]
+    assert "sqrt((6e)^2 + (3 + 1)^2) = 5" in said(derivation)
+    assert said(derivation)[-1] == "e = 1/2"
+
+
+def test_restitution_is_written_once_for_a_distance_and_a_velocity() -> None:
+    text = PAIR.format(a="2", u="4i + j", b="1", x="-2i + j")
+    _, derivation = planned(f"{text}, e = 1/2\nfind distance(A, B, at 2), velocity(B)")
+    assert laws(derivation).count("restitution") == 1
+    assert any("= 2*3 = 6" in each for each in said(derivation))
+
+
+def test_velocities_in_one_direction_are_tied_before_the_laws_are_solved() -> None:
+    text = PAIR.format(a="1", u="8i + j", b="1", x="-2i + 2j")
+    _, derivation = planned(f"{text}\ngiven velocity(A) parallel to velocity(B)\nfind e")
+    assert not lines(derivation, "combine")
+    assert said(derivation)[-4:] == [
+        "8 - 2 = v + 2v",
+        "v = 2",
+        "4 - 2 = e (8 + 2)",
+        "e = 1/5",
+    ]
+
+
+def test_an_impulse_that_is_given_acts_on_both_spheres() -> None:
+    _, derivation = planned(
+        "sphere A: mass 2, velocity p i - 3j\nsphere B: mass 1, velocity q i + j\nA hits B\n"
+        "given impulse(A) = -4i + 2j, velocity(A) parallel to j, e = 1/2\n"
+        "find p, q, velocity(B)"
+    )
+    assert "momentum" not in laws(derivation)
+    assert "opposite-impulses" in laws(derivation)
+    assert "p - 2 = 0" in said(derivation)
+
+
+def test_the_energy_of_a_sphere_changes_by_one_component() -> None:
+    text = PAIR.format(a="2", u="3i + 5j", b="1", x="-2i + j")
+    _, derivation = planned(f"{text}, e = 1/2\nfind energy(B) - energy(B, 0)")
+    assert said(derivation)[-1].startswith("energy(B, 1) - energy(B, 0) = 1/2 (3^2 - 2^2)")
+    assert derivation.lines[-1].move.record == "energy-change"
+    assert "unchanged" not in laws(derivation)
+
+
+def test_a_mass_comes_of_the_impulse_that_is_given() -> None:
+    text = PAIR.format(a="M", u="5i + 2j", b="3", x="-i + j")
+    _, derivation = planned(f"{text}, e = 1/2\ngiven impulse = 9\nfind M")
+    assert laws(derivation) == ["impulse", "restitution", "impulse"]
+
+
+def test_an_impulse_that_is_found_is_one_equation() -> None:
+    _, derivation = planned(
+        "sphere P: mass 2, velocity 3i - j\nP receives p i + q j\n"
+        "given velocity(P) = i + 4j\nfind p, q"
+    )
+    assert said(derivation)[:2] == [
+        "p i + q j = 2(i + 4j - (3i - j))",
+        "p i + q j = -4i + 10j",
+    ]
+
+
+def test_the_other_component_is_put_in_where_it_is_short() -> None:
+    text = PAIR.format(a="m", u="6u i", b="2m", x="0")
+    _, derivation = planned(f"{text}, e = 1/2\nfind velocity(A), velocity(B)")
+    assert len(lines(derivation, "combine")) == 1
+
+
+def test_both_components_take_the_coefficient_once_it_is_found() -> None:
+    _, derivation = planned(
+        "sphere A: mass 4m, velocity u at 30°\nsphere B: mass 3m, at rest\nA hits B: along i\n"
+        "given angle(velocity(A), line_of_centres) = 60°\nfind e, energy_lost"
+    )
+    assert len(lines(derivation, "combine")) == 1
+
+
+def test_a_tangent_of_two_angles_is_one_quotient_first() -> None:
+    _, derivation = planned(
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass k m, at rest\n"
+        "given tan(alpha) = 1/2\nA hits B: along i, e = 1/3\n"
+        "given tan(deflection(A)) = 1/2\nfind k"
+    )
+    assert any("= 8k/(15 - k)" in each for each in said(derivation))
+
+
+def test_what_the_data_give_is_not_followed_through() -> None:
+    solution, derivation = planned(
+        "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+        "part a\ngiven tan(alpha) = 3/4, e = 1/2\nfind energy_lost/energy(0)\n"
+        "part b\ngiven alpha = 60°, energy_lost = 1/4 energy(0)\nfind e"
+    )
+    marked = awarded(derivation)
+    assert not any(mark.ft for mark in marked.lines[-1].marks)
+    assert "as e ≥ 0" in to_text(explanation_of(derivation, solution.problem))
