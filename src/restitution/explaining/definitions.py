@@ -371,6 +371,11 @@ def _total_lost(step: Step, event: Event | None) -> Iterator[Link]:
     before, after = (Quantity("energy", (), stage) for stage in (0, event.number))
     lost = Binary("-", before, after)
     yield Link(Quantity("total_energy_lost", (), event.number), "=", lost)
+    if event.number == 1 and event.kind == "impact":
+        # Nothing else has happened: it is what the impact takes.
+        for link in _energy_lost(step, event):
+            if link.left == Quantity("energy_lost", (), 1):
+                yield replace(link, left=Quantity("total_energy_lost", (), 1))
 
 
 def _energy_lost(step: Step, event: Event | None) -> Iterator[Link]:

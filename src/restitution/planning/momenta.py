@@ -30,6 +30,8 @@ def write_by_momentum(scene: Scene, velocity: Quantity) -> bool:
     component = scene.model.components.get((stage, body))
     if component is not None and scene.desk.known(Letter(component.symbol.name)) is not None:
         return False  # it is put together of what stands
+    if not scene.last_event(body, stage - 1) and not any(scene.initial(body).value):
+        return False  # it moves off along the line of centres
     if _component_is_wanted(scene, body, stage):
         return False
     (other,) = (each for each in scene.spheres(stage) if each != body)

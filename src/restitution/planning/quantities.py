@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
@@ -886,6 +886,9 @@ def _given_speed(scene: Scene, body: str, stage: int) -> Source | None:
 def _total_energy_lost(scene: Scene, quantity: Quantity) -> Formula:
     """The energy of all spheres at the start, less that after an event: each a line before it."""
     assert isinstance(quantity.stage, int)
+    if quantity.stage == 1 and 1 in scene.model.frames:
+        own = _energy_lost(scene, Quantity("energy_lost", (), 1))
+        return replace(own, quantity=quantity, move=Move("define", "total-lost", 1))
     terms, values, refs = [], [], []
     for stage in (0, quantity.stage):
         own = _energy(scene, Quantity("energy", (), stage))
