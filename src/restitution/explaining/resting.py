@@ -13,7 +13,7 @@ def is_of_a_body_at_rest(derivation: Derivation, line: Line) -> bool:
     still: list[bool] = []
     for ref in line.premises:
         if isinstance(ref, str):
-            if ref.startswith("velocity "):
+            if ref.partition(" ")[0] == "velocity":
                 return False
             continue
         own = derivation.line(ref)
