@@ -119,6 +119,11 @@ def _chords(step: Step, event: Event | None) -> Iterator[Link]:
     circle = _circle(step, body, number if event.wall else since)
     if circle is None:
         return
+    double = Binary("*", Number(Fraction(2)), circle[1])
+    if event.wall:
+        towards = Quantity("along", (velocity, axis_of(event)))
+        for speed in _speeds(velocity, axis_of(event)):
+            yield Link(Binary("*", chord, speed), "=", Binary("*", double, towards))
     if not event.wall:
         if _radius_to(step, body, number, *circle) is None:
             return
@@ -135,9 +140,8 @@ def _chords(step: Step, event: Event | None) -> Iterator[Link]:
         here = axis_of(event)
         yield Link(Quantity("along", (velocity, here)), "=", Negate(along))
         yield Link(Quantity("across", (velocity, here)), "=", across)
-    way = Binary("*", Binary("*", Number(Fraction(2)), circle[1]), Negate(along))
     for speed in _speeds(velocity, radial):
-        yield Link(Binary("*", chord, speed), "=", way)
+        yield Link(Binary("*", chord, speed), "=", Binary("*", double, Negate(along)))
 
 
 def _speeds(velocity: Quantity, radial: Expression) -> Iterator[Expression]:

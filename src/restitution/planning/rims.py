@@ -13,8 +13,8 @@ from restitution.expression.tree import Apply, Binary, Expression, Name, Negate,
 from restitution.planning.circles import circle_of, from_centre
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.flights import added
-from restitution.planning.forms import difference, neat, product, square, swept, total, tree_of
-from restitution.planning.impacts import after
+from restitution.planning.forms import difference, product, square, swept, total, tree_of
+from restitution.planning.impacts import after, in_direction
 from restitution.planning.place_trees import place_tree, time_tree
 from restitution.planning.polynomials import expanded
 from restitution.planning.premises import background
@@ -58,10 +58,9 @@ def _chord(scene: Scene, body: str, number: int, since: int, speed: Source) -> S
         towards, used = scene.put(-source.value)
         refs += [f"contact {since}", *source.whole, *used]
     else:
-        way = from_centre(scene, number, scene.data(f"position {body}").value)
-        initial = scene.initial(body)
-        towards, used = scene.put(neat(-initial.value.dot(way) / scene.model.story.size(way)))
-        refs += [f"position {body}", *initial.refs, *used]
+        source = in_direction(scene, "along", body, 0, scene.frame(number))
+        towards, used = scene.put(source.value)
+        refs += [*source.whole, *used]
     tree = product(tree_of(sp.Integer(2)), tree_of(radius))
     if towards != speed.value:
         tree = product(tree, Binary("/", tree_of(towards), tree_of(speed.value)))
