@@ -109,3 +109,60 @@ def test_the_size_of_a_blow() -> None:
         """
     )
     assert write_relation(derivation.items[0].answer) == "impulse(1) = 5"
+
+
+def test_an_offset_tells_the_side_of_the_path() -> None:
+    problem, derivation = planned(
+        """
+        sphere A: mass 2m, velocity 3w i, radius b
+        sphere B: mass m, velocity 4w j, radius b
+        A hits B: offset -b, e = 1/2
+        find velocity(A)
+        """
+    )
+    text = " ".join(printed(problem, derivation).split())
+    assert "the centre of B is b to the right of the path of A relative to B" in text
+    assert "which is in the direction of 3w𝐢 − 4w𝐣" in text
+    assert "has sine b/(2b) = ½, and is 30°:" in text
+
+
+def test_a_ball_touches_a_wall_before_its_centre_is_there() -> None:
+    problem, derivation = planned(
+        """
+        wall W: along j, through (7, 0)
+        sphere P: mass 2, at (1, 1), velocity 5i + 2j, radius 1
+        P hits W: e = 1/5
+        find time(1), position(P)
+        """
+    )
+    text = " ".join(printed(problem, derivation).split())
+    assert "the centre of P is 1 m from W, so its x-coordinate is 7 − 1 = 6 m" in text
+    assert "t = (6 − 1)/5 = 1 s" in text
+
+
+def test_a_slanting_wall_is_met_on_its_line() -> None:
+    problem, derivation = planned(
+        """
+        wall W: from (6, 0) to (0, 8)
+        sphere P: at (1, 0), velocity i + j
+        P hits W: e = 1/2
+        find time(1), position(P)
+        """
+    )
+    text = printed(problem, derivation)
+    assert "P is then on the line of W, 4x + 3y = 24:\n    4(1 + t) + 3t = 24" in text
+
+
+def test_who_rests_stays_where_it_is() -> None:
+    problem, derivation = planned(
+        """
+        wall W: along j, through (9, 0)
+        sphere A: mass 1, at (1, 0), velocity 4i
+        sphere B: mass 2, at (3, 0), at rest
+        A hits B: along i, e = 1/2
+        B hits W: e = 1/4
+        find distance(A, B), position(B, at 6)
+        """
+    )
+    text = printed(problem, derivation)
+    assert "A is at rest, so it stays where it is:\n" in text

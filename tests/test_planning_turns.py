@@ -35,7 +35,7 @@ A hits B: offset b, e = 1/2
 given angle(line_of_centres, i) = 30°
 find b, speed(B)
 """,
-        ("an angle with\nsine b/(2 × 3) = b/6.", "b/6 = ½", "b = 3"),
+        ("has sine\nb/(2 × 3) = b/6.", "b/6 = ½", "b = 3"),
     ),
     "at a wall, to be shown": (
         """

@@ -498,10 +498,23 @@ class Naming:
                 length = self.laid(radius)
                 if is_plain(length):
                     length = with_unit(length, self.unit(Quantity("distance", ())))
-                if other in self._circles:
+                if other not in self._circles:
+                    return say("touch.apart", one=one, other=other, distance=length)
+                both = self._both_radii(one, other, radius)
+                if both is None:
                     return say("circle.at", body=one, wall=other, radius=length)
-                return say("touch.apart", one=one, other=other, distance=length)
+                told = lay.Relation((self.laid(both), length), ("=",))
+                return say("circle.centre-at", body=one, wall=other, radius=told)
         return None
+
+    def _both_radii(self, body: str, wall: str, distance: Expression) -> Expression | None:
+        """How far the centre of a ball is from that of a circular wall; None without a radius."""
+        shape = next(each.shape for each in self.problem.walls if each.name == wall)
+        radius = next(each.radius for each in self.problem.spheres if each.name == body)
+        if not isinstance(radius, Expression) or not worth(radius):
+            return None
+        ways = (Binary(op, shape.radius, radius) for op in "-+")
+        return next((each for each in ways if worth(each) == worth(distance)), None)
 
     def _line_of(self, contact: Link) -> lay.Layout | None:
         """The equation of the line of a straight wall; None where x or y stands for something."""

@@ -493,6 +493,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "contact.wall": "{body} is then on the line of {wall}:",
     "contact.wall-line": "{body} is then on the line of {wall}, {line}:",
     "circle.at": "{body} is then at a distance {radius} from the centre of {wall}:",
+    "circle.centre-at": (
+        "The centre of {body} is then at a distance {radius} from the centre of {wall}:"
+    ),
     "circle.towards": "{body} is moving towards {wall} then",
     "touch.towards": "{one} and {other} are approaching then",
     "touch.wall": (

@@ -446,7 +446,9 @@ def _given_after(scene: Scene, kind: str, body: str, frame: Frame) -> Source | N
         size = tree_of(tidy(given[1].dot(frame.direction(kind)))) if along else None
         return _of_vector(scene, kind, body, frame, Source(given[1], given[2], form=size))
     known = scene.desk.known(velocity)
-    return None if known is None else _of_vector(scene, kind, body, frame, known)
+    if known is None or (kind == "across" and frame.number in scene.model.frames):
+        return None  # what stays is known from before
+    return _of_vector(scene, kind, body, frame, known)
 
 
 def _of_vector(

@@ -574,6 +574,12 @@ def in_the_plane(scene: Scene, body: str, stage: int) -> tuple[Source, Source]:
     """The components of a velocity in the directions of **i** and **j**."""
     frame = frame_after(scene, body, stage)
     if frame.across is None and frame.n.x != 0 and frame.n.y != 0:
+        vector = scene.desk.known(Quantity("velocity", (Name(body),), stage))
+        if vector is not None and scene.desk.known(frame.component("across", body, stage)) is None:
+            own, refs = scene.put(vector.value)
+            return Source(own.x, together(vector.refs, refs)), Source(
+                own.y, together(vector.refs, refs)
+            )
         along, across = parts(scene, body, stage, frame)
         whole = (
             Source(
