@@ -85,7 +85,7 @@ READINGS = [
     (HALF, "Dividing by t, which is not zero as α is acute:"),
     (TANGENT, "An angle with tangent 4/3 has sine 0.8 and cosine 0.6."),
     (TANGENT, "tan β = ⅜ = 0.375"),
-    (ASIDE, "makes with the path an angle with sine"),
+    (ASIDE, "the angle between the line of centres and that path has sine"),
 ]
 STATEMENTS = list(dict.fromkeys(statement for statement, _ in READINGS))
 

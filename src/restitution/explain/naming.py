@@ -511,9 +511,9 @@ class Naming:
         """How far the centre of a ball is from that of a circular wall; None without a radius."""
         shape = next(each.shape for each in self.problem.walls if each.name == wall)
         radius = next(each.radius for each in self.problem.spheres if each.name == body)
-        if not isinstance(radius, Expression) or not worth(radius):
+        if not isinstance(shape, Circle) or not isinstance(radius, Expression) or not worth(radius):
             return None
-        ways = (Binary(op, shape.radius, radius) for op in "-+")
+        ways = Binary("-", shape.radius, radius), Binary("+", shape.radius, radius)
         return next((each for each in ways if worth(each) == worth(distance)), None)
 
     def _line_of(self, contact: Link) -> lay.Layout | None:
