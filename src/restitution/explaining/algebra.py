@@ -57,6 +57,10 @@ class NotComparableError(Exception):
 
 
 @cache
+def _is_line_of_centres(tree: Expression) -> bool:
+    return isinstance(tree, Quantity) and tree.kind == "line_of_centres"
+
+
 def _ring() -> PolyRing:
     return PolyRing([f"g{n}" for n in range(_GENERATORS)], QQ)
 
@@ -455,7 +459,10 @@ class World:
                 vector, axis = tree.arguments
                 return self._component(tree, vector, axis)
             case "dot":
-                a, b = (self.value(each) for each in tree.arguments)
+                a, b = (
+                    self.unit(each) if _is_line_of_centres(each) else self.value(each)
+                    for each in tree.arguments
+                )
                 if not (isinstance(a, Plane) and isinstance(b, Plane)):
                     raise NotComparableError("a scalar product of numbers")
                 return self.reduced(a.x * b.x + a.y * b.y)

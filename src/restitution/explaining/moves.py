@@ -433,7 +433,7 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
             _note_pace(step, link, rules)
         if part is None:
             expected = _expected(step, link, rules)
-            if step.move.id == "law":
+            if step.move.id == "law" or step.move.record == "chord":
                 # A chain begins with the ratio of an angle, of which it then puts in the value.
                 return _matches_with(step, line, expected, rules, link.sign)
             return _matches(step, line, expected, link.sign)

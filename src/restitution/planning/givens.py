@@ -51,6 +51,7 @@ from restitution.planning.lines_between import (
     sine_of_the_offset,
     write_equal_angles,
 )
+from restitution.planning.named_angles import tangent_line
 from restitution.planning.premises import background
 from restitution.planning.quantities import Formula, formula, impulse_on, squares
 from restitution.planning.routes import Candidate
@@ -266,7 +267,27 @@ def _sides(tree: Expression) -> tuple[Expression, Expression]:
 
 
 def _between_letters(scene: Scene, each: GivenEquation) -> int:
-    return scene.desk.write(Move("fact"), (each.fact.id,), Relation(((each.link,),)))
+    line = scene.desk.write(Move("fact"), (each.fact.id,), Relation(((each.link,),)))
+    return _of_named_angle(scene, each, line) or line
+
+
+def _of_named_angle(scene: Scene, each: GivenEquation, line: int) -> int | None:
+    """An angle of the motion that is a multiple of one of the data, by its tangent."""
+    match each.link:
+        case Link(Letter(name), "=", right) if f"let {name}" in scene.facts:
+            quantity = scene.facts[f"let {name}"].relation.only[0].left
+        case _:
+            return None
+    if not isinstance(quantity, Quantity) or quantity.kind != "angle" or not letters(right):
+        return None
+    own = formula(scene, quantity)
+    if own.move.record != "tan":
+        return None
+    tangent, _ = tangent_line(scene, quantity, own, own.move)
+    relation = chain(Apply("tan", right), (tree_of(own.value), None))
+    known = background(scene, letters(right))
+    refs = scene.judge.enough(Move("put"), (tangent, line), relation, known)
+    return None if refs is None else scene.desk.write(Move("put"), refs, relation)
 
 
 def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:

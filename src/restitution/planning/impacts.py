@@ -123,6 +123,7 @@ def _on_a_chord(scene: Scene, kind: str, body: str, since: int, frame: Frame) ->
     """
     refs: tuple[Ref, ...] = (f"contact {frame.number}",)
     form: Expression | None = None
+    by: MoveId = "rearrange"
     if since:
         own = scene.frame(since)
         source = _put(scene, after(scene, kind, body, own))
@@ -136,10 +137,11 @@ def _on_a_chord(scene: Scene, kind: str, body: str, since: int, frame: Frame) ->
         value, more = scene.put(velocity.value.dot(direction))
         refs = together(refs, place.refs, velocity.refs, more)
         form, value = _scalar_product(velocity.value, direction), neat(value)
+        by = "put" if more else "rearrange"
     quantity = frame.component(kind, body, since)
     steps: list[tuple[Expression, MoveId | None]] = [(tree_of(value), None)]
     if form is not None:
-        steps = [(form, None), (tree_of(value), "rearrange")]
+        steps = [(form, None), (tree_of(value), by)]
     line = scene.desk.write(
         Move("define", "chord", frame.number, (body,)), refs, chain(quantity, *steps)
     )

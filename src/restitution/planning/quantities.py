@@ -510,6 +510,8 @@ def _product(scene: Scene, quantity: Quantity) -> Formula:
                     refs += _as_a_line(scene, body, last).refs
                     bodies.append(body)
                     late = max(late, last)
+                case Quantity("line_of_centres", (), int(number_)):
+                    refs += scene.frame(number_).refs
                 case Quantity() | Letter():
                     raise NotPlannedError("a scalar product of other vectors")
         put, _ = scene.put(scene.vector(argument))

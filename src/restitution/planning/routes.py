@@ -124,6 +124,9 @@ def _weighted(terms: object) -> dict[sp.Symbol, float]:
 # --- sets of equations -------------------------------------------------------------------------
 
 
+_FLAT = 1e-9
+
+
 @dataclass
 class Routes:
     """The equations of a solution, with their gradients at its points."""
@@ -155,7 +158,11 @@ class Routes:
         wanted = [[self.row(each, point) for each in goals] for point in self.points]
         near = self._ancestors(wanted)
         if not self._spans(near, wanted):
-            return []
+            if not self._with_flat_ones():
+                return []
+            near = self._ancestors(wanted)
+            if not self._spans(near, wanted):
+                return []
         bound = self._pruned(near, wanted)
         if len(near) > _MOST:
             return [tuple(self.candidates[n] for n in bound)]
@@ -172,6 +179,22 @@ class Routes:
         ]
         minimal.sort(key=lambda each: (each[0], len(each[1]), each[1]))
         return [tuple(self.candidates[n] for n in chosen) for _, chosen in minimal[:most]]
+
+    def _with_flat_ones(self) -> bool:
+        """Takes equations without a slope, as at a double root, for what they speak of.
+
+        Returns whether there are any.
+        """
+        found = False
+        for own, rows in zip(self.candidates, self.rows, strict=True):
+            for k, x in enumerate(own.residuals):
+                inside = [float(each in symbols_in(x)) for each in self.symbols]
+                flat = all(abs(slope) < _FLAT for each in rows for slope in each[k])
+                if flat and any(inside):
+                    found = True
+                    for each in rows:
+                        each[k] = inside
+        return found
 
     def _cost(self, chosen: Sequence[int]) -> float:
         return sum(self.candidates[n].cost for n in chosen)

@@ -439,7 +439,9 @@ class _Equation:
             return line
         # Letters that have values were put in on the way; others are tied by what is given.
         names = letters(self.link.left) | letters(self.link.right)
-        known = (self.scene.desk.known(Letter(name)) for name in sorted(names))
+        trees: list[Expression] = [Letter(name) for name in sorted(names)]
+        ratios = [Apply(each, own) for own in trees for each in ("sin", "cos", "tan")]
+        known = (self.scene.desk.known(each) for each in (*trees, *ratios))
         refs = [ref for own in known if own is not None for ref in own.refs]
         refs += self._between_letters()
         return self.judge.write((Move("put"),), [*pool, *refs], self.relation) if refs else None
