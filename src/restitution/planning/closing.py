@@ -32,6 +32,7 @@ from restitution.planning.impacts import residual, scene_value
 from restitution.planning.polynomials import expanded, factored, numerator
 from restitution.planning.premises import background, nonzero, not_negative
 from restitution.planning.ratios import (
+    by_its_half,
     divided_angle,
     even,
     inside_functions,
@@ -353,6 +354,7 @@ SHAPES: tuple[Shape, ...] = (
     _squared,
     sum_of_angles,
     ratio,
+    by_its_half,
     even,
     divided_angle,
     _linear,

@@ -20,10 +20,12 @@ from restitution.expression.tree import (
 from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError, Source, chain
 from restitution.planning.forms import swept, tree_of
+from restitution.planning.impacts import by_scalar_product
 from restitution.planning.inequalities import FLIPPED
 from restitution.planning.polynomials import cancelled, factored
 from restitution.planning.quantities import frame_after
 from restitution.solve.letters import roles
+from restitution.vector import Vector
 
 
 class Comparison:
@@ -126,7 +128,7 @@ class Comparison:
                 wanted = scene.model.story.direction(axis, scene.events)
                 sense = scene.model.sign(wanted.dot(frame.n))
                 if tidy(wanted.cross(frame.n)) != 0:
-                    raise NotPlannedError("components along different lines")
+                    return self._by_the_vector(side, body, last, axis, wanted)
                 value = sense * source.value
                 own = sp.sympify(0 if known is None else known.value, strict=True)
                 symbol = own if own.is_Symbol else -own
@@ -136,6 +138,21 @@ class Comparison:
                     return tree, tuple(dict.fromkeys(refs)), value
                 return tree_of(sense * own), self._explicit(symbol, source), value
         return side, (), sp.sympify(scene.scalar(side), strict=True)
+
+    def _by_the_vector(
+        self, side: Expression, body: str, stage: int, axis: Expression, wanted: Vector
+    ) -> tuple[Expression, tuple[Ref, ...], sp.Expr]:
+        """A component in the direction of another impact, by the velocity as a vector."""
+        scene = self.scene
+        vector = scene.desk.known(Quantity("velocity", (Name(body),), stage))
+        match axis:
+            case Quantity("line_of_centres", (), int(event)) if vector is not None:
+                pass
+            case _:
+                raise NotPlannedError("components along different lines")
+        assert isinstance(side, Quantity)
+        own = by_scalar_product(scene, side, vector, scene.frame(event), wanted)
+        return side, own.refs, own.value
 
     def _explicit(self, symbol: sp.Symbol, source: Source) -> tuple[Ref, ...]:
         """The line that says what a letter of a component is, in letters of the statement."""

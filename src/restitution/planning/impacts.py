@@ -80,7 +80,7 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
         by_places = frame.write is not None
         if frame.is_slanted and (by_places or not is_polar(scene, body)):
             form = by_degrees(scene, kind, body, frame, value)
-            return _by_scalar_product(scene, tree, initial, frame, direction, form)
+            return by_scalar_product(scene, tree, initial, frame, direction, form)
         form = by_degrees(scene, kind, body, frame, value)
         return _put(scene, Source(value, initial.refs, frame.refs, form))
     vector = scene.desk.known(Quantity("velocity", (Name(body),), last))
@@ -103,6 +103,13 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
             return turned
     if vector is not None and not (direction.x and direction.y):
         return _put(scene, Source(vector.value.dot(direction), vector.refs, frame.unit_free))
+    if (
+        vector is not None
+        and own.is_slanted
+        and frame.is_slanted
+        and all(x.is_number for x in vector.value)
+    ):
+        return by_scalar_product(scene, tree, vector, frame, direction, None)
     return _resolved(scene, kind, body, last, frame)
 
 
@@ -165,7 +172,7 @@ def is_polar(scene: Scene, body: str) -> bool:
     return any(isinstance(each, Polar) for each in walk(link.right))
 
 
-def _by_scalar_product(
+def by_scalar_product(
     scene: Scene,
     quantity: Quantity,
     source: Source,
@@ -460,7 +467,7 @@ def _of_vector(
     direction = frame.direction(kind)
     if frame.is_slanted and all(x.is_number for x in frame.n):
         quantity = frame.component(kind, body, frame.number if stage is None else stage)
-        return _by_scalar_product(scene, quantity, source, frame, direction, source.form)
+        return by_scalar_product(scene, quantity, source, frame, direction, source.form)
     own = Source(tidy(source.value.dot(direction)), source.refs, frame.refs)
     return _put(scene, own)
 

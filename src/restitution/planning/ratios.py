@@ -92,6 +92,32 @@ def _over_cosines(above: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
     return sum((c * sp.tan(symbol) ** m[0] for m, c in mixed.terms() if m[0] <= top), sp.Integer(0))
 
 
+def by_its_half(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
+    """``a sin θ = b (1 + cos θ)``: the tangent of half the angle."""
+    own = residual(scene, line)
+    functions = _functions(scene, own, symbol)
+    s, c = sp.sin(symbol), sp.cos(symbol)
+    if functions is None or functions != {s, c}:
+        return None
+    poly = sp.Poly(numerator(own), s, c)
+    if poly.total_degree() != 1 or poly.nth(0, 1) != poly.nth(0, 0) or poly.nth(1, 0) == 0:
+        return None
+    value = tidy(-poly.nth(0, 1) / poly.nth(1, 0))
+    letter = Letter(symbol.name)
+    relation = chain(Apply("tan", Binary("/", letter, number(2))), (tree_of(value), None))
+    known = _background(scene, line)
+    refs = scene.judge.enough(Move("identity", "half-angle"), (line,), relation, known)
+    if refs is None:
+        return None
+    half = scene.desk.write(Move("identity", "half-angle"), refs, relation)
+    angle = scene.final(symbol)
+    told = chain(letter, (tree_of(angle, angle=True), None))
+    refs = scene.judge.enough(Move("inverse"), (half,), told, scene.judge.known([symbol.name]))
+    if refs is None:
+        return None
+    return known_as(scene, symbol, angle, scene.desk.write(Move("inverse"), refs, told))
+
+
 def _by_one(scene: Scene, line: int, above: sp.Expr, kind: Any, symbol: sp.Symbol) -> Source | None:
     """An equation in one ratio: linear, or by its roots; then the angle."""
     subject = Apply(kind.__name__, Letter(symbol.name))
