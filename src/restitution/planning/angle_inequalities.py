@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from restitution.explaining.derivation import Link, Meaning, Move, Relation
+from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import Apply, Degrees, Expression, Letter, Quantity
 from restitution.planning.angle_pairs import extents, made_of_two
@@ -29,7 +29,7 @@ def write_of_angles(
     if any(each.kind not in ("angle", "deflection") for each in quantities):
         return None
     mark = claims.worths.mark()
-    for way in (_by_sign, _by_the_other):
+    for way in (_by_sign, _by_its_tangent, _by_the_other):
         try:
             line = way(claims, quantities, relation)
         except NotPlannedError:
@@ -50,10 +50,41 @@ def _by_sign(claims: Claims, quantities: Sequence[Quantity], relation: Relation)
             return None
     if quantities != [angle]:
         return None
-    tangent, letter, extent = claims.worths.lettered(claims.worths.angle(angle), angle)
+    tangent, letter, extent = _tangent_of(claims, angle)
     told = Link(Apply("tan", letter), FLIPPED[sign], ZERO)
     signed = claims.compared([tangent], Relation(((told,),)))
     return None if signed is None else claims.judge.write(_COMPARE, [signed, *extent], relation)
+
+
+def _tangent_of(claims: Claims, angle: Quantity) -> tuple[int, Expression, tuple[Ref, ...]]:
+    """The line of the tangent of an angle by its letter, with the letter and its range."""
+    line = claims.worths.angle_by_letter(angle) or claims.worths.angle(angle)
+    told = claims.scene.desk.last_link(line).left
+    if not isinstance(told, Apply):
+        raise NotPlannedError("an angle without a tangent")
+    return claims.worths.lettered(line, told.argument)
+
+
+def _by_its_tangent(
+    claims: Claims, quantities: Sequence[Quantity], relation: Relation
+) -> int | None:
+    """An angle to a line compared with one of the data, both acute, as their tangents are."""
+    (link,) = relation.only
+    sides = (link.left, link.right)
+    if len(quantities) != 1 or quantities[0] not in sides:
+        return None
+    (angle,) = quantities
+    if not any(isinstance(each, Letter) for each in sides):
+        return None
+    tangent, letter, extent = _tangent_of(claims, angle)
+    left, right = (letter if each == angle else each for each in sides)
+    told = Link(Apply("tan", left), link.sign, Apply("tan", right))
+    compared = claims.compared([tangent], Relation(((told,),)))
+    if compared is None:
+        return None
+    names = {each.name for each in (left, right) if isinstance(each, Letter)}
+    pool = [compared, *extent, *claims.judge.known(names), *extents(claims.scene, names)]
+    return claims.judge.write(_COMPARE, pool, relation)
 
 
 def _by_the_other(claims: Claims, quantities: Sequence[Quantity], relation: Relation) -> int | None:

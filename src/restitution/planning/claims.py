@@ -410,7 +410,7 @@ class Claims:
                 if end is None:
                     continue
                 there = value.subs(symbol, end)
-                if there.has(sp.zoo, sp.oo, sp.nan):
+                if there.has(sp.zoo, sp.oo, sp.nan, sp.AccumBounds):
                     continue
                 weak: Sign = ">=" if sign[0] == ">" else "<="
                 own = Relation(((Link(whole.left, weak, tree_of(tidy(there))),),))

@@ -35,6 +35,7 @@ from restitution.planning.ratios import inverse
 from restitution.planning.scene import Scene
 from restitution.planning.separations import event_of_relative
 from restitution.planning.turning import is_angle, quantity_of, write_angle, write_ratio
+from restitution.problem import Find, Value
 from restitution.solve.letters import roles
 from restitution.vector import Vector
 
@@ -384,7 +385,28 @@ def determine(scene: Scene, solver: Solver, asked: Expression) -> None:
             pass
         else:
             return
-    solver.determine(goals(scene, asked))
+    standing = solver.mark()
+    try:
+        solver.determine(goals(scene, asked))
+    except NotPlannedError:
+        solver.back(standing)
+        if not _determine_letters(scene, solver):
+            raise
+        solver.determine(goals(scene, asked))
+
+
+def _determine_letters(scene: Scene, solver: Solver) -> bool:
+    """Finds first what else the part asks: its letters. Returns whether there are any."""
+    found = False
+    for step in scene.part.steps:
+        for item in step.items if isinstance(step, Find) else ():
+            match item:
+                case Value(expression=Letter(name)):
+                    symbol = scene.model.unknowns.letter(name)
+                    if symbol in scene.unknown(symbol):
+                        solver.determine([symbol])
+                        found = True
+    return found
 
 
 def _determine_velocities(scene: Scene, solver: Solver, asked: Expression) -> None:

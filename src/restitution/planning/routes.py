@@ -124,9 +124,6 @@ def _weighted(terms: object) -> dict[sp.Symbol, float]:
 # --- sets of equations -------------------------------------------------------------------------
 
 
-_FLAT = 1e-9
-
-
 @dataclass
 class Routes:
     """The equations of a solution, with their gradients at its points."""
@@ -155,11 +152,11 @@ class Routes:
 
     def cheapest(self, goals: Sequence[sp.Expr], most: int = 3) -> list[tuple[Candidate, ...]]:
         """The cheapest sets that determine all goals, the cheapest first; none if none does."""
-        wanted = [[self.row(each, point) for each in goals] for point in self.points]
+        wanted = self._wanted(goals)
         near = self._ancestors(wanted)
         if not self._spans(near, wanted):
-            if not self._with_flat_ones():
-                return []
+            self._beside_the_solution()
+            wanted = self._wanted(goals)
             near = self._ancestors(wanted)
             if not self._spans(near, wanted):
                 return []
@@ -180,21 +177,22 @@ class Routes:
         minimal.sort(key=lambda each: (each[0], len(each[1]), each[1]))
         return [tuple(self.candidates[n] for n in chosen) for _, chosen in minimal[:most]]
 
-    def _with_flat_ones(self) -> bool:
-        """Takes equations without a slope, as at a double root, for what they speak of.
+    def _wanted(self, goals: Sequence[sp.Expr]) -> list[list[list[float]]]:
+        """The gradients of goals, point by point."""
+        return [[self.row(each, point) for each in goals] for point in self.points]
 
-        Returns whether there are any.
-        """
-        found = False
-        for own, rows in zip(self.candidates, self.rows, strict=True):
-            for k, x in enumerate(own.residuals):
-                inside = [float(each in symbols_in(x)) for each in self.symbols]
-                flat = all(abs(slope) < _FLAT for each in rows for slope in each[k])
-                if flat and any(inside):
-                    found = True
-                    for each in rows:
-                        each[k] = inside
-        return found
+    def _beside_the_solution(self) -> None:
+        """Takes gradients beside the solution: at a double root those at it tell nothing."""
+        self.points = [
+            {
+                each: value * (1 + 0.07 * (1 + self.symbols.index(each)))
+                if each in self.unknowns
+                else value
+                for each, value in point.items()
+            }
+            for point in self.points
+        ]
+        self.__post_init__()
 
     def _cost(self, chosen: Sequence[int]) -> float:
         return sum(self.candidates[n].cost for n in chosen)
