@@ -42,7 +42,11 @@ from restitution.planning.ratios import (
 )
 from restitution.planning.roots import by_roots, known_as
 from restitution.planning.scene import Scene
-from restitution.planning.square_roots import is_square_of_sum, root_taken
+from restitution.planning.square_roots import (
+    is_product_of_sums,
+    is_square_of_sum,
+    root_taken,
+)
 from restitution.vector import Vector
 
 Shape = Callable[[Scene, int, sp.Symbol], Source | None]
@@ -55,7 +59,7 @@ def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
     if symbol not in residual(scene, number).free_symbols:
         raise NotPlannedError(f"{symbol} is not in line {number}")
     number = root_taken(scene, number, symbol)
-    if not is_square_of_sum(scene, number, symbol):
+    if not (is_square_of_sum(scene, number, symbol) or is_product_of_sums(scene, number, symbol)):
         number = multiplied_out(scene, number, symbol)
     for shape in SHAPES:
         try:

@@ -17,7 +17,7 @@ from restitution.planning.impacts import momentum, residual, restitution
 from restitution.planning.polynomials import expanded, factor_powers, factored
 from restitution.planning.premises import background
 from restitution.planning.scene import Scene
-from restitution.planning.square_roots import is_square_of_sum
+from restitution.planning.square_roots import is_product_of_sums, is_square_of_sum
 
 
 def known_as(scene: Scene, symbol: sp.Symbol, value: Any, number: int) -> Source:
@@ -57,7 +57,9 @@ def by_roots(
     roots = [*kept, *(each for each in roots if each not in kept)]
     dropped = [each for each in roots if each not in kept]
     whole = expanded(sp.Mul(*(base**power for base, power in factors)))
-    if generator != symbol or not is_square_of_sum(scene, number, symbol):
+    if generator != symbol or not (
+        is_square_of_sum(scene, number, symbol) or is_product_of_sums(scene, number, symbol)
+    ):
         number = _in_standard_form(scene, number, whole, generator, subject)
         number = _in_factors(scene, number, [base for base, _ in factors], generator, subject)
     alternatives = Relation(tuple(_option(subject, each) for each in roots))

@@ -14,8 +14,10 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Negate,
     Number,
     children,
+    is_zero,
     letters,
 )
 from restitution.planning.forms import TWO, product, swept, tree_of
@@ -83,6 +85,33 @@ def is_square_of_sum(scene: Scene, number: int, symbol: sp.Symbol) -> bool:
                 return False
             return symbol.name in letters(base) and symbol.name not in letters(right)
     return False
+
+
+def is_product_of_sums(scene: Scene, number: int, symbol: sp.Symbol) -> bool:
+    """Whether a line says that a product of sums with the unknown is zero: so are its roots."""
+    match scene.desk.last_link(number):
+        case Link(left, "=", right) if is_zero(right):
+            factors = [each for each in _factors(left) if symbol.name in letters(each)]
+            values = [sp.sympify(scene_value(scene, each), strict=True) for each in factors]
+            return len(factors) > 1 and all(
+                each.is_polynomial(symbol) and sp.Poly(each, symbol).degree() == 1
+                for each in values
+            )
+    return False
+
+
+def _factors(tree: Expression) -> Iterator[Expression]:
+    """The factors of a product, and of what stands above in a quotient."""
+    match tree:
+        case Binary("*", left, right):
+            yield from _factors(left)
+            yield from _factors(right)
+        case Binary("/", above, _):
+            yield from _factors(above)
+        case Negate(operand):
+            yield from _factors(operand)
+        case _:
+            yield tree
 
 
 def _sums(tree: Expression, name: str) -> Iterator[Expression]:
