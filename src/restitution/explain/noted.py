@@ -78,7 +78,7 @@ class Notes:
 
     def _items(self, notes: Sequence[Note]) -> Sentence:
         """What was asked, in the words of the question."""
-        names = dict.fromkeys(self._ends.named(note.item) for note in notes)
+        names = dict.fromkeys(map(self._in_words, notes))
         return say("derived.items", items=tuple(names))
 
     def _in_words(self, note: Note) -> Sentence | lay.Layout | str:

@@ -254,7 +254,7 @@ class Rows:
                     signs.append(sign)
         nothing = sides[-1] == lay.Number("0")
         answered = end is not None and not has_quantity(right)
-        if unit and (answered or (is_plain(sides[-1]) and not nothing)):
+        if unit and not nothing and (answered or is_plain(sides[-1])):
             sides[-1] = with_unit(sides[-1], unit)
 
     def _called(self, line: Line) -> Sentence | None:
