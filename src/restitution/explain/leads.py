@@ -160,7 +160,7 @@ class Leads:
         record = RECORDS.get(line.move.record or "")
         if line.move.id not in TITLED or record is None or record.id == "component":
             return None
-        if record.id == "parallel" and _read_off(line) is not None:
+        if record.id == "parallel" and (_read_off(line) or self._since_nothing(line)) is not None:
             return None
         if self._turned(line) is not None or self._along_the_line(line) is not None:
             return None
@@ -318,7 +318,7 @@ class Leads:
             return
         if line.move.record in ("perpendicular", "parallel") and self.title(line) is None:
             apart = self._apart(line) if line.move.record == "perpendicular" else None
-            yield apart or self._none_in(line) or say("so")
+            yield apart or self._none_in(line) or self._since_nothing(line) or say("so")
             return
         turned = self._turned(line) or self._along_the_line(line)
         if turned is not None:
@@ -547,6 +547,19 @@ class Leads:
                 return say("resolved-wall.before-sense", wall=event.bodies[1], axis=way)
             return say("resolved-spheres.before-sense", axis=way)
         return say(_RESOLVED[event.wall, stage < event.number])
+
+    def _since_nothing(self, line: Line) -> Sentence | None:
+        """That a component is zero, by which a direction is what it is."""
+        assert isinstance(line.relation, Relation)
+        above = [self._derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
+        equations = [e.relation.only for e in above if e and isinstance(e.relation, Relation)]
+        zero = [links for links in equations if is_zero(links[-1].right)]
+        if line.relation.only[0].sign not in ("parallel to", "perpendicular to") or len(zero) != 1:
+            return None
+        told = Link(zero[0][0].left, "=", zero[0][-1].right)
+        if not isinstance(told.left, Letter):
+            return say("so")
+        return say("derived.since", facts=(self._naming.relation(Relation(((told,),))),))
 
     def _none_in(self, line: Line) -> Sentence | None:
         """That a velocity at right angles to a direction has no component in it."""

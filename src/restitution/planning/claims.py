@@ -511,10 +511,10 @@ class Claims:
 
         Its range is what it may be anyway, or what lines tell that bound it.
         """
-        for name in sorted(letters(self.scene.desk.last_link(line).right)):
-            role = roles(self.scene.problem).get(name)
-            if role is None:
-                continue
+        known = roles(self.scene.problem)
+        names = sorted(letters(self.scene.desk.last_link(line).right) & set(known))
+        # What has two ends is bounded by them; of a mass the other end is far away.
+        for name in sorted(names, key=lambda each: known[each].kind == "positive"):
             others = letters(self.scene.desk.last_link(line).right) - {name}
             pool = [line, *bounds, *self.judge.known([name]), *self.judge.known(others)]
             number_ = self.judge.write((Move("monotone"),), pool, relation)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 import sympy as sp
@@ -533,8 +534,10 @@ class _Equation:
         """The printed form as the last link of the definition, or as a line under it."""
         left, right = self.link.left, self.link.right
         known = self._known(letters(start) | letters(right))
-        if start == right:
-            return self.judge.write((own.move,), pool, self.relation, own.refs)
+        if start == right or _is_root_of_a_square(start):
+            line = self.judge.write((own.move,), [*pool, *known], self.relation, own.refs)
+            if line is not None or start == right:
+                return line
         first = Link(left, "=", start)
         mark = self.scene.desk.mark()
         number = self.judge.write((own.move,), pool, Relation(((first,),)), own.refs)
@@ -548,6 +551,14 @@ class _Equation:
                 if refs is not None:
                     self.scene.desk.back(mark)
                     return self.scene.desk.write(move, refs, relation)
+        if isinstance(own.value, sp.Expr):
+            value = own.value if start == swept(own.right) else own.value**2
+            simple = tree_of(tidy(value))
+            relation = Relation(((first, Link(start, "=", simple, "rearrange")),))
+            refs = self.judge.needed(own.move, [*pool, *known], relation, own.refs)
+            if refs is not None and number == len(self.scene.desk.lines):
+                self.scene.desk.back(mark)
+                number = self.scene.desk.write(own.move, refs, relation)
         return self._last([number, *known])
 
     # --- several --------------------------------------------------------------------------------
@@ -562,6 +573,10 @@ class _Equation:
                 continue
             lines.append(claims.worths.quantity(each))
         known = self._known(letters(self.link.left) | letters(self.link.right))
+        if len(lines) == 2 and isinstance(self.link.left, Binary) and self.link.left.op == "/":
+            line = self._by_pair(Move("divide"), lines, known)
+            if line is not None:
+                return line
         for first in lines:
             rest = [each for each in lines if each != first]
             line = self._last([first, *rest, *facts, *known])
@@ -581,15 +596,26 @@ class _Equation:
     def _by_pair(self, move: Move, pair: Sequence[int], known: Sequence[Ref]) -> int | None:
         """The quotient, or the sum, of two quantities."""
         scene = self.scene
-        if self.judge.follows(move, pair, self.relation):
-            return scene.desk.write(move, pair, self.relation)
         values = [scene.desk.last_link(each).right for each in pair]
         op: Any = "/" if move.id == "divide" else "+"
-        middle = Relation(((Link(self.link.left, "=", Binary(op, values[0], values[1])),),))
+        first = Link(self.link.left, "=", Binary(op, values[0], values[1]))
+        middle = Relation(((first,),))
+        whole = chain(first.left, (first.right, None), (self.link.right, "rearrange"))
+        for each in (whole, self.relation):
+            if self.judge.follows(move, pair, each):
+                return scene.desk.write(move, pair, each)
         if not self.judge.follows(move, pair, middle):
             return None
         number = scene.desk.write(move, pair, middle)
         return self._last([number, *known])
+
+
+def _is_root_of_a_square(tree: Expression) -> bool:
+    """Whether a root is that of one square, and is what is squared."""
+    match tree:
+        case Apply("sqrt", Binary("^", _, Number(Fraction(numerator=2, denominator=1)))):
+            return True
+    return False
 
 
 def _quantities(*trees: Expression) -> Iterator[Quantity]:
