@@ -85,10 +85,25 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         return line, final
     # What stands first is where the line starts from: of a quotient what is above.
     premises = sorted(dict.fromkeys((*refs, *ranges)), key=lambda ref: isinstance(ref, str))
-    line = scene.desk.write(
-        Move("put"), premises, chain(asked, (right, None), (final, "rearrange"))
+    whole = chain(asked, (right, None), (final, "rearrange"))
+    if _is_of_both(right) and not scene.judge.follows(Move("put"), premises, whole):
+        # Squares of a sine and a cosine come together by the identity, on a line of its own.
+        line = scene.desk.write(Move("put"), premises, chain(asked, (right, None)))
+        moves = (Move("rearrange"), Move("identity", "pythagoras"))
+        last = scene.judge.write(moves, [line, *ranges], chain(asked, (final, None)))
+        if last is None:
+            raise NotPlannedError("an expression of sines and cosines")
+        return last, final
+    return scene.desk.write(Move("put"), premises, whole), final
+
+
+def _is_of_both(tree: Expression) -> bool:
+    """Whether the sine and the cosine of one angle stand in an expression."""
+    sines, cosines = (
+        {e.argument for e in walk(tree) if isinstance(e, Apply) and e.function == each}
+        for each in ("sin", "cos")
     )
-    return line, final
+    return bool(sines & cosines)
 
 
 def _angle_sum(scene: Scene, asked: Binary) -> tuple[int, Any]:
