@@ -501,3 +501,48 @@ def test_several_coefficients_are_bounded_by_their_product() -> None:
     assert follow(derivation, Oracle(roles(problem))) == ()
     said = [each.relation for each in derivation.lines if isinstance(each.relation, Relation)]
     assert {"e_1 e_2 > 0", "e_1 e_2 <= 1"} <= set(map(write_relation, said))
+
+
+# --- what is shown -------------------------------------------------------------------------------
+
+SHOWN = {
+    "in the order in which it is printed": (
+        WALL + "show impulse = m u sin(alpha) (e + 1)",
+        "= (mu sin α)(e + 1) (as required)",
+    ),
+    "what is found is shown in the same line": (
+        OBLIQUE + "find speed(B)\nshow speed(B) = (1 + e) u cos(alpha)/(1 + k)",
+        "speed of B = (1 + e)u cos α/(1 + k) (as required)",
+    ),
+    "an angle by its tangent": (
+        OBLIQUE + "given deflection(A) = 90°\nshow alpha < 45°",
+        "tan α < 1",
+    ),
+    "who is the faster by the values": (
+        "sphere A: mass 3m, velocity u i\nsphere B: mass m, at rest\nsphere C: mass 2m, at rest\n"
+        "A hits B: along i\nB hits C: along i\nshow A and B collide again",
+        "as e ≥ 0",
+    ),
+    "squares of two speeds": (
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\n"
+        "A hits B: along i, e = 1/3\nshow speed(A)^2 + speed(B)^2 < u^2",
+        "(speed of A)² + (speed of B)² = (",
+    ),
+    "a ratio by its quotient": (
+        WALL + "show energy_lost/energy(0) = (1 - e^2) sin^2(alpha)",
+        "/(½mu²)",
+    ),
+    "one velocity is a multiple of another": (
+        "sphere A: mass m, velocity 2u at alpha\nsphere B: mass 2m, velocity u at alpha from -i\n"
+        "A hits B: along i\nshow velocity(A) parallel to velocity(B)",
+        "So 𝐯_A is parallel to 𝐯_B, as required.",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SHOWN)
+def test_what_is_shown_is_reached_step_by_step(name: str) -> None:
+    statement, words = SHOWN[name]
+    problem = parse(statement)
+    assert follow(plan(solve(problem)), Oracle(roles(problem))) == ()
+    assert words in _printed(statement)
