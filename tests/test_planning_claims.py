@@ -519,13 +519,18 @@ SHOWN = {
         "tan α < 1",
     ),
     "who is the faster by the values": (
-        "sphere A: mass 3m, velocity u i\nsphere B: mass m, at rest\nsphere C: mass 2m, at rest\n"
-        "A hits B: along i\nB hits C: along i\nshow A and B collide again",
+        (
+            "sphere A: mass 3m, velocity u i\nsphere B: mass m, at rest\n"
+            "sphere C: mass 2m, at rest\nA hits B: along i\n"
+            "B hits C: along i\nshow A and B collide again"
+        ),
         "as e ≥ 0",
     ),
     "squares of two speeds": (
-        "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\n"
-        "A hits B: along i, e = 1/3\nshow speed(A)^2 + speed(B)^2 < u^2",
+        (
+            "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\n"
+            "A hits B: along i, e = 1/3\nshow speed(A)^2 + speed(B)^2 < u^2"
+        ),
         "(speed of A)² + (speed of B)² = (",
     ),
     "a ratio by its quotient": (
@@ -533,8 +538,11 @@ SHOWN = {
         "/(½mu²)",
     ),
     "one velocity is a multiple of another": (
-        "sphere A: mass m, velocity 2u at alpha\nsphere B: mass 2m, velocity u at alpha from -i\n"
-        "A hits B: along i\nshow velocity(A) parallel to velocity(B)",
+        (
+            "sphere A: mass m, velocity 2u at alpha\n"
+            "sphere B: mass 2m, velocity u at alpha from -i\nA hits B: along i\n"
+            "show velocity(A) parallel to velocity(B)"
+        ),
         "So 𝐯_A is parallel to 𝐯_B, as required.",
     ),
 }
