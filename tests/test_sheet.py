@@ -150,7 +150,7 @@ def test_diagrams_can_be_left_out() -> None:
     assert "After" not in made("two-spheres-with-vectors", "html").question
 
 
-@pytest.mark.parametrize("names", [NAMES[::9], pytest.param(NAMES, marks=pytest.mark.nightly)])
+@pytest.mark.parametrize("names", [NAMES[::18], pytest.param(NAMES, marks=pytest.mark.nightly)])
 def test_many_examples_on_one_sheet(names: list[str]) -> None:
     entries = [made(name, options=ANSWERS) for name in names]
     text = "\n".join(pages(to_pdf(entries, "All", ANSWERS)))
