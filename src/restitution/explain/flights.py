@@ -33,6 +33,8 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
         if is_of_a_body_at_rest(derivation, line):
             return say("flight.rest", body=body)
         if _from_the_origin(derivation, line):
+            if derivation.fact("origin") is not None:
+                return say("flight.origin-taken", body=body)
             return say("flight.origin") if one else say("flight.origin-of", body=body)
     if _is_place(left) and not _by_the_way(derivation, line):
         return say("flight.place") if one else say("flight.place-of", body=body)

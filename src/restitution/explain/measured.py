@@ -10,6 +10,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.errors import RestitutionError
+from restitution.exact import tidy
 from restitution.explaining.derivation import Meaning
 from restitution.expression.dimensions import Dimension
 from restitution.expression.evaluate import evaluate
@@ -100,6 +101,15 @@ def worth(tree: Expression) -> sp.Expr:
     """The value of a tree of letters that are positive."""
     value = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
     return sp.sympify(value, strict=True)
+
+
+def vector_worth(tree: Expression) -> Vector | None:
+    """The value of a vector in letters that are positive; None where a line cannot say it."""
+    try:
+        value = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
+        return Vector(*(tidy(each) for each in value))
+    except (RestitutionError, TypeError):
+        return None
 
 
 def with_unit(value: lay.Layout, unit: str) -> lay.Layout:

@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import cached_property
 
 from restitution.explain.bold_letters import BoldLetters, Used
-from restitution.explain.measured import Measures, is_plain, with_unit, worth
+from restitution.explain.measured import Measures, is_plain, vector_worth, with_unit, worth
 from restitution.explaining.derivation import (
     Derivation,
     Event,
@@ -50,7 +50,6 @@ from restitution.problem import Arrival, Given, Meets, Problem
 from restitution.problem import trees as trees_of_problem
 from restitution.render import layout as lay
 from restitution.shapes import Circle
-from restitution.vector import Vector
 
 # Letters for angles between two directions.
 _ANGLES = ("beta", "theta", "phi", "psi", "gamma")
@@ -519,11 +518,13 @@ class Naming:
     def _line_of(self, contact: Link) -> lay.Layout | None:
         """The equation of the line of a straight wall; None where x or y stands for something."""
         match contact.left:
-            case Quantity("dot", (Binary("-", _, Pair() as through), Pair() as normal)):
+            case Quantity("dot", (Binary("-", _, through), normal)):
                 x, y = Letter("x"), Letter("y")
                 if {x.name, y.name} & self._used:
                     return None
-                across, place = (Vector(worth(e.x), worth(e.y)) for e in (normal, through))
+                across, place = vector_worth(normal), vector_worth(through)
+                if across is None or place is None:
+                    return None
                 return self.relation(Relation(((equation_of_line(across, place, (x, y)),),)))
         return None
 

@@ -6,17 +6,14 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.errors import RestitutionError
 from restitution.exact import tidy
-from restitution.explain.measured import is_plain, with_unit, worth
+from restitution.explain.measured import is_plain, vector_worth, with_unit, worth
 from restitution.explain.naming import Naming
 from restitution.explaining.derivation import Fact, Link
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import Apply, Binary, Expression, Negate, Polar, Quantity
-from restitution.planning.forms import UnwrittenError, tree_of
+from restitution.planning.forms import tree_of
 from restitution.render import layout as lay
-from restitution.vector import Vector
 
 
 def is_offset(fact: Fact) -> bool:
@@ -76,23 +73,14 @@ def _path(naming: Naming, one: str, other: str, origin: Expression | None) -> Se
     """The path of the one sphere, relative to the other where that moves across it or faster."""
     match origin:
         case Binary("-", own, _):
-            way = _vector(origin)
-            first = _vector(own)
+            way = vector_worth(origin)
+            first = vector_worth(own)
             if way is None or first is None:
                 return say("offset.relative", body=one, other=other, direction=naming.laid(origin))
             if tidy(first.cross(way)) != 0 or tidy(first.dot(way)).as_coeff_Mul()[0] < 0:
                 direction = naming.laid(tree_of(way))
                 return say("offset.relative", body=one, other=other, direction=direction)
     return say("offset.path", body=one)
-
-
-def _vector(tree: Expression) -> Vector | None:
-    """The value of a vector in letters that are positive; None where a line cannot say it."""
-    try:
-        value = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
-        return Vector(*(tidy(each) for each in value))
-    except (RestitutionError, UnwrittenError, TypeError):
-        return None
 
 
 __all__ = ["is_offset", "offset_sentence"]

@@ -792,6 +792,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "flight.time-of": "Time = distance ÷ speed, for {body}",
     "flight.at-once": "{bodies:and} are at one place at the start",
     "flight.rest": "{body} is at rest, so it stays where it is",
+    "flight.origin-taken": (
+        "Position = velocity × time, for {body}, with the origin where {body} is at the impact"
+    ),
     "flight.origin": "Position = velocity × time, from the origin",
     "flight.origin-of": "Position = velocity × time, for {body} from the origin",
     "flight.place": "New position = old position + velocity × time",
