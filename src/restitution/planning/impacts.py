@@ -455,9 +455,19 @@ def _given_after(scene: Scene, kind: str, body: str, frame: Frame) -> Source | N
         size = tree_of(tidy(given[1].dot(frame.direction(kind)))) if along else None
         return _of_vector(scene, kind, body, frame, Source(given[1], given[2], form=size))
     known = scene.desk.known(velocity)
-    if known is None or (kind == "across" and frame.number in scene.model.frames):
+    if known is None or (kind == "across" and _is_by_momentum(scene, known, frame)):
         return None  # what stays is known from before
     return _of_vector(scene, kind, body, frame, known)
+
+
+def _is_by_momentum(scene: Scene, velocity: Source, frame: Frame) -> bool:
+    """Whether a velocity after an impact of two spheres is what is left of the momentum."""
+    return frame.wall is None and any(
+        isinstance(each, int) and scene.desk.line(each).move.record == "momentum-vector"
+        for ref in velocity.refs
+        if isinstance(ref, int)
+        for each in scene.desk.under(ref)
+    )
 
 
 def _of_vector(
