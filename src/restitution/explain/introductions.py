@@ -174,5 +174,15 @@ class Introductions:
             return _AT, {"axis": self._naming.laid(axis), "unit": unit}
         sense: Expression = axis
         if turned:
-            sense = axis.operand if isinstance(axis, Negate) else Negate(axis)
+            sense = _reversed(axis)
         return _TOWARDS, {"axis": self._naming.laid(sense)}
+
+
+def _reversed(direction: Expression) -> Expression:
+    """The opposite direction, term by term."""
+    match direction:
+        case Negate(operand):
+            return operand
+        case Binary("+" | "-" as sign, left, right):
+            return Binary("-" if sign == "+" else "+", _reversed(left), right)
+    return Negate(direction)

@@ -29,6 +29,7 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Negate,
+    Pair,
     Quantity,
     Unit,
     has_quantity,
@@ -467,6 +468,8 @@ class Leads:
             if still is not None and form in _BESIDE:
                 (other,) = (each for each in line.move.bodies if each != still)
                 return say(_BESIDE[form], one=still, other=other)
+            if not isinstance(first.right, Binary | Degrees) and (one := self._on_the_line(line)):
+                return say("between.line", body=one)
             return say(_BETWEEN[form], bodies=line.move.bodies)
         if form == "square":
             name = "turned.square" if self._ends_square(line) else "turned.from-square"
@@ -506,6 +509,15 @@ class Leads:
         """That a body moves along the line of centres, where an angle to it is one to that."""
         body = self._moving_along(line)
         return None if body is None else say("between.line", body=body)
+
+    def _on_the_line(self, line: Line) -> str | None:
+        """The body of a line that moves along the line of centres: by a component, or from rest."""
+        for body in line.move.bodies:
+            fact = self._derivation.fact(" ".join(("velocity", body)))
+            rest = fact is not None and fact.id in line.premises and _is_rest(fact)
+            if rest or self._standing(line).get("across") == body:
+                return body
+        return None
 
     def _moving_along(self, line: Line) -> str | None:
         """The body that moves along the line of centres, of two between which an angle is."""
@@ -815,6 +827,14 @@ _BETWEEN = {
     "square-and-more": "between.square-opposite",
     "straight": "between.right",
 }
+
+
+def _is_rest(fact: Fact) -> bool:
+    """Whether a velocity is given as that of a body at rest."""
+    match fact.relation.only[0].right:
+        case Pair(x, y):
+            return is_zero(x) and is_zero(y)
+    return False
 
 
 def _form_of(angle: Expression) -> str:

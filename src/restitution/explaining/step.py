@@ -462,9 +462,12 @@ class Step:
     ) -> Expression | None:
         """The angle of up to 90° to a line, of what is turned by an angle from a direction."""
         if world.is_angle(line):
-            if given not in (Unit("i"), Negate(Unit("i"))):
+            unit = given.operand if isinstance(given, Negate) else given
+            if not isinstance(unit, Unit):
                 return None
-            angle = Binary("-", angle, line)
+            right = Degrees(Fraction(90))
+            turned = Binary("-", line, right) if unit == Unit("j") else line
+            angle = Binary("-", angle, turned)
         elif given not in (line, Negate(line)) and Negate(given) != line:
             units = [each.operand if isinstance(each, Negate) else each for each in (given, line)]
             if not all(isinstance(each, Unit) for each in units):

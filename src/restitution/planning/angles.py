@@ -103,9 +103,10 @@ def angle_to_a_line(scene: Scene, body: str, line: Expression) -> Expression | N
         return None
     turned = scene.scalar(told)
     if all(isinstance(each, Degrees | Letter | Binary) for each in walk(line)):
-        if given.y != 0:
+        if given.x != 0 and given.y != 0:
             return None
-        told, turned = Binary("-", told, line), turned - scene.scalar(line)
+        across = Binary("-", line, RIGHT) if given.x == 0 else line
+        told, turned = Binary("-", told, across), turned - scene.scalar(across)
     else:
         way = scene.model.story.direction(line, 0)
         if given.cross(way) != 0:

@@ -574,6 +574,9 @@ def _angle_to_unit(scene: Scene, quantity: Quantity, body: str, stage: int, line
 
 def in_the_plane(scene: Scene, body: str, stage: int) -> tuple[Source, Source]:
     """The components of a velocity in the directions of **i** and **j**."""
+    if stage and stage not in scene.model.frames:
+        struck = velocity_source(scene, body, stage)
+        return Source(struck.value.x, struck.refs), Source(struck.value.y, struck.refs)
     frame = frame_after(scene, body, stage)
     if frame.across is None and frame.n.x != 0 and frame.n.y != 0:
         vector = scene.desk.known(Quantity("velocity", (Name(body),), stage))

@@ -14,7 +14,7 @@ from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.forms import tree_of
 from restitution.planning.named_angles import tangent_line
 from restitution.planning.quantities import formula
-from restitution.planning.wall_turns import angle_of_approach
+from restitution.planning.wall_turns import angle_of_approach, data_of_approach
 
 if TYPE_CHECKING:
     from restitution.planning.claims import Claims
@@ -72,7 +72,7 @@ def _turn(claims: Claims, quantities: Sequence[Quantity], relation: Relation) ->
         return None
     move = Move("define", "sum", event, (body,))
     told = chain(turned, (Binary("+", angle, Letter(letter)), None))
-    added = claims.judge.write((move,), together((f"velocity {body}", let)), told)
+    added = claims.judge.write((move,), together(data_of_approach(scene, body, frame), (let,)), told)
     return None if added is None else claims.compared([inside, added], relation)
 
 

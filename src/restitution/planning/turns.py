@@ -116,7 +116,9 @@ def turns_of(scene: Scene, asked: Quantity) -> Iterator[Turn]:
     if frame.wall is not None and told != {NONE}:
         return  # at a wall the angles are those to the wall
     if one != other and NONE in told and RIGHT not in told:
-        return  # the other angle is what is asked
+        wider = p if q.angle == NONE else q
+        if wider.angle is None and scene.desk.known(wider.named) is None:
+            return  # the other angle is what is asked
     move = Move("define", "difference", event, (one,) if one == other else (one, other))
     form, swapped = _form_of(scene, p, q, one == other)
     if form is not None:

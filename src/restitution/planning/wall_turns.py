@@ -12,12 +12,14 @@ from restitution.expression.tree import (
     Apply,
     Binary,
     Degrees,
+    Expression,
     Letter,
     Name,
     Number,
     Polar,
     Quantity,
 )
+from restitution.planning.angles import angle_to_a_line
 from restitution.planning.desk import chain, together
 from restitution.planning.forms import swept, tree_of
 from restitution.planning.frames import Frame
@@ -28,14 +30,28 @@ from restitution.planning.turn_lines import Term, by_tangents, term_of_data
 
 
 def angle_of_approach(scene: Scene, body: str, frame: Frame) -> Letter | Degrees | None:
-    """The angle to a wall at which a body comes, where that is given as a letter or in degrees."""
-    fact = scene.facts.get(f"velocity {body}")
+    """The angle to a wall at which a body comes, where the data tell it as a letter or in degrees.
+
+    The velocity may be given by that angle, or by one to a direction of the plane.
+    """
+    fact, wall = scene.facts.get(f"velocity {body}"), scene.facts.get(f"wall {frame.wall}")
     if fact is None or scene.last_event(body, frame.number - 1):
         return None
+    angle: Expression | None = None
     match fact.relation.only[0].right:
-        case Polar(_, Letter() | Degrees() as angle, wall=Name(wall)) if wall == frame.wall:
-            return angle
-    return None
+        case Polar(_, told, wall=Name(name)) if name == frame.wall:
+            angle = told
+        case Polar(wall=None) if wall is not None:
+            angle = angle_to_a_line(scene, body, wall.relation.only[0].right)
+    return angle if isinstance(angle, Letter | Degrees) else None
+
+
+def data_of_approach(scene: Scene, body: str, frame: Frame) -> tuple[str, ...]:
+    """The facts that tell the angle at which a body comes to a wall."""
+    velocity = f"velocity {body}"
+    right = scene.facts[velocity].relation.only[0].right
+    by_the_wall = isinstance(right, Polar) and right.wall is not None
+    return (velocity,) if by_the_wall else (velocity, f"wall {frame.wall}")
 
 
 def tangent_at_a_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | None:
@@ -74,7 +90,7 @@ def sum_at_a_wall(
     _, meant = letter_of(scene, after)
     number = scene.desk.write(
         Move("define", "sum", frame.number, (name.name,)),
-        together((f"velocity {name.name}", meant, meaning)),
+        together(data_of_approach(scene, name.name, frame), (meant, meaning)),
         chain(Letter(turned), (Binary("+", angle, Letter(letter)), None)),
     )
     value = scene.desk.last_link(line).right
@@ -94,13 +110,13 @@ def given_at_a_wall(
     if angle is None or turned.free_symbols:
         return None
     assert frame.wall is not None
-    wall, velocity = frame.wall, f"velocity {body}"
+    wall, data = frame.wall, data_of_approach(scene, body, frame)
     after = Quantity("angle", (Quantity("velocity", (Name(body),), event), Name(wall)))
     move = Move("define", "sum", event, (body,))
     mark = scene.desk.mark()
     letter, meaning = letter_of(scene, after)
     own = formula(scene, after)
-    told = together(each.refs, (velocity,), (meaning,))
+    told = together(each.refs, data, (meaning,))
     if isinstance(angle, Degrees):
         rest = tidy(turned - scene.scalar(angle))
         final = tree_of(rest, angle=True)
@@ -157,7 +173,8 @@ def doubled_at_a_wall(scene: Scene, each: GivenEquation) -> int | None:
     twice = Binary("*", Number(Fraction(2)), letter if double == after else angle)
     total = chain(Binary("+", angle, letter), (twice, None))
     move = Move("define", "sum", event, (body,))
-    premises = scene.judge.enough(move, together(each.refs, (f"velocity {body}", meaning)), total)
+    data = data_of_approach(scene, body, frame)
+    premises = scene.judge.enough(move, together(each.refs, data, (meaning,)), total)
     equal = chain(letter, (angle, None))
     tangents = chain(Apply("tan", angle), (scene.desk.last_link(line).right, None))
     if premises is not None:
