@@ -113,6 +113,8 @@ class Reasons:
         for ref in line.premises:
             own = self._derivation.line(ref) if isinstance(ref, int) else None
             match own.relation if own is not None else None:
+                case Relation(((Link(Apply("cos"), "="), *_),)):
+                    return ()  # it tells an angle of up to 180°
                 case Relation(((Link(left, "=", right),),)):
                     sign = "<" if isinstance(right, Negate) else ">"
                     ratios = [Apply(each, link.left) for each in ("sin", "cos")]

@@ -31,6 +31,18 @@ ANGLES = {
 
 def letter_of(scene: Scene, asked: Quantity) -> tuple[str, Ref]:
     """The letter for an angle, and the line that introduces it, or the fact."""
+    known = letter_known(scene, asked)
+    if known is not None:
+        return known
+    taken = letters_taken(scene)
+    names = ANGLES[asked.kind]
+    numbered = (f"{each}_{n}" for n in range(1, 9) for each in names)
+    letter = next(each for each in (*names, *numbered) if each not in taken)
+    return letter, scene.desk.write(Move("let"), (), Meaning(letter, asked))
+
+
+def letter_known(scene: Scene, asked: Quantity) -> tuple[str, Ref] | None:
+    """The letter that an angle has already, and the line or the fact that says so."""
     for fact in scene.desk.facts:
         if fact.id.startswith("let ") and fact.relation.only[0].left == asked:
             right = fact.relation.only[0].right

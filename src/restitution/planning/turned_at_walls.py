@@ -72,7 +72,9 @@ def _turn(claims: Claims, quantities: Sequence[Quantity], relation: Relation) ->
         return None
     move = Move("define", "sum", event, (body,))
     told = chain(turned, (Binary("+", angle, Letter(letter)), None))
-    added = claims.judge.write((move,), together(data_of_approach(scene, body, frame), (let,)), told)
+    added = claims.judge.write(
+        (move,), together(data_of_approach(scene, body, frame), (let,)), told
+    )
     return None if added is None else claims.compared([inside, added], relation)
 
 

@@ -37,7 +37,13 @@ from restitution.planning.lines_between import (
     is_moving,
     whole_velocity,
 )
-from restitution.planning.named_angles import ANGLES, letter_of, ratio_line, tangent_line
+from restitution.planning.named_angles import (
+    ANGLES,
+    letter_known,
+    letter_of,
+    ratio_line,
+    tangent_line,
+)
 from restitution.planning.polynomials import expanded
 from restitution.planning.premises import background, nonzero, sign_known
 from restitution.planning.quantities import (
@@ -52,7 +58,7 @@ from restitution.planning.quantities import (
 from restitution.planning.scalar_angles import is_long, write_cosine, write_right_angle
 from restitution.planning.scene import Scene
 from restitution.planning.turn_lines import inverse_of_data, write_turn, write_turn_tangent
-from restitution.planning.turns import turns_of
+from restitution.planning.turns import turns_of, velocities_of
 from restitution.planning.wall_turns import tangent_at_a_wall
 from restitution.vector import Vector
 
@@ -111,7 +117,7 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
     if asked.kind == "direction":
         line = _along_the_centres(scene, asked) or _along_an_axis(scene, asked)
     if line is None:
-        own = _ratio(scene, asked)
+        own = _by_a_known_ratio(scene, asked) or _ratio(scene, asked)
         line = own if isinstance(own, int) else _by_inverse(scene, own)
     scene.desk.know(asked, scene.scalar(scene.desk.last_link(line).right), (line,))
     return line
@@ -140,6 +146,25 @@ def _ratio_of_its_letter(
             if len(relation.options) > 1:
                 return line, relation
             return line, chain(tree, (tree_of(source.value), None))
+    return None
+
+
+def _by_a_known_ratio(scene: Scene, asked: Quantity) -> Ratio | None:
+    """The cosine or tangent of an angle between two velocities that stands in a line already."""
+    named = letter_known(scene, asked)
+    if named is None or velocities_of(scene, asked) is None:
+        return None
+    letter, _ = named
+    for function in ("cos", "tan"):
+        tree = Apply(function, Letter(letter))
+        for each in reversed(scene.desk.lines):
+            if isinstance(each.relation, Meaning) or len(each.relation.options) != 1:
+                continue
+            if scene.desk.holds(each.number) and each.relation.only[0].left == tree:
+                value = tidy(scene.scalar(scene.desk.last_link(each.number).right))
+                if not value.free_symbols:
+                    extent = _RANGES["deflection"].format(letter)
+                    return Ratio(each.number, letter, function, value, extent)
     return None
 
 
