@@ -8,7 +8,16 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.expression.tree import Expression, Name, Negate, Polar, Quantity, Unit, walk
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Name,
+    Negate,
+    Polar,
+    Quantity,
+    Unit,
+    walk,
+)
 from restitution.planning.desk import NotPlannedError, Source, link, together
 from restitution.planning.forms import ONE, ZERO, product, total, tree_of
 from restitution.planning.frames import Frame
@@ -138,11 +147,19 @@ def _to_a_direction(
     else:
         terms = [(y, direction.x), (x, direction.y)]
         used = [(s, w) for s, w in terms if w != 0]
-        sides = [product(tree_of(w), tree_of(s.value)) if w != 0 else ZERO for s, w in terms]
+        sides = [_multiple(w, s.value) for s, w in terms]
         left, right = sides
         relation = link(left, right) if left != ZERO else link(right, ZERO)
     refs = together(refs, *(source.whole for source, _ in used))
     return scene.desk.write(move, refs, Relation(((relation,),)))
+
+
+def _multiple(factor: sp.Expr, component: sp.Expr) -> Expression:
+    """A component of a velocity times one of a direction: both with their signs, as read off."""
+    a, b = tree_of(factor), tree_of(component)
+    if isinstance(a, Negate) and isinstance(b, Negate) and a.operand != ONE:
+        return Binary("*", a, b)
+    return product(a, b) if factor != 0 else ZERO
 
 
 def _across_a_frame(
