@@ -558,6 +558,8 @@ class Leads:
             if event.wall:
                 return say("resolved-wall.before-sense", wall=event.bodies[1], axis=way)
             return say("resolved-spheres.before-sense", axis=way)
+        if not event.wall and self._is_turned(line, event.number):
+            return say("resolved-spheres.before-turned")
         return say(_RESOLVED[event.wall, stage < event.number])
 
     def _since_nothing(self, line: Line) -> Sentence | None:
@@ -572,6 +574,28 @@ class Leads:
         if not isinstance(told.left, Letter):
             return say("so")
         return say("derived.since", facts=(self._naming.relation(Relation(((told,),))),))
+
+    def _is_turned(self, line: Line, number: int) -> bool:
+        """Whether components are those of an earlier impact, at right angles to this one's line."""
+        kinds: set[tuple[str, str]] = set()
+        for own in self._derivation.lines:
+            if own.move != line.move or not isinstance(own.relation, Relation):
+                continue
+            match own.relation.options:
+                case ((Link(Quantity(kind, (Quantity(), _)), "="),),):
+                    pass
+                case _:
+                    continue
+            for each in filter(None, map(self._cited, own.premises)):
+                subject = each.relation
+                left = subject.only[0].left if isinstance(subject, Relation) else subject.quantity
+                meaning = self._naming.meanings.get(left.name) if isinstance(left, Letter) else None
+                left = left if meaning is None else meaning.quantity
+                match left:
+                    case Quantity(other, (Quantity(), Quantity("line_of_centres", _, stage))):
+                        if stage != number:
+                            kinds.add((kind, other))
+        return bool(kinds) and all(kind != other for kind, other in kinds)
 
     def _none_in(self, line: Line) -> Sentence | None:
         """That a velocity at right angles to a direction has no component in it."""

@@ -140,6 +140,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "a second wall, using the angle of the first again."
     ),
     "resolved-spheres.before-units": "Components before the impact:",
+    "resolved-spheres.before-turned": (
+        "Components before the impact, as this line of centres is at right angles to the last one:"
+    ),
     "resolved-spheres.before-sense": (
         "Components before the impact, those perpendicular to the line of centres in the direction "
         "of {axis}:"
