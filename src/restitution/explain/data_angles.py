@@ -10,11 +10,20 @@ import sympy as sp
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explain.naming import Naming
-from restitution.explaining.derivation import Derivation, Fact, Line
+from restitution.explaining.derivation import Derivation, Fact, Line, Link, Relation
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.trees import trees_of
 from restitution.expression.evaluate import evaluate
-from restitution.expression.tree import Apply, Expression, Quantity, letters, walk
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Polar,
+    Quantity,
+    letters,
+    walk,
+)
 from restitution.planning.forms import tree_of
 
 _ARCS = ("arctan", "arcsin", "arccos")
@@ -27,6 +36,7 @@ class DataAngles:
         self._derivation = derivation
         self._naming = naming
         self._told: set[Expression] = set()
+        self._turned: set[str] = set()
 
     def in_order(self, lines: Sequence[Line]) -> Iterator[Line]:
         """Lines with the ratios of angles that follow each other in the order of the statement."""
@@ -54,6 +64,35 @@ class DataAngles:
                 if node not in self._told and not letters(node.argument):
                     self._told.add(node)
                     yield from self._ratios(node)
+            yield from self._to_the_line(fact, line)
+
+    def _to_the_line(self, fact: Fact, line: Line) -> Iterator[Sentence]:
+        """The angle of a velocity with a wall or a line of centres, where both are told from **i**.
+
+        It is said where components are taken by its sine or its cosine.
+        """
+        event = next((e for e in self._derivation.events if e.number == line.move.event), None)
+        if event is None or fact.id in self._turned:
+            return
+        body = fact.id.partition(" ")[2]
+        of_line = " ".join(("wall", event.bodies[1]) if event.wall else ("axis", str(event.number)))
+        told = self._derivation.fact(of_line)
+        right = None if told is None else told.relation.only[-1].right
+        match fact.relation.only[-1].right, right:
+            case Polar(_, Degrees(angle), None, None), Degrees(direction):
+                pass
+            case _:
+                return
+        turn = abs(angle - direction) % 180
+        if body not in event.bodies or not direction or turn > 90 or angle < direction:
+            return
+        self._turned.add(fact.id)
+        link = Link(Binary("-", Degrees(angle), Degrees(direction)), "=", Degrees(turn))
+        laid = self._naming.relation(Relation(((link,),)))
+        if event.wall:
+            yield say("given.turned-wall", body=body, wall=event.bodies[1], angle=laid)
+        else:
+            yield say("given.turned-centres", body=body, angle=laid)
 
     def _ratios(self, arc: Apply) -> Iterator[Sentence]:
         try:

@@ -424,6 +424,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "condition.away": "{body} does not hit {wall}{again} if it does not move towards {wall}:",
     # --- given facts ------------------------------------------------------------------------------
     "given.data": "From the data:",
+    "given.turned-wall": "{body} moves at {angle} to {wall}.",
+    "given.turned-centres": "{body} moves at {angle} to the line of centres.",
     "given.tangent": "An angle with tangent {value} has sine {sine} and cosine {cosine}.",
     "given.sine": "An angle with sine {value} has cosine {cosine}.",
     "given.cosine": "An angle with cosine {value} has sine {sine}.",
