@@ -1,0 +1,228 @@
+"""Angles and senses of a working: nothing is worked out that is told, and no sign is left open.
+
+Each working is followed line by line, its answers are those of the solver, and it says what a
+teacher says; what a teacher does not say is not in it.
+"""
+
+from __future__ import annotations
+
+import pytest
+from laws_of_workings import answers, complaints
+
+from restitution.explain import to_text
+from restitution.explain.derived import explanation_of
+from restitution.language import parse
+from restitution.planning.planner import plan
+from restitution.solve import solve
+
+# A statement, what its working says, and what it does not say: lines, or parts of them.
+CASES = {
+    "a wall at a letter": (
+        """
+wall W: along phi
+sphere Q: velocity 3w i
+Q hits W: e = 1/2
+given velocity(Q) perpendicular to i
+find tan(phi)
+""",
+        ("𝐧 = sin φ 𝐢 − cos φ 𝐣", "𝐯_Q · 𝐧 = −(3/2)w sin φ"),
+        ("away from W",),
+    ),
+    "a wall of which the side is open": (
+        """
+wall AB: along i
+wall BC: along phi
+sphere P: velocity u at 30° to AB
+P hits AB: e = 1/2
+P hits BC: e = 1/3
+given velocity(P) perpendicular to i
+find tan(phi)
+""",
+        ("be a unit vector perpendicular to BC",),
+        ("towards it",),
+    ),
+    "a line of centres at a letter": (
+        """
+sphere A: mass m, velocity 4u i
+sphere B: mass m, at rest
+A hits B: along phi, e = 1/2
+given speed(A) = 3u
+find tan(phi)
+""",
+        ("−sin φ 𝐢 + cos φ 𝐣:", "−4u sin φ"),
+        (),
+    ),
+    "a line of centres on either side": (
+        """
+sphere A: mass 2m, velocity 5u i
+sphere B: mass 2m, at rest
+A hits B: e = 1/5
+given speed(A) = 4u
+find speed(B)
+""",
+        ("−sin θ 𝐢 + cos θ 𝐣:",),
+        (),
+    ),
+    "to the left of j": (
+        """
+sphere A: mass m, velocity u at 45°
+sphere B: mass 3m, at rest
+A hits B: along i, e = 2/3
+find direction(A)
+""",
+        ("tan θ = (√2 u/2)/(−√2 u/8) = −4", "θ = 180° − arctan 4"),
+        (),
+    ),
+    "a given angle is not worked out": (
+        """
+sphere A: mass 5m, velocity u at 30°
+sphere B: mass 3m, at rest
+A hits B: along i
+given angle(velocity(A), line_of_centres) = 45°
+find e, deflection(A)
+""",
+        ("45° − 30° = 15°",),
+        ("tan β",),
+    ),
+    "a direction tells the angle to the line of centres": (
+        """
+sphere A: mass m, velocity 2u at 30°
+sphere B: mass m, velocity u at 60° from -i
+A hits B: along i, e = 1/2
+find direction(B), deflection(B)
+""",
+        ("Along the line of centres B is sent back",),
+        ("angle between 𝐯_B and the line",),
+    ),
+    "along j before a line at an angle": (
+        """
+sphere A: mass 2m, velocity 3u j
+sphere B: mass m, at rest
+A hits B: along 60°, e = 1/2
+find deflection(A), angle(velocity(A), velocity(B))
+""",
+        ("− 30°", "B moves along the line of centres:\n    θ = arctan(2√3/3)"),
+        ("tan θ",),
+    ),
+    "a velocity from i at a slanting wall": (
+        """
+wall W: along 30°
+sphere P: velocity u at 75°
+P hits W: e = 1/3
+find speed(P), deflection(P)
+""",
+        ("P moves at 75° − 30° = 45° to W.", "45° + arctan(1/3)"),
+        ("angle between 𝐮_P",),
+    ),
+    "a tangent of the data at a wall along j": (
+        """
+wall W: along j
+sphere P: velocity 2u at alpha from j
+given tan(alpha) = 3/4
+P hits W: e = 1/3
+find tan(deflection(P))
+""",
+        ("δ = α + β", "(¾ + ¼)/(1 − ¾ × ¼) = 16/13"),
+        ("Angle of deflection:",),
+    ),
+    "straight back": (
+        """
+wall W: along i
+sphere P: mass m, velocity -3u j
+P hits W: e = 1/2
+find velocity(P), deflection(P)
+""",
+        ("P hits W at right angles, so it is sent straight back:\n    δ = 180°",),
+        ("cos δ",),
+    ),
+    "along the wall": (
+        """
+wall W: along j
+sphere P: velocity 2u at 35° to W
+P hits W: e = 0
+find deflection(P)
+""",
+        ("P goes on along W", "= 35°"),
+        ("tan",),
+    ),
+    "a slanting wall after a blow": (
+        """
+wall W: along 45°
+sphere P: mass 1/2, velocity 4j
+P receives -3i + 2j
+P hits W: e = 1/2
+find velocity(P), direction(P, 1)
+""",
+        ("𝐯₁ · 𝐧 = ", "tan θ = 8/(−6)"),
+        (),
+    ),
+    "two lines of centres at right angles": (
+        """
+sphere A, B, C: mass m
+sphere A: velocity 8u i
+sphere B, C: at rest
+A hits B: along 30°, e = 1/2
+A hits C: along -60°, e = 1/2
+find speed(C)
+""",
+        ("at right angles to the\nlast one:", "𝐯_A · 𝐧 = 4u"),
+        (),
+    ),
+    "the speed after a blow": (
+        """
+sphere P: mass 2, velocity 5i
+P receives J at theta
+given J = 8, speed(P) = 7
+find cos(theta), deflection(P)
+""",
+        ("𝐯_P = ((29/5)𝐢 + (8√6/5)𝐣)", "cos δ = (5 × (29/5))/(5 × 7)"),
+        (),
+    ),
+    "why a deflection is a difference": (
+        """
+sphere A, B: mass m
+sphere A: velocity u at alpha
+sphere B: at rest
+A hits B: along i, e = 1/2
+given deflection(A) = arctan(3/5)
+find tan(alpha)
+""",
+        ("is arctan(3/5). Along the line of\ncentres A keeps its sense",),
+        (),
+    ),
+    "beyond a right angle": (
+        """
+sphere P: mass 2, velocity 3i + j
+P receives J at theta
+given direction(P) = 90°, speed(P) = 4, 0 < theta < 180°
+find J, theta
+""",
+        ("θ = 135°, as 0° < θ < 180°",),
+        (),
+    ),
+    "a cosine that stands": (
+        """
+sphere A: mass 2m, velocity u i + 2u j
+sphere B: mass 3m, velocity -2u i - u j
+A hits B: along i, e = 2/3
+let theta = angle(velocity(A), velocity(B))
+find cos(theta), theta
+""",
+        ("cos θ", "θ = 135°"),
+        ("tan",),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_no_sense_is_left_open(name: str) -> None:
+    statement, said, unsaid = CASES[name]
+    solution = solve(parse(statement))
+    derivation = plan(solution)
+    assert complaints(solution, derivation) == []
+    assert answers(solution, derivation) == []
+    text = to_text(explanation_of(derivation, solution.problem))
+    for each in said:
+        assert each in text, text
+    for each in unsaid:
+        assert each not in text, text
