@@ -8,7 +8,7 @@ the wall and **t** at right angles to it, so that a component is a scalar produc
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Container, Mapping
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -205,7 +205,7 @@ class BoldLetters:
         direction = self._directions.get(number)
         if direction is None:
             return None
-        whole, _ = whole_direction(direction if kind == "along" else direction.turned_left())
+        whole, _ = _whole(direction if kind == "along" else direction.turned_left())
         return self.laid(tree_of(whole))
 
     def across_wall(self, wall: str) -> lay.Layout | None:
@@ -259,15 +259,15 @@ class BoldLetters:
     def _leads_into(self, event: Event) -> bool:
         """Whether the axis at a wall is the direction into it, by a component along that."""
         axis = Quantity("line_of_centres", (), event.number)
+        letters_ = self.derivation.meanings
         for line in self.derivation.lines:
             match line.relation:
                 case Relation(
                     ((Link(Quantity("along", (Quantity("velocity", _, int(stage)), way))), *_),)
                 ) if way == axis:
-                    value = _of_acute_angles(line.relation.only[-1].right)
+                    value = _of_acute_angles(line.relation.only[-1].right, letters_)
                     into = -value if stage == event.number else value
-                    if into.is_nonnegative:
-                        return True
+                    return bool(into.is_nonnegative)
         return False
 
 
@@ -330,8 +330,6 @@ def _in_numbers(tree: Expression) -> Vector | None:
         return None
     if not isinstance(value, Vector) or not all(value):
         return None
-    if any(sp.sympify(each, strict=True).free_symbols for each in value):
-        return value if tidy(sp.expand(value.dot(value))) == 1 else None
     size = sp.sqrt(tidy(sp.expand(value.dot(value))))
     return Vector(*(tidy(each / size) for each in value))
 
@@ -347,18 +345,30 @@ def _at(tree: Expression) -> Vector | None:
     return way if plain and all(way) else None
 
 
-def _of_acute_angles(tree: Expression) -> sp.Expr:
-    """A value of which letters, and sines and cosines of them, are positive."""
-    value = sp.sympify(evaluate(tree, lambda name: sp.Symbol(name, positive=True)), strict=True)
+def _of_acute_angles(tree: Expression, open_: Container[str]) -> sp.Expr:
+    """A value of which letters, and sines and cosines of them, are positive, but for some."""
+
+    def symbol(name: str) -> sp.Symbol:
+        return sp.Symbol(name, real=True) if name in open_ else sp.Symbol(name, positive=True)
+
+    value = sp.sympify(evaluate(tree, symbol), strict=True)
     ratios = (each for each in value.atoms(sp.sin, sp.cos) if each.free_symbols)
     return value.subs({each: sp.Dummy(positive=True) for each in ratios})
 
 
 def _tree_of_unit(way: Vector) -> Expression:
     """A unit vector as whole numbers of **i** and **j** over its length, where it is one."""
-    whole, length = whole_direction(way)
+    whole, length = _whole(way)
     tree = tree_of(whole)
     return tree if length == 1 else Binary("/", tree, tree_of(length))
+
+
+def _whole(way: Vector) -> tuple[Vector, sp.Expr]:
+    """A unit vector as one without a denominator, where there is one, and its length."""
+    length = sp.fraction(sp.together(way.x))[1]
+    if not length.free_symbols or sp.fraction(sp.together(way.y))[1] != length:
+        return whole_direction(way)
+    return Vector(*(tidy(each * length) for each in way)), length
 
 
 __all__ = ["BoldLetters", "Used"]
