@@ -540,12 +540,18 @@ def component_letter(scene: Scene, body: str, frame: Frame) -> sp.Symbol:
 # --- laws --------------------------------------------------------------------------------------
 
 
+def _as_first_written(
+    scene: Scene, kind: str, body: str, frame: Frame, source: Source
+) -> tuple[Expression, MoveId]:
+    """A component before an impact as it comes of the data, and the move to what it is worth."""
+    ratio = _by_ratio(scene, kind, body, frame, source)
+    return (tree_in_law(source), "rearrange") if ratio is None else (ratio, "put")
+
+
 def unchanged(scene: Scene, body: str, frame: Frame) -> Source:
     """The component across the line of centres, or parallel to a wall, is the same after."""
     source = before(scene, "across", body, frame)
-    ratio = _by_ratio(scene, "across", body, frame, source)
-    own = tree_in_law(source) if ratio is None else ratio
-    by: MoveId = "rearrange" if ratio is None else "put"
+    own, by = _as_first_written(scene, "across", body, frame, source)
     quantity = frame.component("across", body, frame.number)
     number = scene.desk.write(
         Move("law", "unchanged", frame.number, (body,)),
@@ -561,9 +567,7 @@ def rebound(scene: Scene, body: str, frame: Frame) -> Source:
     e = scene.coefficient(frame.number)
     quantity = frame.component("along", body, frame.number)
     value = neat(-e.value * source.value)
-    ratio = _by_ratio(scene, "along", body, frame, source)
-    own = tree_in_law(source) if ratio is None else ratio
-    by: MoveId = "rearrange" if ratio is None else "put"
+    own, by = _as_first_written(scene, "along", body, frame, source)
     first = product(tree_of(e.value), negative(own))
     last = tree_of(value)
     if factors(first) == factors(last):
