@@ -99,7 +99,14 @@ class _Refutation:
                 return
             trees = list(self._trees())
             lines: list[int] = []
-            for each in dict.fromkeys(q for tree in trees for q in claims.worths.quantities(tree)):
+            rest = list(trees)
+            for tree in trees:
+                quotient = isinstance(tree, Binary) and tree.op == "/"
+                line = claims.worths.worth(tree) if quotient else None
+                if line is not None:
+                    lines.append(line)
+                    rest.remove(tree)
+            for each in dict.fromkeys(q for tree in rest for q in claims.worths.quantities(tree)):
                 if not claims.worths.is_data(each):
                     lines.append(
                         claims.worths.angle_by_letter(each) or claims.worths.quantity(each)
