@@ -102,9 +102,9 @@ class _Refutation:
             rest = list(trees)
             for tree in trees:
                 quotient = isinstance(tree, Binary) and tree.op == "/"
-                line = claims.worths.worth(tree) if quotient else None
-                if line is not None:
-                    lines.append(line)
+                worth = claims.worths.worth(tree) if quotient else None
+                if worth is not None:
+                    lines.append(worth)
                     rest.remove(tree)
             for each in dict.fromkeys(q for tree in rest for q in claims.worths.quantities(tree)):
                 if not claims.worths.is_data(each):
