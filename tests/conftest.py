@@ -30,11 +30,9 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 QUICK = {
     "test_algebra",
     "test_answer_table",
-    "test_any_size",
     "test_awarding",
     "test_bodies",
     "test_docs",
-    "test_exact",
     "test_expression",
     "test_found_again",
     "test_impact",

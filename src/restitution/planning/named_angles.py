@@ -86,7 +86,7 @@ def ratio_line(
         case Binary("/", above, below) if isinstance(swept(below), Negate):
             first = Binary("/", swept(above), swept(below))
     relation = chain(ratio, (first, None), (tree_of(value), "rearrange"))
-    if sp.sympify(value).has(sp.Abs):
+    if sp.sympify(value, strict=True).has(sp.Abs):
         known = background(scene, letters(relation.only[0].right))
         refs = scene.judge.enough(move, refs, relation, known) or refs
     return scene.desk.write(move, refs, relation)
