@@ -223,7 +223,7 @@ def measured(name: str, repeat: int) -> Measured:
 def _stories(work: Callable[[], object]) -> int | None:
     """How often a story is told; None where there is no such class any more."""
     try:
-        from restitution.solve.story import Story
+        from restitution.solving.story import Story
     except ImportError:
         return None
     count = 0

@@ -21,14 +21,14 @@ from pathlib import Path
 from typing import Any
 
 import restitution.examples
-from restitution.explain import Explanation, explain, to_html, to_latex, to_markdown, to_text
-from restitution.explain.principles import about
-from restitution.explain.steps import Row, Step
-from restitution.explain.text import said
-from restitution.explain.typst import to_markup
 from restitution.language import parse
 from restitution.render.text import to_text as in_a_line
-from restitution.solve import solve
+from restitution.solving import solve
+from restitution.workings import Explanation, explain, to_html, to_latex, to_markdown, to_text
+from restitution.workings.principles import about
+from restitution.workings.steps import Row, Step
+from restitution.workings.text import said
+from restitution.workings.typst import to_markup
 
 QUESTIONS = Path(__file__).resolve().parent.parent / "tests" / "questions"
 EXAMPLES = Path(restitution.examples.__file__).parent

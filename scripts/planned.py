@@ -20,8 +20,8 @@ from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.planner import plan
-from restitution.solve import Solution, solve
-from restitution.solve.letters import roles
+from restitution.solving import Solution, solve
+from restitution.solving.letters import roles
 
 TESTS = Path(__file__).parents[1] / "tests"
 LIST = TESTS / "planned.txt"

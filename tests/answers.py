@@ -18,8 +18,8 @@ import sympy as sp
 from restitution.expression import read_expression
 from restitution.expression.evaluate import evaluate
 from restitution.oracle.roles import Role
-from restitution.solve import ItemResult, Solution
-from restitution.solve.numbers import UndefinedError, at, sample
+from restitution.solving import ItemResult, Solution
+from restitution.solving.numbers import UndefinedError, at, sample
 
 
 @dataclass(frozen=True)

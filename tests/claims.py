@@ -23,7 +23,7 @@ from restitution import problem as p
 from restitution.errors import RestitutionError
 from restitution.expression import tree as t
 from restitution.language import parse
-from restitution.solve import solve
+from restitution.solving import solve
 
 FOLDER = Path(__file__).parent / "claims"
 SCALES = ("10^-12", "10^-3", "1", "10^3", "10^12")

@@ -36,8 +36,8 @@ from restitution.expression.writing import write_expression
 from restitution.language.reading import parse
 from restitution.oracle import Oracle
 from restitution.problem import Problem, Range
-from restitution.solve import ItemResult
-from restitution.solve.letters import roles
+from restitution.solving import ItemResult
+from restitution.solving.letters import roles
 
 FOLDER = Path(__file__).with_name("derivations")
 _SHORT = re.compile(r"\b([cs])\((\w+), (\d+)(?:@(\d+))?\)")

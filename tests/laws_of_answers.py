@@ -11,7 +11,7 @@ from statements import FILES, law, solved
 
 from restitution.language import parse
 from restitution.problem import Find, Part, Problem, Show, Value
-from restitution.solve import ItemResult, solve
+from restitution.solving import ItemResult, solve
 
 
 @law(FILES)

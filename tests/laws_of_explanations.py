@@ -11,16 +11,16 @@ from pathlib import Path
 import pypdf
 from statements import EXAMPLES, QUESTIONS, explained, law, solved
 
-from restitution.explain import (
+from restitution.export.sheet import Options, entry, to_pdf
+from restitution.render.text import width
+from restitution.workings import (
     PartExplanation,
     to_html,
     to_latex,
     to_markdown,
     to_text,
 )
-from restitution.explain.principles import about
-from restitution.export.sheet import Options, entry, to_pdf
-from restitution.render.text import width
+from restitution.workings.principles import about
 
 SOME = [*EXAMPLES, *QUESTIONS[::6]]
 

@@ -21,7 +21,7 @@ from restitution.expression.tree import Name, Quantity
 from restitution.motion.parts import PartMotion, motions
 from restitution.motion.pieces import Circle, Line, Motion, Track
 from restitution.problem import Value
-from restitution.solve import Solution
+from restitution.solving import Solution
 from restitution.staging import flights
 from restitution.vector import Vector
 

@@ -9,12 +9,12 @@ from pathlib import Path
 
 from statements import FILES, law, solved
 
-from restitution.draw.ink import ink, overlap, touched
-from restitution.draw.labels import place
-from restitution.draw.path import path_scene
-from restitution.draw.scene import Arrow, Disc, Dot, RoundWall, Scene, StraightWall
+from restitution.drawing.ink import ink, overlap, touched
+from restitution.drawing.labels import place
+from restitution.drawing.path import path_scene
+from restitution.drawing.scene import Arrow, Disc, Dot, RoundWall, Scene, StraightWall
 from restitution.render.text import to_text
-from restitution.solve.story import Story
+from restitution.solving.story import Story
 from restitution.staging.plan import Leg, Plan, Stop, Straight
 from restitution.staging.planning import lay_out
 from restitution.staging.values import motion

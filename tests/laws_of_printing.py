@@ -8,17 +8,17 @@ from dataclasses import fields, is_dataclass
 from fractions import Fraction
 from typing import Any
 
-from restitution.explain import to_text
-from restitution.explain.derived import explanation_of
-from restitution.explain.explanation import Explanation
-from restitution.explain.steps import Step
 from restitution.explaining.awarding import awarded
 from restitution.explaining.derivation import Derivation, Line, Meaning, Relation
 from restitution.explaining.saying import Sentence, Slot
 from restitution.explaining.trees import trees_of
 from restitution.expression.tree import Number, Quantity, walk
 from restitution.render import layout as lay
-from restitution.solve import Solution
+from restitution.solving import Solution
+from restitution.workings import to_text
+from restitution.workings.derived import explanation_of
+from restitution.workings.explanation import Explanation
+from restitution.workings.steps import Step
 
 
 def _printed(solution: Solution, derivation: Derivation) -> Explanation:

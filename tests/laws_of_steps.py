@@ -17,7 +17,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.solve import Solution
+from restitution.solving import Solution
 
 Law = Callable[[Solution, Derivation], list[str]]
 

@@ -11,9 +11,6 @@ from numbers_of_workings import BeyondError, Judge
 from plain_physics import ImpossibleWorldError, World
 
 from restitution.components import model, protected_letters
-from restitution.explain.derived import explanation_of
-from restitution.explain.measured import Measures
-from restitution.explain.text import to_text
 from restitution.explaining.awarding import awarded, marks_of
 from restitution.explaining.derivation import Derivation, Fact, Line, Link, Meaning, Relation
 from restitution.explaining.facts import staged
@@ -37,7 +34,10 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.problem import Value
-from restitution.solve import Solution
+from restitution.solving import Solution
+from restitution.workings.derived import explanation_of
+from restitution.workings.measured import Measures
+from restitution.workings.text import to_text
 
 Law = Callable[[Solution, Derivation], list[str]]
 

@@ -17,7 +17,7 @@ from restitution import problem as p
 from restitution.explaining.derivation import Derivation, Line, Link, Meaning, Relation
 from restitution.explaining.trees import rebuilt
 from restitution.expression import tree as t
-from restitution.solve.letters import roles
+from restitution.solving.letters import roles
 
 NOTHING = mp.mpf(10) ** -40
 _ORDERS = {

@@ -16,10 +16,10 @@ from unittest import mock
 import pytest
 
 import restitution.examples
-from restitution.explain import Explanation, explain
 from restitution.language import parse
 from restitution.oracle import decision
-from restitution.solve import Solution, solve
+from restitution.solving import Solution, solve
+from restitution.workings import Explanation, explain
 
 EXAMPLES = sorted(Path(restitution.examples.__file__).parent.glob("*.impact"))
 QUESTIONS = sorted(Path(__file__).parent.glob("questions/*.impact"))

@@ -15,7 +15,7 @@ from plain_physics import ImpossibleWorldError, World, value_of
 from plain_physics import number as precise
 
 from restitution import problem as p
-from restitution.draw import scene as scenes
+from restitution.drawing import scene as scenes
 from restitution.expression.quantities import KINDS
 from restitution.expression.tree import (
     FUNCTIONS,

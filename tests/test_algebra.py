@@ -9,9 +9,9 @@ import sympy as sp
 from restitution import work
 from restitution.errors import UnsupportedError
 from restitution.language import parse
-from restitution.solve import algebra, solve
-from restitution.solve import polynomials as plain
-from restitution.solve.letters import ACUTE, COEFFICIENT, POSITIVE, REAL
+from restitution.solving import algebra, solve
+from restitution.solving import polynomials as plain
+from restitution.solving.letters import ACUTE, COEFFICIENT, POSITIVE, REAL
 
 x, y, m = sp.symbols("x y m", positive=True)
 e = sp.Symbol("e", nonnegative=True)

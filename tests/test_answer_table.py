@@ -12,7 +12,7 @@ from restitution.export.answers import answers
 from restitution.language import parse
 from restitution.render.layout import display_point, display_vector
 from restitution.render.text import to_text, width
-from restitution.solve import solve
+from restitution.solving import solve
 
 NUMBERS = """\
 sphere A: mass 2, velocity 3i - 4j

@@ -6,7 +6,7 @@ import pytest
 import sympy
 
 import restitution
-from restitution.explain import explain
+from restitution.workings import explain
 
 # M, V and L stand for the units of mass, speed and length; what is asked scales as it says.
 STORIES = {

@@ -11,8 +11,6 @@ from pathlib import Path
 import pytest
 from derivations import FOLDER, derivation_of, oracle_of, read_derivation
 
-from restitution.explain import Explanation, explain
-from restitution.explain.derived import explanation_of
 from restitution.explaining.awarding import RULES, awarded, marks_of, rule_of
 from restitution.explaining.derivation import MOVES, Derivation
 from restitution.explaining.follower import follow
@@ -22,7 +20,9 @@ from restitution.explaining.storing import from_json
 from restitution.export.contract import derivations, with_derivations
 from restitution.language.reading import parse
 from restitution.planning.planner import plan
-from restitution.solve import solve
+from restitution.solving import solve
+from restitution.workings import Explanation, explain
+from restitution.workings.derived import explanation_of
 
 FILES = sorted(FOLDER.glob("*.txt"))
 

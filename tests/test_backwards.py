@@ -12,11 +12,11 @@ from collections.abc import Sequence
 import pytest
 import sympy as sp
 
-from restitution.explain import explain, to_text
 from restitution.language import parse
 from restitution.oracle.roles import POSITIVE, REAL
-from restitution.solve import Solution, solve
-from restitution.solve.stages import fixed_besides, solve_in_stages
+from restitution.solving import Solution, solve
+from restitution.solving.stages import fixed_besides, solve_in_stages
+from restitution.workings import explain, to_text
 
 Pair = tuple[float, float]
 

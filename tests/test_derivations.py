@@ -26,7 +26,7 @@ from restitution.explaining.notation import read_relation, write_relation
 from restitution.expression.writing import write_expression
 from restitution.language.reading import parse
 from restitution.problem import Problem
-from restitution.solve import solve
+from restitution.solving import solve
 
 FILES = sorted(FOLDER.glob("*.txt"))
 SAMPLE = 12

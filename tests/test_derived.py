@@ -14,17 +14,6 @@ from playwright.sync_api import Page
 
 import restitution.examples
 from restitution.errors import StatementError
-from restitution.explain import explain
-from restitution.explain.derived import explanation_of
-from restitution.explain.explanation import Explanation
-from restitution.explain.html import STYLE, to_body, to_html
-from restitution.explain.markup import columns, to_latex, to_markdown
-from restitution.explain.measured import Measures, as_decimal, percentage, rounded, with_unit
-from restitution.explain.naming import Naming
-from restitution.explain.principles import about
-from restitution.explain.steps import Step
-from restitution.explain.text import to_text
-from restitution.explain.typst import PREAMBLE, to_markup
 from restitution.explaining.derivation import Derivation
 from restitution.explaining.facts import events_of, facts_of
 from restitution.explaining.layouts import Forms, of_tree
@@ -38,7 +27,18 @@ from restitution.problem import trees as trees_of_problem
 from restitution.render.layout import Phrase, Words
 from restitution.render.text import to_text as one_line
 from restitution.render.text import width
-from restitution.solve import solve
+from restitution.solving import solve
+from restitution.workings import explain
+from restitution.workings.derived import explanation_of
+from restitution.workings.explanation import Explanation
+from restitution.workings.html import STYLE, to_body, to_html
+from restitution.workings.markup import columns, to_latex, to_markdown
+from restitution.workings.measured import Measures, as_decimal, percentage, rounded, with_unit
+from restitution.workings.naming import Naming
+from restitution.workings.principles import about
+from restitution.workings.steps import Step
+from restitution.workings.text import to_text
+from restitution.workings.typst import PREAMBLE, to_markup
 
 FILES = sorted(FOLDER.glob("*.txt"))
 EACH = pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)

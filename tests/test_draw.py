@@ -15,11 +15,11 @@ from strategies import Tale
 from test_properties import Told, can_happen, examples
 
 import restitution as r
-from restitution.draw import draw, figure
-from restitution.draw import scenes as pictures
-from restitution.draw.ink import ink
-from restitution.draw.labels import place
-from restitution.draw.scene import (
+from restitution.drawing import draw, figure
+from restitution.drawing import scenes as pictures
+from restitution.drawing.ink import ink
+from restitution.drawing.labels import place
+from restitution.drawing.scene import (
     WIDTH,
     Arc,
     Arrow,
@@ -31,10 +31,10 @@ from restitution.draw.scene import (
     Shape,
     StraightWall,
 )
-from restitution.draw.velocities import TINY
+from restitution.drawing.velocities import TINY
 from restitution.examples import names, text
 from restitution.render.text import to_text
-from restitution.solve import Solution
+from restitution.solving import Solution
 from restitution.staging.values import motion
 
 NEAR = 1e-6
@@ -606,6 +606,6 @@ def test_a_long_name_stands_beside_its_sphere() -> None:
 
 
 def test_a_picture_is_light_to_import() -> None:
-    code = "import sys, restitution.draw; print(*sys.modules)"
+    code = "import sys, restitution.drawing; print(*sys.modules)"
     made = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert not {"sympy", "ziamath", "numpy"} & set(made.stdout.split())

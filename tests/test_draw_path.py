@@ -7,12 +7,12 @@ import math
 import pytest
 from laws_of_paths import angle, size
 
-from restitution.draw import figure, scenes
-from restitution.draw.path import path_scene
-from restitution.draw.scene import Arrow, Label, Scene
+from restitution.drawing import figure, scenes
+from restitution.drawing.path import path_scene
+from restitution.drawing.scene import Arrow, Label, Scene
 from restitution.language import parse
 from restitution.render.text import to_text
-from restitution.solve import solve
+from restitution.solving import solve
 from restitution.staging.plan import Plan
 from restitution.staging.planning import lay_out
 from restitution.staging.values import motion

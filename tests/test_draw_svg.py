@@ -18,9 +18,9 @@ from strategies import CONTENTS, pictures
 
 import restitution as r
 from restitution import examples
-from restitution.draw import scenes, style, svg
-from restitution.draw.labels import Placed, place
-from restitution.draw.scene import (
+from restitution.drawing import scenes, style, svg
+from restitution.drawing.labels import Placed, place
+from restitution.drawing.scene import (
     Arc,
     Arrow,
     Disc,
@@ -33,7 +33,7 @@ from restitution.draw.scene import (
     Scene,
     StraightWall,
 )
-from restitution.draw.svg import render, to_svg
+from restitution.drawing.svg import render, to_svg
 from restitution.render import layout as l
 from restitution.render.glyphs import Box, outline
 from restitution.vector import Vector

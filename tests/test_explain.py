@@ -7,7 +7,9 @@ import re
 import pytest
 from laws_of_explanations import marks_of
 
-from restitution.explain import (
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import (
     Explanation,
     explain,
     to_html,
@@ -15,8 +17,6 @@ from restitution.explain import (
     to_markdown,
     to_text,
 )
-from restitution.language import parse
-from restitution.solve import solve
 
 
 def told(text: str) -> Explanation:

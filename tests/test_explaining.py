@@ -11,11 +11,6 @@ import pytest
 from derivations import FOLDER, derivation_of, oracle_of, read_derivation
 
 from restitution.errors import StatementError
-from restitution.explain.derived import explanation_of
-from restitution.explain.html import to_html
-from restitution.explain.markup import to_latex, to_markdown
-from restitution.explain.text import to_text
-from restitution.explain.typst import to_markup
 from restitution.explaining.algebra import NotComparableError, World
 from restitution.explaining.definitions import WORKED_OUT
 from restitution.explaining.derivation import (
@@ -41,6 +36,11 @@ from restitution.explaining.storing import from_json, to_json
 from restitution.explaining.tracing import Tracer, explain_line
 from restitution.language.reading import parse
 from restitution.oracle.roles import ACUTE, POSITIVE
+from restitution.workings.derived import explanation_of
+from restitution.workings.html import to_html
+from restitution.workings.markup import to_latex, to_markdown
+from restitution.workings.text import to_text
+from restitution.workings.typst import to_markup
 
 NAMES = {"A": "sphere", "B": "sphere", "W": "wall"}
 FILES = sorted(FOLDER.glob("*.txt"))

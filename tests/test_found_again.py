@@ -6,10 +6,10 @@ import json
 
 import pytest
 
-from restitution.explain import explain, to_html, to_text
 from restitution.export import contract
 from restitution.language import parse
-from restitution.solve import solve
+from restitution.solving import solve
+from restitution.workings import explain, to_html, to_text
 
 HEAD = """\
 wall W: along i

@@ -26,7 +26,7 @@ from plain_physics import number
 from restitution.errors import RestitutionError
 from restitution.language import parse
 from restitution.problem import Problem
-from restitution.solve import solve
+from restitution.solving import solve
 
 Roots = Callable[[Any], list[Any]]
 

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 
 from restitution.language import parse
-from restitution.solve import Solution, solve
+from restitution.solving import Solution, solve
 
 
 def solved(text: str) -> Solution:

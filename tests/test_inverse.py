@@ -13,7 +13,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from restitution.language import parse
-from restitution.solve import solve
+from restitution.solving import solve
 
 WHOLE = st.integers(-9, 9)
 MASS = st.integers(1, 6)

@@ -12,8 +12,8 @@ import pytest
 import sympy as sp
 
 import restitution as r
-from restitution.draw import figure, scenes
-from restitution.draw.scene import Arc, Arrow, Scene
+from restitution.drawing import figure, scenes
+from restitution.drawing.scene import Arc, Arrow, Scene
 from restitution.exact import is_nested, tidy, tidy_angle
 from restitution.examples import names, text
 from restitution.expression import read_expression
@@ -21,7 +21,7 @@ from restitution.expression.evaluate import evaluate
 from restitution.render import layout as lay
 from restitution.render.short import angle_label, is_short
 from restitution.render.text import to_text
-from restitution.solve import Solution
+from restitution.solving import Solution
 from restitution.staging.values import motion
 
 # Walls and lines of centres at all angles, corners, three spheres, vectors, blows.

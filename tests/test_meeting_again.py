@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from restitution.language import parse
-from restitution.solve import ItemResult, solve
+from restitution.solving import ItemResult, solve
 
 LINE = """wall W: along {}
 sphere A: mass 2, velocity {}

@@ -17,7 +17,7 @@ from restitution.errors import UnsupportedError
 from restitution.motion.overlap import overlaps
 from restitution.motion.parts import PartMotion, motions
 from restitution.motion.pieces import Line, Motion, Piece, Struck, Track
-from restitution.solve import Solution
+from restitution.solving import Solution
 from restitution.vector import Vector
 
 

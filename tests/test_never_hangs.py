@@ -13,13 +13,13 @@ from pathlib import Path
 import pytest
 
 from restitution.errors import RestitutionError, TimeLimitError
-from restitution.explain import explain
 from restitution.export import job, working
 from restitution.export.player.data import of_solution
 from restitution.export.working import shown
 from restitution.language import parse
-from restitution.solve import solve
+from restitution.solving import solve
 from restitution.work import limited, spend
+from restitution.workings import explain
 
 HERE = Path(__file__).parent
 
@@ -45,7 +45,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from restitution.language import parse
-from restitution.solve import solve
+from restitution.solving import solve
 
 TEXT = {STATEMENT!r}
 
@@ -176,7 +176,7 @@ def solved(statement: str, seconds: float) -> dict[str, list[str]]:
     code = (
         "import json, sys\n"
         "from restitution.language import parse\n"
-        "from restitution.solve import solve\n"
+        "from restitution.solving import solve\n"
         "solution = solve(parse(sys.stdin.read()))\n"
         "items = {item.text: [a.exact for a in item.answers] for _, item in solution.items()}\n"
         "print(json.dumps(items))\n"
@@ -241,7 +241,7 @@ def test_solving_in_a_hurry_is_told(monkeypatch):
         return solution
 
     solution = solve(parse(STATEMENT))
-    monkeypatch.setattr(sys.modules["restitution.solve"], "solve", hurried)
+    monkeypatch.setattr(sys.modules["restitution.solving"], "solve", hurried)
     warning = "the time limit of 1 s was near while it was solved: something may be left out"
     for task in (job.Writing(), job.Drawing(), job.Playing(), job.Picturing(), job.Showing()):
         assert warning in warnings_of(task)
@@ -261,7 +261,7 @@ def test_a_working_in_a_hurry_is_told(monkeypatch, caught):
             time.sleep(0.001)
 
     explanation = explain(solve(parse(STATEMENT)))
-    monkeypatch.setattr(sys.modules["restitution.explain"], "explain", hurried)
+    monkeypatch.setattr(sys.modules["restitution.workings"], "explain", hurried)
     reply = job.serve(job.Job("-", parse(STATEMENT), job.Writing(), limit=1.0))
     reason = "no answer within the time limit of 1 s"
     assert reply.warnings == (f"here are the answers without their working: {reason}",)

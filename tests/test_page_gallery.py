@@ -15,9 +15,9 @@ from playwright.sync_api import Page, expect
 
 import restitution
 from restitution import examples
-from restitution.draw import scenes, thumbnail
-from restitution.draw.ink import ink
-from restitution.draw.svg import to_svg
+from restitution.drawing import scenes, thumbnail
+from restitution.drawing.ink import ink
+from restitution.drawing.svg import to_svg
 from restitution.examples.topics import TOPICS
 
 get = partial(httpx.get, timeout=100)

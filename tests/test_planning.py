@@ -15,7 +15,7 @@ from planned import LIST, listed, planned, statements
 
 from restitution.explaining.derivation import Derivation
 from restitution.planning import routes
-from restitution.solve import Solution
+from restitution.solving import Solution
 
 STATEMENTS = statements()
 LISTED = listed()

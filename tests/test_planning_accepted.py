@@ -7,7 +7,7 @@ from laws_of_workings import answers, complaints, printed_results
 
 from restitution.language import parse
 from restitution.planning.planner import plan
-from restitution.solve import solve
+from restitution.solving import solve
 
 STATEMENTS = {
     "a quotient starts from what is above": """

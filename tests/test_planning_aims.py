@@ -6,8 +6,6 @@ from dataclasses import replace
 
 from laws_of_workings import answers as wrong_answers
 
-from restitution.explain.derived import explanation_of
-from restitution.explain.text import to_text
 from restitution.explaining.awarding import awarded
 from restitution.explaining.derivation import Derivation, Relation
 from restitution.explaining.follower import follow
@@ -16,8 +14,10 @@ from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.problem import Problem
-from restitution.solve import solve
-from restitution.solve.letters import roles
+from restitution.solving import solve
+from restitution.solving.letters import roles
+from restitution.workings.derived import explanation_of
+from restitution.workings.text import to_text
 
 DIRECT = """
 point N: (10, 10)

@@ -7,8 +7,6 @@ from functools import cache
 
 import pytest
 
-from restitution.explain import to_text
-from restitution.explain.derived import explanation_of
 from restitution.explaining.derivation import Derivation, Line, Move
 from restitution.explaining.facts import events_of, facts_of
 from restitution.explaining.follower import follow
@@ -17,8 +15,10 @@ from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.problem import Problem
-from restitution.solve import solve
-from restitution.solve.letters import roles
+from restitution.solving import solve
+from restitution.solving.letters import roles
+from restitution.workings import to_text
+from restitution.workings.derived import explanation_of
 
 WALL = """
 wall W: along i

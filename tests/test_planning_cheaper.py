@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 from test_planning_closing import lines, planned, said
 
-from restitution.explain import to_text
-from restitution.explain.derived import explanation_of
 from restitution.explaining.awarding import awarded
 from restitution.explaining.derivation import Derivation
+from restitution.workings import to_text
+from restitution.workings.derived import explanation_of
 
 PAIR = "sphere A: mass {a}, velocity {u}\nsphere B: mass {b}, velocity {x}\nA hits B: along i"
 

@@ -9,8 +9,6 @@ from functools import cache
 import pytest
 import sympy as sp
 
-from restitution.explain import to_text
-from restitution.explain.derived import explanation_of
 from restitution.explaining.derivation import Derivation, Relation
 from restitution.explaining.follower import follow
 from restitution.explaining.notation import read_relation, write_relation
@@ -19,8 +17,10 @@ from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.problem import Problem
-from restitution.solve import solve
-from restitution.solve.letters import roles
+from restitution.solving import solve
+from restitution.solving.letters import roles
+from restitution.workings import to_text
+from restitution.workings.derived import explanation_of
 
 OBLIQUE = """
 sphere A: mass m, velocity u at alpha

@@ -17,8 +17,8 @@ from restitution.expression.writing import write_expression
 from restitution.language.reading import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
-from restitution.solve import Solution, solve
-from restitution.solve.letters import roles
+from restitution.solving import Solution, solve
+from restitution.solving.letters import roles
 
 
 @cache

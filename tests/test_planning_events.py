@@ -12,8 +12,8 @@ from restitution.explaining.notation import write_relation
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
-from restitution.solve import solve
-from restitution.solve.letters import roles
+from restitution.solving import solve
+from restitution.solving.letters import roles
 
 STORIES: Mapping[str, tuple[str, list[str]]] = {
     "two walls at right angles": (

@@ -15,7 +15,7 @@ from strategies import Question
 from restitution.language import parse
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.planner import plan
-from restitution.solve import solve
+from restitution.solving import solve
 
 MANY, NIGHTLY = 60, 2000
 REFUSED = 0.05

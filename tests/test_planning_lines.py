@@ -10,8 +10,6 @@ from dataclasses import replace
 import pytest
 from workings import planned
 
-from restitution.explain.derived import explanation_of
-from restitution.explain.text import to_text
 from restitution.explaining.awarding import awarded
 from restitution.explaining.derivation import Derivation, Link, Relation
 from restitution.explaining.facts import events_of, facts_of
@@ -20,7 +18,9 @@ from restitution.explaining.trials import on_either_side
 from restitution.expression.tree import Negate
 from restitution.language import parse
 from restitution.oracle import Oracle
-from restitution.solve.letters import roles
+from restitution.solving.letters import roles
+from restitution.workings.derived import explanation_of
+from restitution.workings.text import to_text
 
 STATEMENTS = {
     "an angle by the energy that is lost": """

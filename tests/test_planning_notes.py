@@ -7,8 +7,6 @@ from functools import cache
 
 import pytest
 
-from restitution.explain import explain, to_text
-from restitution.explain.derived import explanation_of
 from restitution.explaining.derivation import Derivation
 from restitution.explaining.follower import Complaint, follow
 from restitution.explaining.notation import write_relation
@@ -20,8 +18,10 @@ from restitution.planning.desk import NotPlannedError
 from restitution.planning.order import Solver
 from restitution.planning.planner import plan
 from restitution.planning.scene import Scene
-from restitution.solve import Solution, solve
-from restitution.solve.letters import roles
+from restitution.solving import Solution, solve
+from restitution.solving.letters import roles
+from restitution.workings import explain, to_text
+from restitution.workings.derived import explanation_of
 
 WALL = """
 wall W: along i

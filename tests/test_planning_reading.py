@@ -8,14 +8,14 @@ from functools import cache
 import pytest
 from laws_of_printing import PRINTED
 
-from restitution.explain import explain, to_text
 from restitution.explaining.derivation import Derivation
 from restitution.explaining.follower import follow
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
-from restitution.solve import Solution, solve
-from restitution.solve.letters import roles
+from restitution.solving import Solution, solve
+from restitution.solving.letters import roles
+from restitution.workings import explain, to_text
 
 VECTORS = """
 sphere A: mass 2, velocity 7i + j

@@ -8,7 +8,6 @@ from functools import cache
 
 import pytest
 
-from restitution.explain import explain, to_text
 from restitution.explaining.derivation import Derivation, Link
 from restitution.explaining.follower import Complaint, follow
 from restitution.explaining.storing import from_json, to_json
@@ -16,8 +15,9 @@ from restitution.expression.tree import Letter, rational
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
-from restitution.solve import Solution, solve
-from restitution.solve.letters import roles
+from restitution.solving import Solution, solve
+from restitution.solving.letters import roles
+from restitution.workings import explain, to_text
 
 WALL = """
 wall V: along j

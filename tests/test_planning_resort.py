@@ -9,7 +9,6 @@ from functools import cache
 import pytest
 from planned import listed, statements
 
-from restitution.explain import explain, to_text
 from restitution.explaining.awarding import awarded, marks_of
 from restitution.explaining.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.follower import follow
@@ -21,8 +20,9 @@ from restitution.planning import order, planner
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.planner import plan
 from restitution.planning.scene import Scene
-from restitution.solve import Solution, solve
-from restitution.solve.letters import roles
+from restitution.solving import Solution, solve
+from restitution.solving.letters import roles
+from restitution.workings import explain, to_text
 
 PAIR = """
 sphere A: mass m, velocity u at 60°

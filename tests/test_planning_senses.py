@@ -9,11 +9,11 @@ from __future__ import annotations
 import pytest
 from laws_of_workings import answers, complaints
 
-from restitution.explain import to_text
-from restitution.explain.derived import explanation_of
 from restitution.language import parse
 from restitution.planning.planner import plan
-from restitution.solve import solve
+from restitution.solving import solve
+from restitution.workings import to_text
+from restitution.workings.derived import explanation_of
 
 # A statement, what its working says, and what it does not say: lines, or parts of them.
 CASES = {

@@ -14,8 +14,8 @@ from restitution.expression.writing import write_expression
 from restitution.language.reading import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
-from restitution.solve import solve
-from restitution.solve.letters import roles
+from restitution.solving import solve
+from restitution.solving.letters import roles
 
 PAIR = """
 sphere A: mass m, velocity u at alpha

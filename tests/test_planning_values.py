@@ -22,9 +22,9 @@ from restitution.oracle import Oracle
 from restitution.planning.desk import chain
 from restitution.planning.forms import alike
 from restitution.planning.planner import plan
-from restitution.solve import solve
-from restitution.solve.letters import roles
-from restitution.solve.solution import Solution
+from restitution.solving import solve
+from restitution.solving.letters import roles
+from restitution.solving.solution import Solution
 from restitution.vector import Vector
 
 STATEMENTS = {

@@ -12,8 +12,8 @@ from restitution.explaining.notation import read_relation, write_relation
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
-from restitution.solve import solve
-from restitution.solve.letters import roles
+from restitution.solving import solve
+from restitution.solving.letters import roles
 
 KICK = """
 sphere P: mass 3, velocity 2i - j

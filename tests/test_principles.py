@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 
 from restitution import examples
-from restitution.explain import explain
-from restitution.explain.principles import about
 from restitution.explaining.saying import say
 from restitution.language import parse
-from restitution.solve import solve
+from restitution.solving import solve
+from restitution.workings import explain
+from restitution.workings.principles import about
 
 SOME = (
     "brought-to-rest",

@@ -25,7 +25,7 @@ from hypothesis import strategies as st
 from strategies import Blow, Said, Tale, said
 
 from restitution.language import parse, to_statement
-from restitution.solve import ItemResult, Solution, solve
+from restitution.solving import ItemResult, Solution, solve
 
 # Many solves each, of statements that nobody has seen before.
 pytestmark = pytest.mark.timeout(300)

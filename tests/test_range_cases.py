@@ -10,10 +10,10 @@ import plain_physics
 import pytest
 import sympy as sp
 
-from restitution.explain import explain
 from restitution.export.answers import answers
 from restitution.language import parse
-from restitution.solve import solve
+from restitution.solving import solve
+from restitution.workings import explain
 
 DIRECT = """sphere A: mass m, velocity u i
 sphere B: mass k m, at rest

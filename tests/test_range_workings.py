@@ -8,8 +8,8 @@ import re
 import pytest
 
 import restitution
-from restitution.explain import explain
 from restitution.language import parse
+from restitution.workings import explain
 
 
 @pytest.mark.parametrize(

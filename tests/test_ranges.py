@@ -8,7 +8,7 @@ from answers import disagreements, expected
 
 from restitution.export.answers import answers
 from restitution.language import parse
-from restitution.solve import solve
+from restitution.solving import solve
 
 WALL = "wall W: along i\nsphere P: mass m, velocity u at theta to W\nP hits W\n"
 REST = """sphere A: mass {}, velocity u at theta

@@ -54,7 +54,7 @@ from restitution.render.layout import (
 from restitution.render.mathml import to_mathml
 from restitution.render.text import to_text, width
 from restitution.render.typst import to_typst, words
-from restitution.solve import solve
+from restitution.solving import solve
 
 u, v, w, m, M, k, g, h, a, r = symbols("u v w m M k g h a r", positive=True)
 m_1, m_2 = symbols("m_1 m_2", positive=True)

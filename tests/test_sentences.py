@@ -11,14 +11,14 @@ import pytest
 
 import restitution.examples
 from restitution import examples
-from restitution.explain import explain
 from restitution.explaining.marks import Mark, written
 from restitution.explaining.saying import Sentence, operand, say, slots_of, topic_of, words_of
 from restitution.explaining.sentences import SENTENCES
 from restitution.language import parse
 from restitution.render import layout as lay
 from restitution.render.text import to_text
-from restitution.solve import solve
+from restitution.solving import solve
+from restitution.workings import explain
 
 # Who reads and writes lines in the language of statements, and judges them, writes no sentences.
 NOT_FOR_READERS = {

@@ -11,7 +11,7 @@ from restitution.explaining.follower import follow
 from restitution.language.reading import parse
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.planner import plan
-from restitution.solve import solve
+from restitution.solving import solve
 
 TARIFFS = read_tariffs()
 WITH_WORKING = tuple(each for each in TARIFFS if each.working is not None)

@@ -12,8 +12,8 @@ from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.planner import plan
-from restitution.solve import solve
-from restitution.solve.letters import roles
+from restitution.solving import solve
+from restitution.solving.letters import roles
 
 STATEMENT = """
 wall W: along i

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from restitution.language import parse
-from restitution.solve import solve
+from restitution.solving import solve
 
 WALL = "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
 PAIR = "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\nA hits B: along i\n"

@@ -213,9 +213,9 @@ def test_everything_a_page_shows(client):
 
 def slowly(statement: str, limit: float, early: str) -> Made:
     """As the page is explained; the working waits for a file that the statement names."""
-    from restitution.explain import explain
     from restitution.export import working
     from restitution.web import work
+    from restitution.workings import explain
 
     door = Path(statement.rpartition("# ")[2].strip())
 

@@ -21,7 +21,7 @@ from serving import serving
 from restitution import examples
 from restitution.export import contract
 from restitution.language import parse
-from restitution.solve import solve
+from restitution.solving import solve
 from restitution.web import Settings, api, work
 from restitution.web.work import Made
 

@@ -15,8 +15,8 @@ from pathlib import Path
 from statistics import median, quantiles
 
 from restitution import Sphere, Table, ensemble, simulate
-from restitution.draw.scene import Dot, Label, Line, Panel, Polyline, Scene, Shape, Side
-from restitution.draw.svg import stacked
+from restitution.drawing.scene import Dot, Label, Line, Panel, Polyline, Scene, Shape, Side
+from restitution.drawing.svg import stacked
 from restitution.render import layout as lay
 from restitution.vector import Vector
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 import random
 from pathlib import Path
 
-from restitution.draw.scene import Arrow, Disc, Label, Line, Panel, Polyline, Scene, Shape
-from restitution.draw.svg import stacked
+from restitution.drawing.scene import Arrow, Disc, Label, Line, Panel, Polyline, Scene, Shape
+from restitution.drawing.svg import stacked
 from restitution.render import layout as lay
 from restitution.vector import Vector
 

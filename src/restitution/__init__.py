@@ -16,10 +16,12 @@ import sys
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from restitution.first_names import install
+
 if TYPE_CHECKING:
     from restitution.batch.ensemble import ensemble
     from restitution.batch.impacts import impacts
-    from restitution.draw import draw
+    from restitution.drawing import draw
     from restitution.errors import (
         CollapseError,
         ContradictionError,
@@ -30,16 +32,16 @@ if TYPE_CHECKING:
         TimeLimitError,
         UnsupportedError,
     )
-    from restitution.explain import explain
     from restitution.export.player import play
     from restitution.gas import Gas
     from restitution.impact import impact
     from restitution.language import parse, read, to_statement
     from restitution.motion import Table, simulate
     from restitution.problem import Point, Problem, Sphere, Wall
-    from restitution.solve import solve
+    from restitution.solving import solve
     from restitution.vector import Vector
     from restitution.wording import question
+    from restitution.workings import explain
 
     __version__: str
 
@@ -85,8 +87,8 @@ _NAMES_OF_MODULES = {
         "TimeLimitError",
         "UnsupportedError",
     ),
-    "draw": ("draw",),
-    "explain": ("explain",),
+    "drawing": ("draw",),
+    "workings": ("explain",),
     "export.player": ("play",),
     "impact": ("impact",),
     "language": ("parse", "read", "to_statement"),
@@ -95,7 +97,7 @@ _NAMES_OF_MODULES = {
     "batch.impacts": ("impacts",),
     "batch.ensemble": ("ensemble",),
     "problem": ("Point", "Problem", "Sphere", "Wall"),
-    "solve": ("solve",),
+    "solving": ("solve",),
     "vector": ("Vector",),
     "wording": ("question",),
 }
@@ -124,10 +126,10 @@ def __dir__() -> list[str]:
 class _Package(ModuleType):
     """This package, on which a module does not hide the function of the same name.
 
-    When ``restitution.solve`` is first imported, by whomever, Python's import system binds the
-    module to the name ``solve`` of the package. Here the name means the function, whatever was
-    imported before: ``r.solve(problem)``. The module is still found by every
-    ``from restitution.solve import …``.
+    When ``restitution.impact`` is first imported, by whomever, Python's import system binds the
+    module to the name ``impact`` of the package. Here the name means the function, whatever was
+    imported before: ``r.impact(A, B)``. The module is still found by every
+    ``from restitution.impact import …``; so are modules under their first names.
     """
 
     def __setattr__(self, name: str, value: object) -> None:
@@ -136,3 +138,4 @@ class _Package(ModuleType):
 
 
 sys.modules[__name__].__class__ = _Package
+install()

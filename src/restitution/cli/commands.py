@@ -283,7 +283,7 @@ def draw(
             raise typer.Exit(done.status)
         content = done.content.encode()
         if form is not PictureFormat.svg:
-            from restitution.draw.convert import converted
+            from restitution.drawing.convert import converted
 
             kind: Literal["png", "pdf"] = "png" if form is PictureFormat.png else "pdf"
             content = _made(lambda: converted(done.content, kind))

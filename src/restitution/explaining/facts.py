@@ -828,7 +828,7 @@ def _turned(along: Expression) -> Expression | None:
 def _world_of(problem: Problem) -> Any:
     """The letters of a statement, to compare trees in."""
     from restitution.explaining.algebra import World
-    from restitution.solve.letters import roles
+    from restitution.solving.letters import roles
 
     known = roles(problem)
     angles = frozenset(name for name, role in known.items() if role.kind == "angle")

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from html import escape as escape_html
 from typing import Any, Literal
 
-from restitution.explain.instances import instances
 from restitution.export.units import Units
 from restitution.problem import Value
 from restitution.render.latex import escape as escape_latex
@@ -16,7 +15,8 @@ from restitution.render.layout import Layout, Phrase, display, display_point, di
 from restitution.render.mathml import to_mathml
 from restitution.render.page import page
 from restitution.render.text import NO_BREAK, to_text, width
-from restitution.solve.solution import Answer, ItemResult, Rejected, Solution
+from restitution.solving.solution import Answer, ItemResult, Rejected, Solution
+from restitution.workings.instances import instances
 
 Format = Literal["text", "markdown", "latex", "html"]
 

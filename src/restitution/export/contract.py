@@ -49,8 +49,8 @@ from restitution.mending import Fix, Note
 from restitution.problem import Extremum, Find, Part, Problem, Range, Show, Value
 
 if TYPE_CHECKING:
-    from restitution.explain.explanation import Explanation
-    from restitution.solve.solution import Answer, ItemResult, PartSolution, Solution
+    from restitution.solving.solution import Answer, ItemResult, PartSolution, Solution
+    from restitution.workings.explanation import Explanation
 
 Object = dict[str, Any]
 

@@ -22,11 +22,11 @@ from restitution.problem import Find, Impact, Part, Problem, Sphere, Value, Wall
 from restitution.work import confirm, limited
 
 if TYPE_CHECKING:
-    from restitution.explain.explanation import Explanation
     from restitution.explaining.marks import Style
     from restitution.export.sheet import Form, Options
     from restitution.export.trace import Stage
-    from restitution.solve.solution import Solution
+    from restitution.solving.solution import Solution
+    from restitution.workings.explanation import Explanation
 
 Format = Literal["text", "markdown", "latex", "html", "json"]
 
@@ -141,9 +141,6 @@ def prepare() -> None:
     # Loading makes many objects and no garbage.
     gc.disable()
     _without_tensors()
-    import restitution.explain
-    import restitution.export.answers
-    import restitution.solve  # noqa: F401
 
     # What was loaded stays: no need to look through it again for garbage.
     gc.freeze()
@@ -208,7 +205,7 @@ def hurried(limit: float | None, while_: str) -> str:
 def serve(job: Job) -> Reply:
     """Solve, and make what is wanted. Raises RestitutionError where nothing at all can be said."""
     from restitution.export import contract
-    from restitution.solve import solve
+    from restitution.solving import solve
 
     if isinstance(job.task, Tracing):
         from restitution.export.trace import trace
@@ -334,7 +331,7 @@ def _explained(
     limit = None if whole is None else whole * _WRITING
     try:
         with limited(limit, error=stopped(whole)):
-            from restitution.explain import explain
+            from restitution.workings import explain
 
             explanation = explain(
                 solution, task.part, marks=task.marks, route=task.route, check=task.check
@@ -374,11 +371,11 @@ def _written(solution: Solution, task: Writing, whole: float | None) -> tuple[st
 
 
 def _working(explanation: Explanation, task: Writing) -> str:
-    from restitution.explain import to_text
+    from restitution.workings import to_text
 
     if task.form == "text":
         return to_text(explanation, task.width, task.styled)
-    from restitution.explain import illustrated, to_html, to_latex, to_markdown
+    from restitution.workings import illustrated, to_html, to_latex, to_markdown
 
     match task.form:
         case "markdown":

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from restitution.errors import StatementError
 
 if TYPE_CHECKING:
-    from restitution.draw.scene import Scene
-    from restitution.solve.solution import Solution
+    from restitution.drawing.scene import Scene
+    from restitution.solving.solution import Solution
 
 
 def picture(solution: Solution, event: int | None = None) -> str:
@@ -17,14 +17,14 @@ def picture(solution: Solution, event: int | None = None) -> str:
     Raises StatementError where there is nothing to draw, and what kept the problem from being
     solved.
     """
-    from restitution.draw.svg import stacked
+    from restitution.drawing.svg import stacked
 
     return stacked(chosen(solution, event))
 
 
 def chosen(solution: Solution, event: int | None = None) -> tuple[Scene, ...]:
     """All pictures of a solved problem, or that of one event; raises as ``picture`` does."""
-    from restitution.draw import scenes
+    from restitution.drawing import scenes
 
     pictures = scenes(solution)
     if event is not None:

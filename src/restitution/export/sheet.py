@@ -16,7 +16,7 @@ from restitution.render.typst import compiled, literal, words
 
 if TYPE_CHECKING:
     from restitution.explaining.marks import Style
-    from restitution.solve.solution import Solution
+    from restitution.solving.solution import Solution
     from restitution.wording import Question, QuestionPart
 
 Form = Literal["pdf", "html"]
@@ -60,8 +60,8 @@ def entry(solution: Solution, form: Form, options: Options) -> Entry:
 
     Raises RestitutionError where the problem cannot be worded or explained.
     """
-    from restitution.explain import explain, illustrated
     from restitution.wording import question
+    from restitution.workings import explain, illustrated
 
     explanation = explain(solution, marks="fm1" if options.marks == "none" else options.marks)
     marks = {part.label: part.marks for part in explanation.parts if part.marks}
@@ -76,11 +76,11 @@ def entry(solution: Solution, form: Form, options: Options) -> Entry:
     figure = _figure(solution) if options.diagrams else None
     room = rooms[-1] if rooms else 0.0
     if form == "pdf":
-        from restitution.explain import typst
+        from restitution.workings import typst
 
         working = typst.to_markup(explained) if options.solutions else ""
         return Entry(solution.problem.title, _typst_question(asked, figure, rooms), working, room)
-    from restitution.explain import html
+    from restitution.workings import html
 
     working = html.to_body(explained) if options.solutions else ""
     return Entry(solution.problem.title, _html_question(asked, figure, rooms), working, room)
@@ -88,8 +88,8 @@ def entry(solution: Solution, form: Form, options: Options) -> Entry:
 
 def _figure(solution: Solution) -> str | None:
     """The situation before the first impact, as SVG."""
-    from restitution.draw import figure
-    from restitution.draw.svg import to_svg
+    from restitution.drawing import figure
+    from restitution.drawing.svg import to_svg
 
     scene = figure(solution)
     return None if scene is None else to_svg(scene)
@@ -133,7 +133,7 @@ def to_pdf(entries: Sequence[Entry], title: str | None, options: Options) -> byt
 
 
 def _typst_document(entries: Sequence[Entry], title: str, options: Options) -> str:
-    from restitution.explain.typst import PREAMBLE
+    from restitution.workings.typst import PREAMBLE
 
     head = words("" if options.solutions else "Name ........................................")
     setup = _PAGE.replace("TITLE", literal(title)).replace("HEAD", head)
@@ -196,8 +196,8 @@ main > h2 { font: 600 1.15rem/1.3 Georgia, serif; break-before: page }
 
 def to_html(entries: Sequence[Entry], title: str | None, options: Options) -> str:
     """The sheet as one page that needs nothing else and prints on A4."""
-    from restitution.explain.html import STYLE as WORKING
     from restitution.wording.html import STYLE as QUESTION
+    from restitution.workings.html import STYLE as WORKING
 
     named = title or _title(entries)
     alone = len(entries) == 1

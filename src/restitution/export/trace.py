@@ -15,9 +15,9 @@ from restitution.expression.writing import write_expression
 from restitution.problem import Part, Problem
 from restitution.render.layout import from_sympy
 from restitution.render.text import to_text
-from restitution.solve import solve
-from restitution.solve.conditions import AnyOf, Condition, Equation
-from restitution.solve.part import Letters, settle
+from restitution.solving import solve
+from restitution.solving.conditions import AnyOf, Condition, Equation
+from restitution.solving.part import Letters, settle
 
 Stage: TypeAlias = Literal["tree", "equations", "derivation"]
 

@@ -12,15 +12,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from restitution.draw import figure
-from restitution.draw.svg import to_svg
+from restitution.drawing import figure
+from restitution.drawing.svg import to_svg
 from restitution.errors import RestitutionError, TimeLimitError
-from restitution.explain import explain, to_latex
-from restitution.explain.explanation import Explanation
-from restitution.explain.html import said, table_rows
-from restitution.explain.instances import instances
-from restitution.explain.principles import about
-from restitution.explain.steps import Row, Step
 from restitution.export.answers import condition_of, is_equal, layout_of
 from restitution.export.pictures import chosen
 from restitution.export.player.data import is_hurried, of_solution
@@ -31,10 +25,16 @@ from restitution.wording import asked, question
 from restitution.wording.html import inline as words
 from restitution.wording.html import to_body
 from restitution.work import limited
+from restitution.workings import explain, to_latex
+from restitution.workings.explanation import Explanation
+from restitution.workings.html import said, table_rows
+from restitution.workings.instances import instances
+from restitution.workings.principles import about
+from restitution.workings.steps import Row, Step
 
 if TYPE_CHECKING:
-    from restitution.draw.scene import Scene
-    from restitution.solve.solution import Answer, ItemResult, PartSolution, Rejected, Solution
+    from restitution.drawing.scene import Scene
+    from restitution.solving.solution import Answer, ItemResult, PartSolution, Rejected, Solution
 
 Object = dict[str, Any]
 _T = TypeVar("_T")

@@ -22,7 +22,7 @@ from restitution.expression.tree import (
     letters,
 )
 from restitution.planning.desk import NotPlannedError
-from restitution.solve import quantities
+from restitution.solving import quantities
 from restitution.vector import Vector
 
 # Two sides that agree to this share of the larger are equal in doubles.

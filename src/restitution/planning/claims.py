@@ -43,7 +43,7 @@ from restitution.planning.quotients import write_quotient
 from restitution.planning.scene import Scene
 from restitution.planning.turned_at_walls import tangent_of, write_turn
 from restitution.planning.worths import Worths
-from restitution.solve.letters import roles
+from restitution.solving.letters import roles
 
 
 class Claims:

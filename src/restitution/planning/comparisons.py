@@ -24,7 +24,7 @@ from restitution.planning.impacts import by_scalar_product
 from restitution.planning.inequalities import FLIPPED
 from restitution.planning.polynomials import cancelled, factored
 from restitution.planning.quantities import frame_after
-from restitution.solve.letters import roles
+from restitution.solving.letters import roles
 from restitution.vector import Vector
 
 

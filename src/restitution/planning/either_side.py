@@ -29,7 +29,7 @@ from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import plain_direction
 from restitution.problem import trees
-from restitution.solve.solution import ItemResult, PartSolution, Solution
+from restitution.solving.solution import ItemResult, PartSolution, Solution
 from restitution.vector import Vector
 
 if TYPE_CHECKING:

@@ -34,8 +34,8 @@ from restitution.planning.polynomials import cancelled, expanded, factored, one_
 from restitution.planning.quotients import by_tangent, write_quotient
 from restitution.planning.scene import Scene
 from restitution.planning.worths import NAMED
-from restitution.solve.letters import roles
-from restitution.solve.solution import Answer, ItemResult
+from restitution.solving.letters import roles
+from restitution.solving.solution import Answer, ItemResult
 
 _TO_FORM = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
 

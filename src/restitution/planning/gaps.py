@@ -17,7 +17,7 @@ from restitution.planning.forms import ZERO, square, tree_of
 from restitution.planning.impacts import scene_value
 from restitution.planning.inequalities import FLIPPED
 from restitution.planning.scene import Scene
-from restitution.solve.letters import roles
+from restitution.solving.letters import roles
 
 if TYPE_CHECKING:
     from restitution.planning.claims import Claims

@@ -59,7 +59,7 @@ from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.separations import relative_speed
 from restitution.planning.ties import write_tie
 from restitution.planning.wall_turns import doubled_at_a_wall
-from restitution.solve.letters import roles
+from restitution.solving.letters import roles
 from restitution.vector import Vector
 
 _COSTS = {"along": 1.0, "across": 1.0, "angle": 1.0, "speed": 1.5, "impulse": 2.0, "energy": 2.4}

@@ -18,7 +18,7 @@ from restitution.expression.tree import (
 from restitution.planning.forms import square, tree_of
 from restitution.planning.polynomials import expanded, factored, one_fraction
 from restitution.planning.scene import Scene
-from restitution.solve.letters import roles
+from restitution.solving.letters import roles
 
 FLIPPED: dict[str, Sign] = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 

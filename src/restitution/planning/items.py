@@ -36,7 +36,7 @@ from restitution.planning.scene import Scene
 from restitution.planning.separations import event_of_relative
 from restitution.planning.turning import is_angle, quantity_of, write_angle, write_ratio
 from restitution.problem import Find, Value
-from restitution.solve.letters import roles
+from restitution.solving.letters import roles
 from restitution.vector import Vector
 
 

@@ -19,7 +19,7 @@ from restitution.oracle import BeyondError, Oracle
 from restitution.planning.desk import Desk
 from restitution.planning.forms import ZERO
 from restitution.problem import Problem
-from restitution.solve.letters import roles
+from restitution.solving.letters import roles
 
 
 @dataclass

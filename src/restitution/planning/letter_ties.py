@@ -37,7 +37,7 @@ from restitution.planning.inequalities import (
 from restitution.planning.polynomials import expanded, factored, one_fraction
 from restitution.planning.scene import GivenEquation
 from restitution.planning.worths import Worths
-from restitution.solve.letters import roles
+from restitution.solving.letters import roles
 
 
 class Ties:

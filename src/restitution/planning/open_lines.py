@@ -30,7 +30,7 @@ from restitution.planning.frames import Frame
 from restitution.planning.impacts import plain_direction
 from restitution.planning.named_angles import letters_taken
 from restitution.planning.scene import GivenEquation, Scene
-from restitution.solve.numbers import number_of
+from restitution.solving.numbers import number_of
 from restitution.vector import Vector
 
 _LETTERS = ("s", "k", "b", "c", "q", "r")

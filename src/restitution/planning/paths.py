@@ -38,7 +38,7 @@ from restitution.planning.whereabouts import (
     velocity,
 )
 from restitution.problem import Arrival, Impact
-from restitution.solve.quantities import quantity as quantity_of
+from restitution.solving.quantities import quantity as quantity_of
 from restitution.vector import Vector
 
 

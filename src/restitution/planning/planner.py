@@ -52,8 +52,8 @@ from restitution.problem import (
     Value,
     trees,
 )
-from restitution.solve.letters import roles
-from restitution.solve.solution import ItemResult, PartSolution, Solution
+from restitution.solving.letters import roles
+from restitution.solving.solution import ItemResult, PartSolution, Solution
 
 
 def plan(solution: Solution, route: int = 1, *, partial: bool = False) -> Derivation:

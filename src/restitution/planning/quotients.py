@@ -14,7 +14,7 @@ from restitution.expression.tree import Apply, Binary, Expression, Letter
 from restitution.planning.forms import product, square, total, tree_of
 from restitution.planning.impacts import scene_value
 from restitution.planning.scene import Scene
-from restitution.solve.letters import roles
+from restitution.solving.letters import roles
 
 if TYPE_CHECKING:
     from restitution.planning.claims import Claims

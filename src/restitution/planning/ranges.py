@@ -13,7 +13,7 @@ from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import tree_of
 from restitution.planning.order import Solver
 from restitution.planning.scene import Scene
-from restitution.solve.solution import ItemResult
+from restitution.solving.solution import ItemResult
 
 
 def write_range(

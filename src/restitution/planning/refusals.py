@@ -18,8 +18,8 @@ from restitution.planning.desk import Desk, NotPlannedError
 from restitution.planning.order import Solver
 from restitution.planning.scene import Scene
 from restitution.problem import Value
-from restitution.solve.coefficients import COEFFICIENTS
-from restitution.solve.solution import ItemResult
+from restitution.solving.coefficients import COEFFICIENTS
+from restitution.solving.solution import ItemResult
 
 _KINDS: tuple[tuple[type[RestitutionError], NoteKind], ...] = (
     (MissingError, "missing"),

@@ -36,8 +36,8 @@ from restitution.planning.polynomials import expanded
 from restitution.planning.ranges import relation_of, write_range
 from restitution.planning.scene import Scene
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Range, Show
-from restitution.solve.letters import roles
-from restitution.solve.solution import ItemResult
+from restitution.solving.letters import roles
+from restitution.solving.solution import ItemResult
 from restitution.vector import Vector
 
 _SIGNS: Mapping[str, Callable[[float, float], bool]] = {

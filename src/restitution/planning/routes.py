@@ -17,7 +17,7 @@ import sympy as sp
 
 from restitution.components import Model
 from restitution.expression.enclosed import UndefinedError
-from restitution.solve.numbers import at, number_of
+from restitution.solving.numbers import at, number_of
 
 # Numbers in a reduced gradient below this share of its largest are rounding.
 _ROUNDING = 1e-9

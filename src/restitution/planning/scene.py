@@ -31,9 +31,9 @@ from restitution.planning.frames import Frame, frame_of
 from restitution.planning.judging import Judge
 from restitution.planning.polynomials import expanded
 from restitution.problem import Arrival, Find, Part, Problem, Show, trees, trees_of_step
-from restitution.solve import facts as solve_facts
-from restitution.solve.conditions import Equation
-from restitution.solve.solution import PartSolution
+from restitution.solving import facts as solve_facts
+from restitution.solving.conditions import Equation
+from restitution.solving.solution import PartSolution
 from restitution.vector import Vector
 
 # A letter is put in so often, since what is put in for others may hold it.

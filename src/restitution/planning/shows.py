@@ -44,7 +44,7 @@ from restitution.planning.refuting import write_refutation
 from restitution.planning.scene import Scene
 from restitution.planning.turning import angle_line, is_angle
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Range, Show
-from restitution.solve.solution import ItemResult
+from restitution.solving.solution import ItemResult
 
 # By these a line becomes the printed form, in the order in which they are tried.
 _TO_CLEAR = (Move("rearrange"), Move("cancel"))

@@ -14,7 +14,7 @@ from restitution.planning.inequalities import FLIPPED, solve_linear, without_sig
 from restitution.planning.polynomials import cancelled, expanded, factored, one_fraction
 from restitution.planning.quantities import formula
 from restitution.planning.worths import Worths
-from restitution.solve.letters import roles
+from restitution.solving.letters import roles
 
 _SOLVING = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"), Move("compare"))
 

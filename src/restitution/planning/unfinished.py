@@ -22,7 +22,7 @@ from restitution.planning.refusals import note_of
 from restitution.planning.roots import written_law
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.problem import Item, Problem, Range, Show, Value, trees_of_relation
-from restitution.solve.solution import ItemResult
+from restitution.solving.solution import ItemResult
 
 
 def write_unfinished(

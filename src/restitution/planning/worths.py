@@ -38,7 +38,7 @@ from restitution.planning.scene import Scene
 from restitution.planning.turn_lines import write_turn_tangent
 from restitution.planning.turns import turns_of, velocities_of
 from restitution.planning.wall_turns import tangent_at_a_wall
-from restitution.solve.letters import roles
+from restitution.solving.letters import roles
 from restitution.vector import Vector
 
 _ANGLES = {

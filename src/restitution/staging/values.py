@@ -19,10 +19,10 @@ from restitution.errors import RestitutionError
 from restitution.expression.enclosed import UndefinedError
 from restitution.oracle.roles import Role
 from restitution.problem import Impact, Kick
-from restitution.solve.numbers import FIELD, at
-from restitution.solve.part import Numbers
-from restitution.solve.solution import Branch, PartSolution, Solution
-from restitution.solve.story import Story, lets_of
+from restitution.solving.numbers import FIELD, at
+from restitution.solving.part import Numbers
+from restitution.solving.solution import Branch, PartSolution, Solution
+from restitution.solving.story import Story, lets_of
 from restitution.staging.geometry import floats
 from restitution.vector import Vector
 

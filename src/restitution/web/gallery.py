@@ -63,11 +63,11 @@ def routes() -> list[Route]:
 
 def pictured(name: str) -> Made:
     """In a process of its own: the small picture of an example, or a placeholder for it."""
-    from restitution.draw import thumbnail
-    from restitution.draw.svg import to_svg
+    from restitution.drawing import thumbnail
+    from restitution.drawing.svg import to_svg
     from restitution.errors import RestitutionError
     from restitution.language import parse
-    from restitution.solve import solve
+    from restitution.solving import solve
 
     try:
         scene = thumbnail(solve(parse(examples.text(name))))

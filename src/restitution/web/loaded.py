@@ -7,15 +7,11 @@ from __future__ import annotations
 
 import gc
 
-import restitution.explain.typst
-import restitution.export.lab
-import restitution.export.sheet
-import restitution.web.work  # noqa: F401
 from restitution import examples
 from restitution.export.working import shown
 from restitution.language import parse
 from restitution.oracle.decision import limit_memory
-from restitution.solve import solve
+from restitution.solving import solve
 
 # Megabytes: a question that takes more is undecided, long before the process has to end.
 limit_memory(1024)

@@ -32,7 +32,7 @@ from restitution.work import limited
 if TYPE_CHECKING:
     from restitution.motion.parts import PartMotion
     from restitution.motion.stage import Event
-    from restitution.solve.solution import Solution
+    from restitution.solving.solution import Solution
     from restitution.staging.values import Chosen
 
 Object = dict[str, Any]
@@ -204,7 +204,7 @@ def _pair(v: Vector) -> list[float]:
 
 
 def _of_motion(motion: PartMotion, label: str) -> Object:
-    from restitution.draw.describe import values_of
+    from restitution.drawing.describe import values_of
     from restitution.render.layout import Phrase
     from restitution.render.text import to_text
 
@@ -322,7 +322,7 @@ class _Exact:
         from restitution.errors import RestitutionError
         from restitution.render.layout import from_sympy
         from restitution.render.text import to_text
-        from restitution.solve.forms import plain
+        from restitution.solving.forms import plain
 
         try:
             value_ = value()

@@ -1,0 +1,177 @@
+"""A solved problem as pictures to scale: scenes of shapes as data, and SVG made of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Sequence
+
+    from restitution.drawing.scene import Scene
+    from restitution.solving.solution import PartSolution, Solution
+    from restitution.staging.values import When
+    from restitution.vector import Vector
+
+__all__ = ["Drawings", "draw", "figure", "scenes", "thumbnail"]
+
+
+@dataclass(frozen=True)
+class Drawings:
+    """The pictures of a solved problem, in the order of its events. They show themselves in
+    Jupyter.
+    """
+
+    scenes: tuple[Scene, ...]
+
+    @property
+    def svgs(self) -> tuple[str, ...]:
+        """Each picture as the text of an SVG file."""
+        from restitution.drawing.svg import to_svg
+
+        return tuple(to_svg(scene) for scene in self.scenes)
+
+    def _repr_mimebundle_(self, **wanted: Any) -> dict[str, Any]:
+        """For Jupyter: PNG on white, which every theme shows; SVG where typst is not installed."""
+        from restitution.drawing.convert import converted
+        from restitution.drawing.svg import stacked
+        from restitution.errors import UnsupportedError
+
+        svg = stacked(self.scenes)
+        try:
+            return {"image/png": converted(svg, "png", 160)}
+        except UnsupportedError:
+            return {"image/svg+xml": svg}
+
+
+def draw(solution: Solution, part: str | None = None) -> Drawings:
+    """The pictures of a solved problem, or of the part with that label: see ``scenes``."""
+    return Drawings(scenes(solution, part))
+
+
+def scenes(solution: Solution, part: str | None = None) -> tuple[Scene, ...]:
+    """A plan of the paths, and for each impact and blow from outside one of before and after.
+
+    A plan is drawn of a story with places, or of several events with a wall; its ``event`` is None.
+
+    An impact for which a coefficient of restitution outside [0, 1] is found is shown as before, and
+    says so; no event after it is drawn.
+
+    An event is drawn by the values of the first part that is solved with it; with ``part``, all
+    events up to that part by its values. Raises KeyError for a part that is not there, and what
+    kept it from being solved (ContradictionError, ImpossibleError, …) where nothing can be drawn.
+    """
+    return tuple(_pictures(solution, _parts(solution, part)))
+
+
+def thumbnail(solution: Solution) -> Scene | None:
+    """The first picture of a solved problem, small and without words; None where there is none.
+
+    Raises what kept the problem from being solved where nothing can be drawn.
+    """
+    from restitution.drawing.small import small
+
+    first = next(_pictures(solution, _parts(solution, None)), None)
+    return None if first is None else small(first)
+
+
+def figure(solution: Solution) -> Scene | None:
+    """What the question tells, and nothing of its answers.
+
+    A plan of walls and places for a story of several events or with places; else the first event
+    as it is before. None where nothing can be drawn.
+    """
+    from restitution.drawing.path import path_figure
+
+    solved = [part for part in solution.parts.values() if part.branches]
+    if solved and _says_more(solution, solved[-1]):
+        plan = path_figure(solution, solved[-1], solved[-1].branches[0])
+        if plan is not None:
+            return plan
+    return _before(solution, solved[0]) if solved else None
+
+
+def _before(solution: Solution, part: PartSolution) -> Scene | None:
+    """The first event as it is before; None where the line of centres or the wall is sought."""
+    from restitution.drawing.before_after import before_and_after
+    from restitution.drawing.sayings import sayings
+    from restitution.problem import Impact, Kick
+    from restitution.staging.values import motion
+
+    branch, still_open = part.branches[0], part.open_story
+    told = motion(solution, part, branch)
+    for happening in told.story.happenings:
+        if not isinstance(happening.step, Impact | Kick):
+            continue
+        number, sought = happening.number, set(branch.values)
+        before: list[Vector] = []
+        if still_open is not None:
+            first = still_open.happenings[number - 1]
+            before = list(first.before.values())
+            if first.centres is not None and _letters([first.centres]) & sought:
+                return None
+        scene = before_and_after(
+            told,
+            sayings(told),
+            number,
+            ("before",),
+            question=True,
+            to_scale=not _letters(before) & sought,
+        )
+        return replace(scene, part=part.part.label, event=number)
+    return None
+
+
+def _letters(vectors: Iterable[Vector]) -> set[str]:
+    return {symbol.name for v in vectors for x in v for symbol in x.free_symbols}
+
+
+def _says_more(solution: Solution, part: PartSolution) -> bool:
+    """Whether a plan says more than the picture of one impact does."""
+    placed = any(sphere.position is not None for sphere in solution.problem.spheres)
+    return placed or len(part.branches[0].numbers.happenings) > 1
+
+
+def _parts(solution: Solution, part: str | None) -> list[PartSolution]:
+    """The parts to be drawn: those that have values."""
+    if part is not None and part not in solution.parts:
+        known = ", ".join(str(label) for label in solution.parts)
+        raise KeyError(f"there is no part {part!r}; parts: {known}")
+    parts = [each for label, each in solution.parts.items() if part in (None, label)]
+    solved = [each for each in parts if each.branches]
+    errors = [each.error for each in parts if each.error is not None]
+    if errors and not solved:
+        raise errors[0]
+    return solved
+
+
+def _pictures(solution: Solution, parts: Iterable[PartSolution]) -> Iterator[Scene]:
+    """The plan and a picture of each event, by the values of the first part that has it."""
+    from restitution.drawing.before_after import before_and_after
+    from restitution.drawing.describe import is_possible
+    from restitution.drawing.path import path_scene
+    from restitution.drawing.sayings import sayings
+    from restitution.problem import Impact, Kick
+    from restitution.staging.values import motion
+
+    drawn = 0
+    for part in parts:
+        branch = part.branches[0]
+        if len(branch.numbers.happenings) == drawn:
+            continue
+        told = motion(solution, part, branch)
+        said = sayings(told)
+        possible = all(is_possible(told, each.number) for each in told.story.happenings)
+        if possible and _says_more(solution, part):
+            plan = path_scene(solution, part, branch, told)
+            if plan is not None:
+                yield replace(plan, part=part.part.label)
+        for happening in told.story.happenings[drawn:]:
+            if isinstance(happening.step, Impact | Kick):
+                panels: Sequence[When] = ("before", "after")
+                panels = panels if is_possible(told, happening.number) else panels[:1]
+                scene = before_and_after(told, said, happening.number, panels)
+                yield replace(scene, part=part.part.label, event=happening.number)
+            if not is_possible(told, happening.number):
+                return
+        drawn = len(told.story.happenings)

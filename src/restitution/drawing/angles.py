@@ -1,0 +1,168 @@
+"""The angles of velocities at an event: with the line of centres, an axis, or the way before."""
+
+from __future__ import annotations
+
+import math
+
+from restitution.drawing.event import (
+    LINE,
+    RADIUS,
+    RIGHT,
+    WALL,
+    Body,
+    Drawing,
+    View,
+    is_on_axes,
+    room_beside,
+)
+from restitution.drawing.geometry import sides_towards
+from restitution.drawing.sayings import Angle
+from restitution.drawing.scene import Arc, Arrow, Label, Line
+from restitution.render import layout as lay
+from restitution.staging.geometry import direction
+from restitution.vector import Vector
+
+_FOOT = 7.5  # of a line that is drawn for an angle to start from
+
+
+def put_angle(
+    view: View,
+    body: Body,
+    angle: Angle,
+    arrow: tuple[Vector, Vector],
+    arriving: bool,
+    leg: float,
+    index: int,
+    drawing: Drawing,
+) -> None:
+    """An angle of a velocity: around the centre of its sphere, or where the arrow meets the rim.
+
+    It is around the centre where it is with a line of centres that is drawn there. ``leg`` is the
+    length of the component across, which starts or ends at the rim; ``index`` counts the angles.
+    """
+    tail, tip = arrow
+    way = direction(tip - tail)
+    line = _reference(angle, way) * (-1.0 if arriving else 1.0)
+    beside = math.hypot(*((tip if arriving else tail) - body.centre)) > RADIUS + 1e-6
+    inwards = 1.0 if body.towards is None else line.dot(body.towards)
+    if view.kind == "spheres" and not beside and inwards < 1e-6:
+        radius, drawn = RADIUS + 2.6 + 2.4 * index, inwards < -1 + 1e-6
+        put_arc(body.centre, RADIUS, radius, angle, way, arriving, drawn, drawing)
+        return
+    between = abs(math.atan2(line.cross(way), abs(line.dot(way))))
+    length = math.hypot(*(tip - tail))
+    radius = max(5.0, 1.5 / math.tan(between / 2)) if between > 0.02 else 5.0
+    radius = max(3.4, min(radius, 0.6 * length)) + 2.4 * index
+    drawn = leg >= radius and abs(line.dot(view.t)) > 1 - 1e-6
+    put_arc(tip if arriving else tail, 0.0, radius, angle, way, arriving, drawn, drawing)
+
+
+def _reference(angle: Angle, way: Vector) -> Vector:
+    """The unit vector from which an angle is drawn: no obtuse ones."""
+    reference = direction(angle.reference)
+    return -reference if reference.dot(way) < (0 if angle.line else -0.03) else reference
+
+
+def put_arc(
+    vertex: Vector,
+    clear: float,
+    radius: float,
+    angle: Angle,
+    way: Vector,
+    arriving: bool,
+    drawn: bool,
+    drawing: Drawing,
+) -> None:
+    """An arc from the reference to an arrow, its label, and the reference line unless ``drawn``.
+
+    The reference line starts at the distance ``clear`` from the vertex.
+    """
+    reference = _reference(angle, way)
+    between = math.atan2(reference.cross(way), reference.dot(way))
+    turned = not angle.line and reference.dot(angle.reference) < 0
+    label = angle.shown(abs(between), turned=turned)
+    right = abs(abs(between) - math.pi / 2) < 1e-6 and label == lay.Degrees(lay.Number("90"))
+    if abs(between) < 0.02 or right:
+        return
+    line, arrow = (-reference, -way) if arriving else (reference, way)
+    if not drawn:
+        drawing.shapes.append(Line("across", vertex + line * clear, vertex + line * (radius + 2.5)))
+    a, b = math.atan2(line.y, line.x), math.atan2(arrow.y, arrow.x)
+    drawing.shapes.append(Arc("angle", vertex, radius, *((a, b) if between > 0 else (b, a))))
+    middle = direction(line + arrow)
+    # A narrow angle has room for its label farther out.
+    at, *moves = (vertex + middle * (radius + out) for out in (0.0, 1.2, 2.4))
+    if label is None:
+        return
+    drawing.labels.append(Label(label, at, sides_towards(middle), 0.8, 2.8, moves=tuple(moves)))
+
+
+def put_inclination(view: View, drawing: Drawing) -> None:
+    """The angle that a wall or a line of centres makes with **i**, where it is given.
+
+    It stands at the end of the wall, or of the line, at which there is the most room.
+    """
+    angle = view.sayings.lines.get(view.number)
+    if angle is None or is_on_axes(view):
+        return
+    if view.kind == "wall":
+        ends = [view.t * WALL, -view.t * WALL]
+    else:
+        ends = [body.centre * (1 + LINE / RADIUS) for body in view.bodies]
+    pieces = list(drawing.ink())
+    best: tuple[float, Vector, Vector] | None = None
+    for end in ends:
+        way = direction(-end)
+        reference = RIGHT if way.x > 0 else -RIGHT
+        between = abs(math.atan2(reference.cross(way), reference.dot(way)))
+        start = end + reference * 2 + direction(reference + way) * (0.5 if between > 0.2 else 0)
+        room = room_beside(Arrow("across", start, end + reference * _FOOT), pieces)
+        if best is None or room > best[0] + 0.1:
+            best = room, end, way
+    assert best is not None
+    _, end, way = best
+    reference = RIGHT if way.x > 0 else -RIGHT
+    between = math.atan2(reference.cross(way), reference.dot(way))
+    label = angle.shown(abs(between))
+    if label is None or abs(between) < 0.1:
+        return
+    radius = min(5.0, max(3.4, 1.5 / math.tan(abs(between) / 2)))
+    a, b = math.atan2(reference.y, reference.x), math.atan2(way.y, way.x)
+    if between < 0:
+        a, b = b, a
+    drawing.shapes.append(Line("across", end, end + reference * _FOOT))
+    drawing.shapes.append(Arc("angle", end, radius, a, b if b > a else b + 2 * math.pi))
+    middle = direction(reference + way)
+    at, *moves = (end + middle * (radius + out) for out in (0.0, 1.2, 2.4))
+    drawing.labels.append(Label(label, at, sides_towards(middle), 0.8, 2.8, moves=tuple(moves)))
+
+
+def put_deflection(
+    view: View, body: Body, tail: Vector, length: float, index: int, drawing: Drawing
+) -> None:
+    """The angle between the first direction, continued and dotted, and the direction after.
+
+    An acute one is drawn where the arrow starts, one larger around the centre. ``index`` counts
+    the angles that are drawn already.
+    """
+    label = view.sayings.deflections.get((view.number, body.name))
+    u, v = view.velocity(body.name, "before"), view.velocity(body.name, "after")
+    if label is None or not math.hypot(*u):
+        return
+    first, second = direction(u), direction(v)
+    between = math.atan2(first.cross(second), first.dot(second))
+    if abs(between) < 0.02 or math.pi - abs(between) < 0.02:
+        return
+    if abs(between) < math.radians(85):
+        vertex, start, radius = tail, tail, max(4.2, min(6.5, 0.55 * length)) + 2.4 * index
+        end = tail + first * (radius + 4.0)
+    else:
+        over = body.towards is not None and first.dot(body.towards) > 0.6 and view.kind != "wall"
+        radius = RADIUS + (1.8 if over else 5.0)
+        vertex, start = body.centre, body.centre + first * RADIUS
+        end = body.centre + first * (radius + (1.0 if over else 4.0))
+    drawing.shapes.append(Line("onward", start, end))
+    a, b = math.atan2(first.y, first.x), math.atan2(second.y, second.x)
+    drawing.shapes.append(Arc("angle", vertex, radius, *((a, b) if between > 0 else (b, a))))
+    middle = Vector(math.cos(a + between / 2), math.sin(a + between / 2))
+    drawing.labels.append(Label(label, vertex + middle * radius, sides_towards(middle), 0.8, 2.8))

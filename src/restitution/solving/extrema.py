@@ -1,0 +1,187 @@
+"""``maximum of Q over X``: stationary points and the ends of what X may be."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from restitution import exact
+from restitution.errors import ContradictionError, ImpossibleError, UnsupportedError
+from restitution.expression.enclosed import UndefinedError
+from restitution.expression.tree import Letter, has_quantity, letters
+from restitution.oracle import BeyondError, Oracle, Proof, Relation
+from restitution.problem import Extremum
+from restitution.render.layout import (
+    Phrase,
+    Words,
+    display,
+    display_named,
+    equation,
+    from_sympy,
+)
+from restitution.render.text import to_text
+from restitution.solving import forms
+from restitution.solving.letters import is_angle
+from restitution.solving.numbers import Sample, at, sample
+from restitution.solving.part import Desk, Outcome, Trial
+from restitution.solving.ranges import (
+    Candidate,
+    _images,
+    _is_reached,
+    _limit_at,
+    _near,
+    limits,
+    require_told,
+    turning,
+)
+from restitution.solving.regions import DRAWS, DRAWS_TRIED, Region
+from restitution.solving.solution import Answer, ItemResult
+
+
+def find_extremum(
+    desk: Desk, item: Extremum, now: int, in_terms_of: tuple[str, ...] | None
+) -> ItemResult:
+    """The greatest or least value of a quantity as one letter varies, and where it is reached."""
+    line = None if item.place is None else item.place.line
+    if not isinstance(item.over, Letter):
+        raise UnsupportedError("an extremum is sought over a letter")
+    if not (has_quantity(item.expression) and letters(item.over) <= letters(item.expression)):
+        require_told(desk.problem, item.over)  # else a time, say, of which the question speaks
+    name = item.over.name
+    setting = desk.settle(in_terms_of, item)
+    if name not in setting.roles:
+        raise UnsupportedError(f"nothing depends on {name}")
+    outcome = desk.outcome(setting)
+    walls = frozenset(wall.name for wall in desk.problem.walls)
+    angles = {n for n, role in setting.roles.items() if role.kind == "angle"}
+    angle = is_angle(item.expression, angles, walls)
+    sign = 1 if item.kind == "maximum" else -1
+    candidates: list[tuple[Trial, tuple[Candidate, bool, Any, Sample]]] = []
+    values: dict[int, sp.Expr] = {}
+    for trial, value in _images(outcome, item.expression, now, f"the {item.kind}"):
+        values[id(trial)] = value
+        best = _best(replace(outcome, trials=(trial,)), value, name, sign)
+        if best is not None:
+            candidates.append((trial, best))
+    if not candidates:
+        raise ContradictionError("no values satisfy all that is told")
+    trial, (candidate, reached, _, _) = max(candidates, key=lambda each: sign * each[1][2])
+    if candidate.value.is_infinite:
+        grows = "grows" if candidate.value == sp.oo else "falls"
+        raise ImpossibleError(f"it has no {item.kind}: it {grows} without bound")
+    value = forms.plain(candidate.value, outcome.witnesses(trial))
+    if angle:
+        value = exact.tidy_angle(value)
+    place = forms.bound(candidate.where[name])
+    role = setting.roles[name]
+    symbol = role.symbol(name)
+    where = (
+        equation(symbol, from_sympy(place))
+        if place.is_infinite
+        else display_named(symbol, place, angle=role.kind == "angle")
+    )
+    if not reached:
+        where = replace(where, signs=("→", *where.signs[1:]))
+    most = display(value, angle=angle, percentage=item.percentage)
+    layout = Phrase((most, Words("when" if reached else "approached as"), where))
+    answer = Answer(
+        1,
+        value,
+        exact.sympy_text(value),
+        exact.decimal(value),
+        to_text(layout),
+        {name: exact.sympy_text(place)},
+        reached,
+        angle,
+        layout,
+    )
+    proof = _proved(replace(outcome, trials=(trial,)), values[id(trial)], candidate, reached, sign)
+    return ItemResult(item, line, item.text, "extremum", (answer,), proof=proof)
+
+
+def _proved(outcome: Outcome, value: sp.Expr, best: Candidate, reached: bool, sign: int) -> Proof:
+    """What it rests on that no value is beyond an extremum, nor equal to one only approached.
+
+    Raises UnsupportedError where some value is.
+    """
+    region = Region(outcome, next(iter(best.where)))
+    if region.formula is None:
+        return "undecided"
+    claim = Relation(sign * (best.value - value), ">=" if reached else ">")
+    try:
+        verdict = Oracle(region.roles, (region.formula,)).decide(claim)
+    except BeyondError:
+        return "undecided"
+    if verdict.answer == "refuted":
+        raise UnsupportedError("the extremum has no exact form that is found here")
+    return verdict.proof if verdict else "undecided"
+
+
+def _best(
+    outcome: Outcome, value: sp.Expr, name: str, sign: int
+) -> tuple[Candidate, bool, Any, Sample] | None:
+    region = Region(outcome, name)
+    roles = {**outcome.setting.roles, **outcome.letters.hidden_roles}
+    symbol = region.symbol
+    if not value.has(symbol):
+        raise UnsupportedError(f"the quantity does not depend on {name}")
+    points = turning(value, symbol, roles)
+    points += region.critical
+    points += [-sp.oo] * (region.role.low is None) + [sp.oo] * (region.role.high is None)
+    candidates = []
+    for point in dict.fromkeys(points):
+        for at_point, sides in limits(value, symbol, point, region.role):
+            candidates.append(Candidate(at_point, {name: point}, sides))
+    data = region.data()
+    rng = random.Random(31)
+    winners: list[tuple[Candidate, bool, Any, Sample]] = []
+    for _ in range(DRAWS_TRIED if data else 1):
+        drawn = sample(data, roles, rng)
+        chosen = _winner(region, value, candidates, drawn, sign)
+        if chosen is not None:
+            winners.append(chosen)
+        if len(winners) == DRAWS:
+            break
+    if not winners:
+        return None
+    first = winners[0]
+    if any(each[0] != first[0] for each in winners[1:]):
+        raise UnsupportedError("where the extremum lies depends on the values of the data")
+    return first
+
+
+def _winner(
+    region: Region, value: sp.Expr, candidates: list[Candidate], drawn: Sample, sign: int
+) -> tuple[Candidate, bool, Any, Sample] | None:
+    best: tuple[Candidate, bool, Any, Sample] | None = None
+    for candidate in candidates:
+        number = _limit_at(candidate.value, drawn)
+        if number is None or not _near(region, candidate, drawn):
+            continue
+        reached = _is_reached(region, candidate, drawn)
+        if (
+            best is None
+            or sign * number > sign * best[2]
+            or (not (number - best[2]).sign and reached and not best[1])
+        ):
+            best = (candidate, reached, number, drawn)
+    if best is None:
+        return None
+    # Nothing that occurs may be beyond it: else a stationary point was missed.
+    rng = random.Random(37)
+    names = [region.letter]
+    for _ in range(24):
+        point = sample(names, region.setting.roles, rng)
+        values = {**drawn, **point}
+        if not region._possible(values):
+            continue
+        try:
+            seen = at(value, values)
+        except (UndefinedError, KeyError):
+            continue
+        if sign * seen > sign * best[2]:
+            raise UnsupportedError("the extremum has no exact form that is found here")
+    return best

@@ -1,0 +1,310 @@
+"""``show``: a claim decided for all admissible letters, by the oracle.
+
+A false claim is answered with values that refute it; one that is neither proved nor refuted is
+said to be undecided.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from restitution import exact
+from restitution.errors import UnsupportedError
+from restitution.expression.tree import Degrees, letters, walk
+from restitution.oracle import (
+    BeyondError,
+    Formula,
+    Oracle,
+    Point,
+    Relation,
+    Verdict,
+    joined,
+    relations,
+)
+from restitution.oracle.roles import REAL
+from restitution.problem import (
+    Compare,
+    Extremum,
+    Impact,
+    Range,
+    Show,
+    trees,
+    trees_of_relation,
+)
+from restitution.render.layout import display
+from restitution.render.text import to_text
+from restitution.solving import missing
+from restitution.solving.admission import formula_of
+from restitution.solving.coefficients import without_impossible
+from restitution.solving.conditions import Equation
+from restitution.solving.facts import requirements
+from restitution.solving.neat import neat
+from restitution.solving.part import Letters, Outcome
+from restitution.solving.solution import Branch, ItemResult
+
+if TYPE_CHECKING:
+    from restitution.solving.solver import _Worker
+
+# What is longer than this is not factorised to see which letters matter.
+LONG = 400
+UNDECIDED = Verdict("undecided", "undecided")
+
+
+def show(worker: _Worker, step: Show, now: int) -> ItemResult:
+    """Whether a claim follows from the facts, for all admissible values of its letters."""
+    line = None if step.place is None else step.place.line
+    if step.subject is not None:
+        return _show_found(worker, step, now, line)
+    outcome, branches = worker.solved(step.in_terms_of, step)
+    if not outcome.accepted:
+        trees_ = list(trees_of_relation(step.relation))
+        branches = without_impossible(branches, outcome.setting, trees_, now)
+    verdicts: list[Verdict] = []
+    for branch in branches:
+        verdict, claim = _verdict(outcome, branch, step, now)
+        if verdict.answer == "refuted":
+            values = _counterexample(worker, outcome, branch, verdict.witness or {}, claim, step)
+            signed = _if_positive(outcome, branch, verdict.witness or {}, claim)
+            if signed:
+                worker._warn(_of_any_sign(step, signed))
+            return ItemResult(
+                step,
+                line,
+                step.text,
+                "show",
+                holds=False,
+                counterexample=values,
+                proof=verdict.proof,
+                trials=verdict.trials,
+            )
+        verdicts.append(verdict)
+    worst = max(verdicts, key=lambda each: _WEAKNESS.index(each.proof))
+    return ItemResult(
+        step,
+        line,
+        step.text,
+        "show",
+        holds=None if worst.answer == "undecided" else True,
+        proof=worst.proof,
+        trials=max(each.trials for each in verdicts),
+    )
+
+
+_WEAKNESS = ("algebra", "decision", "intervals", "witness", "undecided")
+
+
+def _verdict(outcome: Outcome, branch: Branch, step: Show, now: int) -> tuple[Verdict, Formula]:
+    """What becomes of a claim in one solution, and the claim as a formula in its letters."""
+    claim = _formula(step, branch, now)
+    letters_ = branch.letters
+    oracle = _oracle(outcome, branch)
+    try:
+        verdict = oracle.decide(claim)
+    except BeyondError:
+        return UNDECIDED, claim
+    if verdict and not (isinstance(letters_, Letters) and letters_.certain):
+        return UNDECIDED, claim
+    return verdict, claim
+
+
+def _oracle(outcome: Outcome, branch: Branch) -> Oracle:
+    """What the letters of a solution may be."""
+    if outcome.accepted:
+        admission = outcome.accepted[branch.number - 1].admission
+        if admission is not None:
+            return admission.oracle
+    return Oracle({**outcome.letters.all_roles(), **_hidden_roles(branch)})
+
+
+def _if_positive(outcome: Outcome, branch: Branch, witness: Point, claim: Formula) -> list[str]:
+    """The letters of either sign for whose positive values alone a claim is proved."""
+    roles = outcome.setting.roles
+    every = [name for name in sorted(witness) if name in roles and roles[name] == REAL]
+    signed = [name for name in every if not _number(witness[name]).is_positive]
+    for names in (signed, every) if signed else ():
+        positive = [Relation(REAL.symbol(name), ">") for name in names]
+        try:
+            if claim not in positive and _oracle(outcome, branch).with_facts(positive).decide(
+                claim
+            ):
+                return names
+        except BeyondError:
+            return []
+    return []
+
+
+def _of_any_sign(step: Show, names: list[str]) -> str:
+    shown = [to_text(display(sp.Symbol(name))) for name in names]
+    facts = ", ".join(f"{name} > 0" for name in shown)
+    which = "it stands for a component with its sign"
+    if len(shown) > 1:
+        which = "they stand for components with their signs"
+    return (
+        f"{step.text}: it holds for {facts}, but {' and '.join(shown)} need not be, "
+        f"as {which}: write 'given {facts}' if that is meant"
+    )
+
+
+def _formula(step: Show, branch: Branch, now: int) -> Formula:
+    claim = step.relation
+    if isinstance(claim, Compare) and claim.figures is not None:
+        return _rounded(claim, branch, now)
+    needs = requirements(claim, branch.story, now, step.place)
+    return joined(
+        Relation(sp.sympify(need.value, strict=True), "=")
+        if isinstance(need, Equation)
+        else formula_of(need)
+        for need in needs
+    )
+
+
+def _rounded(claim: Compare, branch: Branch, now: int) -> Formula:
+    """The sides agree when rounded to so many figures."""
+    evaluator = branch.story.evaluator(now)
+    left, right = (sp.sympify(evaluator.scalar(tree), strict=True) for tree in claim.operands)
+    assert claim.figures is not None
+    if right == 0:
+        return Relation(left, "=")
+    # The right side is a rounded number times a monomial: half a unit of its last figure.
+    coefficient = abs(_leading(claim.operands[-1]))
+    unit = Fraction(10) ** (_exponent(coefficient) - claim.figures + 1)
+    share = sp.Rational(unit.numerator, unit.denominator) / (
+        2 * sp.Rational(coefficient.numerator, coefficient.denominator)
+    )
+    ratio = left / right
+    return joined([Relation(share - (ratio - 1), ">="), Relation(share + (ratio - 1), ">=")])
+
+
+def _exponent(size: Fraction) -> int:
+    """The power of ten of the first figure."""
+    power = len(str(size.numerator)) - len(str(size.denominator))
+    return power if size >= Fraction(10) ** power else power - 1
+
+
+def _counterexample(
+    worker: _Worker,
+    outcome: Outcome,
+    branch: Branch,
+    witness: Point,
+    claim: Formula,
+    step: Show,
+) -> dict[str, str]:
+    """The values of the letters that matter, as exact text."""
+    matters = _matters(step.relation, claim)
+    _complete(matters, branch)
+    roles = outcome.setting.roles
+    put = {name: _number(value) for name, value in witness.items()}
+    shown = {name: value for name, value in put.items() if name in roles}
+    for name, value in branch.values.items():
+        if not name.startswith("_"):
+            there = value.xreplace({s: put[s.name] for s in value.free_symbols if s.name in put})
+            shown[name] = exact.tidy_angle(there) if there.has(sp.atan) else exact.tidy(there)
+            matters |= {s.name for s in value.free_symbols} if name in matters else set()
+    used = _used(worker, outcome) & matters
+    return {name: exact.sympy_text(shown[name]) for name in sorted(shown) if name in used}
+
+
+def _number(value: Any) -> sp.Expr:
+    """The value of a letter at a point as a SymPy number; a root without a formula in figures."""
+    if isinstance(value, sp.Expr):
+        return sp.N(value, 30) if value.has(sp.CRootOf) else value
+    fraction = Fraction(value)
+    return sp.Rational(fraction.numerator, fraction.denominator)
+
+
+def _complete(matters: set[str], branch: Branch) -> None:
+    """Raises MissingError where a claim rests on what the statement leaves open."""
+    phrases = branch.letters.phrases if isinstance(branch.letters, Letters) else {}
+    open_ = sorted(name for name in matters if name.startswith("_"))
+    if open_:
+        raise missing.needs("this claim", (phrases.get(name, name.lstrip("_")) for name in open_))
+
+
+def _hidden_roles(branch: Branch) -> dict[str, Any]:
+    return branch.letters.hidden_roles if isinstance(branch.letters, Letters) else {}
+
+
+def _matters(claim: Any, formula: Formula) -> set[str]:
+    """The letters and hidden unknowns on which a claim depends, with those that it names."""
+    names: set[str] = set()
+    for tree in trees_of_relation(claim):
+        names |= letters(tree)
+    for each in relations(formula):
+        names |= _deciding(each.value)
+    return names
+
+
+def _deciding(value: sp.Expr) -> set[str]:
+    """The letters on which it depends whether a value is 0, or which sign it has."""
+    if sp.count_ops(value) > LONG:
+        return {s.name for s in value.free_symbols}
+    parts = [
+        each for side in sp.fraction(sp.factor(neat(value))) for each in sp.Mul.make_args(side)
+    ]
+    return {
+        s.name
+        for each in parts
+        if not (each.is_positive or each.is_negative)
+        for s in each.free_symbols
+    }
+
+
+def _used(worker: _Worker, outcome: Outcome) -> set[str]:
+    """The letters of the statement."""
+    used: set[str] = set()
+    for tree in trees(worker.problem):
+        used |= letters(tree)
+    if any(isinstance(s, Impact) and s.e is None for _, s in worker.problem.steps()):
+        used.add("e")
+    return used - set(outcome.setting.lets)
+
+
+def _leading(tree: Any) -> Fraction:
+    from restitution.expression.evaluate import evaluate
+
+    value = sp.sympify(evaluate(tree, lambda name: sp.Symbol(name, positive=True)), strict=True)
+    if any(isinstance(each, Degrees) for each in walk(tree)):
+        value = value * 180 / sp.pi  # an angle is printed in degrees
+    coefficient, _ = value.as_coeff_Mul()
+    if not coefficient.is_Rational or coefficient == 0:
+        raise UnsupportedError("a rounded result is a number, perhaps times letters")
+    return Fraction(int(coefficient.p), int(coefficient.q))
+
+
+def _show_found(worker: _Worker, step: Show, now: int, line: int | None) -> ItemResult:
+    """``show range of e: …`` and ``show maximum of Q over X = …``."""
+    subject = step.subject
+    assert subject is not None
+    assert isinstance(step.relation, Compare)
+    result = worker._item(subject, now, step.in_terms_of)
+    if result.error is not None:
+        raise result.error
+    roles = worker.desk.settle(step.in_terms_of, subject).roles
+    letters_ = Letters(roles)
+    from restitution.expression.evaluate import Evaluator, Symbolic
+
+    evaluator = Evaluator(Symbolic(), letters_.letter)
+    from restitution.solving.ranges import claimed_set, same_set, same_value
+
+    if isinstance(subject, Extremum):
+        claimed = evaluator.scalar(step.relation.operands[-1])
+        value = result.answers[0].value
+        return _compared(step, line, result, same_value(claimed, value, roles))
+    assert isinstance(subject, Range)
+    claimed = claimed_set(step.relation, subject, evaluator)
+    (first, *more) = [each.value for each in result.answers]
+    ok = same_set(claimed, first, roles)
+    if more:  # its form depends on the data: one without max and min is not that of all
+        ok = None if claimed.has(sp.Max, sp.Min) else False
+    return _compared(step, line, result, ok)
+
+
+def _compared(step: Show, line: int | None, result: ItemResult, ok: bool | None) -> ItemResult:
+    """A claim beside what was found: where it is false, the truth is its answer."""
+    if result.proof == "undecided" or ok is None:
+        return ItemResult(step, line, step.text, "show", proof="undecided")
+    true = () if ok else result.answers
+    return ItemResult(step, line, step.text, "show", true, holds=ok, proof=result.proof)

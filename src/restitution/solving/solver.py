@@ -1,0 +1,732 @@
+"""Problem → Solution: every part in turn, every item with its answers."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field, replace
+from functools import lru_cache, partial
+from typing import Any
+
+import sympy as sp
+from sympy.polys.polyerrors import BasePolynomialError
+
+from restitution import exact, work
+from restitution.errors import (
+    ContradictionError,
+    ImpossibleError,
+    MissingError,
+    RestitutionError,
+    StatementError,
+    TimeLimitError,
+    UnsupportedError,
+)
+from restitution.expression.enclosed import UndefinedError
+from restitution.expression.evaluate import Angle, Evaluator
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Polar,
+    Quantity,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.language.checking import check
+from restitution.problem import (
+    Extremum,
+    Find,
+    Given,
+    Let,
+    Part,
+    Problem,
+    Range,
+    Show,
+    Value,
+    trees_of_step,
+)
+from restitution.render.layout import (
+    Layout,
+    display,
+    display_point,
+    display_vector,
+)
+from restitution.render.text import to_text
+from restitution.solving import clash, forms, missing
+from restitution.solving.coefficients import (
+    COEFFICIENTS,
+    impossible_coefficients,
+    made_of,
+    outside,
+    without_impossible,
+)
+from restitution.solving.letters import is_angle
+from restitution.solving.numbers import at, sample
+from restitution.solving.part import (
+    SYMBOLIC,
+    Desk,
+    Letters,
+    Numbers,
+    Outcome,
+    Setting,
+    Trial,
+    impossible,
+)
+from restitution.solving.quantities import stage_number
+from restitution.solving.solution import (
+    Answer,
+    Branch,
+    ItemKind,
+    ItemResult,
+    PartSolution,
+    Rejected,
+    RejectedBranch,
+    Solution,
+)
+from restitution.solving.stages import by_nested_roots
+from restitution.solving.story import Story
+from restitution.solving.validity import Limitation, limitations, with_condition
+from restitution.solving.verify import verify_principles, verify_value
+from restitution.vector import Vector
+
+
+def solve(problem: Problem, time_limit: float | None = None) -> Solution:
+    """Solves every part of a problem, within ``time_limit`` seconds (None is no limit).
+
+    What cannot be answered carries its own error in the result, so that one item takes no other
+    with it. Where the time runs out, items already solved are kept, and the others carry a
+    TimeLimitError; the limit holds in any thread. Raises StatementError for a problem that makes no
+    sense (a body that is not there, a number where a vector is needed), as reading its text would
+    have done.
+    """
+    check(problem)
+    limit = None if time_limit is None else f"no answer within the time limit of {time_limit:g} s"
+    with work.limited(time_limit, error=None if limit is None else TimeLimitError(limit)):
+        return _solved(problem)
+
+
+def _solved(problem: Problem) -> Solution:
+    parts: dict[str | None, PartSolution] = {}
+    warnings = list(problem.warnings)
+    carried: frozenset[str] = frozenset()
+    relations: dict[str, str] = {}
+    asking = [part for part in problem.parts if _asks(part)]
+    if not asking:
+        warnings.append("nothing is asked: a line such as 'find velocity(A)' would ask for it")
+    # The motion alone is solved too, to be drawn.
+    for part in asking or problem.parts[-1:]:
+        worker = _Worker(Desk(problem, part, carried))
+        parts[part.label] = worker.solve()
+        warnings += [each for each in worker.warnings if each not in warnings]
+        warnings += _met_again(parts[part.label], relations)
+        relations |= _under_own_facts(parts[part.label])
+        carried = carried | worker.asked_of_all()
+    return Solution(problem, parts, tuple(warnings))
+
+
+def _under_own_facts(part: PartSolution) -> dict[str, str]:
+    """The letters that facts of a part alone give values to, each with the label of the part."""
+    label = part.part.label
+    if label is None or not any(isinstance(step, Given) for step in part.part.steps):
+        return {}
+    return dict.fromkeys(_solved_letters(part), label)
+
+
+def _solved_letters(part: PartSolution) -> list[str]:
+    names = dict.fromkeys(name for branch in part.branches for name in branch.values)
+    return [name for name in names if not name.startswith("_")]
+
+
+def _met_again(part: PartSolution, relations: dict[str, str]) -> list[str]:
+    """Notes of letters in the answers of a part that had a value in an earlier one only."""
+    met = {
+        symbol.name
+        for item in part.items
+        for answer in item.answers
+        for value in (answer.value if isinstance(answer.value, tuple) else (answer.value,))
+        for symbol in getattr(value, "free_symbols", ())
+    }
+    met |= {name for item in part.items if item.holds is not None for name in _letters_in(item)}
+    return [
+        f"{letter} was found in part ({relations[letter]}) from the facts of that part alone; "
+        f"in part ({part.part.label}) it is a letter again"
+        for letter in sorted(met & relations.keys() - set(_solved_letters(part)))
+    ]
+
+
+def _letters_in(item: ItemResult) -> frozenset[str]:
+    """The letters that a claim speaks of."""
+    if not isinstance(item.item, Show):
+        return frozenset()
+    return frozenset().union(*map(letters, trees_of_step(item.item)))
+
+
+# A speed that is more to read than this may be shorter in other components.
+LONG = 16
+
+
+def _asks(part: Part) -> bool:
+    return any(isinstance(step, Find | Show) for step in part.steps)
+
+
+# What a defect here, or an expression that the algebra cannot take, would raise: it costs one
+# item its answer, and no other.
+UNFORESEEN = (
+    ArithmeticError,
+    AttributeError,
+    LookupError,
+    NotImplementedError,
+    RecursionError,
+    TypeError,
+    ValueError,
+    BasePolynomialError,
+)
+
+
+UNWIELDY = 120
+
+
+def _untold(unknowns: object) -> Story:
+    """Where places are roots of roots, the story is told in numbers alone."""
+    raise UnsupportedError(
+        "the places in this story are roots of roots: only letters that are sought, and no "
+        "velocities, times or places, are given exactly"
+    )
+
+
+def unforeseen(error: BaseException, line: int | None = None) -> UnsupportedError:
+    """A defect, as an answer to the one who asked."""
+    said = "this could not be solved, by a fault of the program: please report the question"
+    answer = UnsupportedError(said, line)
+    answer.__cause__ = error  # for those who mend it
+    return answer
+
+
+@dataclass
+class _Worker:
+    desk: Desk
+    warnings: list[str] = field(default_factory=list)
+    # By the identity of the trials that they are made from, which settings may share.
+    branches: dict[int, list[Branch] | RestitutionError] = field(default_factory=dict)
+    limits: dict[int, tuple[Limitation, ...]] = field(default_factory=dict)
+    clashes: dict[Any, RestitutionError] = field(default_factory=dict)
+
+    @property
+    def problem(self) -> Problem:
+        return self.desk.problem
+
+    @property
+    def part(self) -> Part:
+        return self.desk.part
+
+    def solve(self) -> PartSolution:
+        results: list[ItemResult] = []
+        for step, now, _ in self.problem.timeline(self.part):
+            if isinstance(step, Find):
+                for item in step.items:
+                    results.append(self._kept(partial(self._item, item, now, step.in_terms_of)))
+            elif isinstance(step, Show):
+                results.append(self._kept(partial(self._show, step, now)))
+        return self._whole(tuple(results))
+
+    def _kept(self, make: Callable[[], ItemResult]) -> ItemResult:
+        """An item, unless something of it was broken off and passed over."""
+        result = make()
+        try:
+            work.confirm()
+        except RestitutionError as error:
+            if result.error is None or result.error.kind != error.kind:
+                error.line = result.line
+                result = ItemResult(result.item, result.line, result.text, result.kind, error=error)
+        return result
+
+    def _whole(self, results: tuple[ItemResult, ...]) -> PartSolution:
+        """The part as it is explained: with what all the values asked for have in common."""
+        error: RestitutionError | None = None
+        try:
+            outcome, branches = self.solved(None)
+        except (RestitutionError, *UNFORESEEN) as failure:
+            error = failure if isinstance(failure, RestitutionError) else unforeseen(failure)
+            pairs = ((each, self.branches.get(id(each.trials))) for each in self.desk.outcomes)
+            pair = next(((one, made) for one, made in pairs if isinstance(made, list)), None)
+            if pair is None:
+                return PartSolution(self.part, results, (), (), {}, None, error)
+            outcome, branches = pair
+        return PartSolution(
+            self.part,
+            results,
+            tuple(branches),
+            tuple(
+                RejectedBranch(t.found.values, t.reason or "", t.kind or "")
+                for t in outcome.refused
+            ),
+            outcome.letters.all_roles(),
+            outcome.open_story,
+            error,
+        )
+
+    def asked_of_all(self) -> frozenset[str]:
+        """Letters asked for here whose values rest on facts of the whole statement."""
+        if any(isinstance(step, Given) for step in self.part.steps):
+            return frozenset()
+        asked: set[str] = set()
+        for step in self.part.steps:
+            if isinstance(step, Find):
+                for item in step.items:
+                    if isinstance(item, Value) and isinstance(item.expression, Letter):
+                        asked.add(item.expression.name)
+        return frozenset(asked)
+
+    # --- solving once for each setting ---------------------------------------------------------
+
+    def solved(
+        self, in_terms_of: tuple[str, ...] | None, claim: Show | None = None
+    ) -> tuple[Outcome, list[Branch]]:
+        """What solving gives for the values asked for, or for a claim. Raises RestitutionError."""
+        setting = self.desk.settle(in_terms_of, claim)
+        try:
+            outcome = self.desk.outcome(setting)
+            key = id(outcome.trials)
+            if key not in self.branches:
+                try:
+                    self.branches[key] = self._branches(outcome)
+                except RestitutionError as error:
+                    self.branches[key] = error
+            branches = self.branches[key]
+            if isinstance(branches, RestitutionError):
+                raise branches
+        except (ContradictionError, ImpossibleError) as error:
+            raise self._clash(setting, error) from error
+        return outcome, branches
+
+    def _clash(self, setting: Setting, error: RestitutionError) -> RestitutionError:
+        """The facts that clash; sought once for the same facts."""
+        key = (error.message, tuple(id(given) for given, _ in setting.facts))
+        if key not in self.clashes:
+            self.clashes[key] = clash.named(setting, error)
+        return self.clashes[key]
+
+    def _branches(self, outcome: Outcome) -> list[Branch]:
+        accepted = outcome.accepted
+        if not accepted:
+            # Where the data imply an impossible coefficient, that is said, and the rest answered.
+            accepted = self._with_impossible_coefficient(outcome)
+            if not accepted:
+                raise impossible(outcome.setting, outcome.trials, self.part.place)
+        branches = [self._branch(outcome.setting, each, n) for n, each in enumerate(accepted, 1)]
+        if not outcome.accepted:
+            self._warn_of_coefficient(branches)
+        return branches
+
+    def _branch(self, setting: Setting, trial: Trial, number: int) -> Branch:
+        told = Letters(setting.roles, trial.found.values, trial.found.angles, trial.samples)
+        story = trial.story
+        if story is not None and isinstance(story.unknowns, Letters) and story.unknowns.certain:
+            # With other samples it would be told alike; these are for what is asked of it later.
+            told = story.unknowns
+            told.samples = trial.samples
+        else:
+            story = None
+        tell = _untold if by_nested_roots(trial.found.values, "_c_") else setting.tell
+        numbers = trial.numbers or setting.tell(Numbers(trial.samples[0]))
+        verify_principles(numbers)
+        solved = tuple(name for name in trial.found.values if not name.startswith("_"))
+        return Branch(
+            number,
+            trial.found.values,
+            trial.found.angles,
+            told,
+            trial.samples[0],
+            numbers,
+            tell,
+            partial(setting.examine, solved=solved),
+            None if trial.admission is None else trial.admission.oracle,
+            story,
+        )
+
+    def _with_impossible_coefficient(self, outcome: Outcome) -> list[Trial]:
+        """What only a coefficient speaks against; passing through each other is out of question."""
+        kept: list[Trial] = []
+        through: list[Trial] = []
+        known = outcome.letters.all_roles()
+        for trial in outcome.refused:
+            if trial.kind != "coefficient":
+                continue
+            free = sorted(set(known) - set(trial.found.values))
+            values = sample(free, known, random.Random(41))
+            try:
+                for name, value in trial.found.values.items():
+                    values[name] = at(value, values)
+                story = outcome.setting.tell(Numbers(values))
+            except (UndefinedError, KeyError, ImpossibleError):
+                continue
+            wrong = [each for each in story.happenings if outside(each)]
+            implied = set(trial.found.values)
+            if not all(made_of(h.step) <= implied for h in wrong):
+                continue  # a letter that is data: the facts about it clash
+            negative = any(each.e < 0 for each in wrong)
+            (through if negative else kept).append(
+                replace(trial, samples=(values,), admission=None, story=None, numbers=None)
+            )
+        return kept or through
+
+    def _warn_of_coefficient(self, branches: list[Branch]) -> None:
+        implied = [wrong.text for each in branches for wrong in impossible_coefficients(each)]
+        text = f"the data imply {' or '.join(dict.fromkeys(implied))}, and {COEFFICIENTS}"
+        if implied and text not in self.warnings:
+            self.warnings.append(text)
+
+    def _warn(self, text: str) -> None:
+        if text not in self.warnings:
+            self.warnings.append(text)
+
+    # --- items --------------------------------------------------------------------------------
+
+    def _item(self, item: Any, now: int, in_terms_of: tuple[str, ...] | None) -> ItemResult:
+        kind: ItemKind = "value"
+        try:
+            if isinstance(item, Range):
+                from restitution.solving.ranges import find_range
+
+                kind = "range"
+                ranged = find_range(self.desk, item, now, in_terms_of)
+                if ranged.proof == "undecided":
+                    self._warn(ranged.not_proved)
+                return ranged
+            if isinstance(item, Extremum):
+                from restitution.solving.extrema import find_extremum
+
+                kind = "extremum"
+                extreme = find_extremum(self.desk, item, now, in_terms_of)
+                if extreme.proof == "undecided":
+                    self._warn(extreme.not_proved)
+                return extreme
+            kind = self._kind(item.expression)
+            return self._value(item, now, in_terms_of, kind)
+        except RestitutionError as error:
+            line = None if item.place is None else item.place.line
+            column = None if item.place is None else item.place.column
+            if error.line is None:
+                error = error.at(line, column)
+            refused = self._all_refused(item, now, in_terms_of, kind, error)
+            return ItemResult(item, line, item.text, kind, rejected=refused, error=error)
+        except UNFORESEEN as error:
+            line = None if item.place is None else item.place.line
+            return ItemResult(item, line, item.text, kind, error=unforeseen(error, line))
+
+    def _all_refused(
+        self,
+        item: Any,
+        now: int,
+        in_terms_of: tuple[str, ...] | None,
+        kind: ItemKind,
+        error: RestitutionError,
+    ) -> tuple[Rejected, ...]:
+        """The roots for a letter, where for none of them the motion is possible."""
+        if not isinstance(error, ImpossibleError) or not isinstance(item.expression, Letter):
+            return ()
+        try:
+            outcome = self.desk.outcome(self.desk.settle(in_terms_of))
+            solved = all(item.expression.name in t.found.values for t in outcome.refused)
+            if outcome.accepted or not solved:
+                return ()
+            angle = self._is_angle(item.expression, outcome.setting)
+            return self._rejected(item, outcome, [], now, kind, angle)
+        except (RestitutionError, *UNFORESEEN):
+            return ()
+
+    def _kind(self, tree: Expression) -> ItemKind:
+        if isinstance(tree, Negate):
+            return self._kind(tree.operand)
+        if isinstance(tree, Quantity):
+            if tree.kind == "line_of_centres":
+                return "direction"
+            if tree.kind == "direction" and self._is_wall(tree.arguments):
+                return "direction"
+            if tree.kind == "position":
+                return "point"
+        if isinstance(tree, Name):
+            return "direction" if self._is_wall((tree,)) else "point"
+        return "value"
+
+    def _is_wall(self, arguments: tuple[Expression, ...]) -> bool:
+        names = {wall.name for wall in self.problem.walls}
+        return bool(arguments) and isinstance(arguments[0], Name) and arguments[0].name in names
+
+    def _value(
+        self, item: Value, now: int, in_terms_of: tuple[str, ...] | None, kind: ItemKind
+    ) -> ItemResult:
+        outcome, branches = self.solved(in_terms_of)
+        line = None if item.place is None else item.place.line
+        angle = self._is_angle(item.expression, outcome.setting)
+        if item.percentage and (angle or _has_dimension(item.expression)):
+            raise StatementError(
+                "a percentage needs a ratio, such as energy_lost/energy(0) as a percentage"
+            )
+        if not outcome.accepted:
+            branches = without_impossible(branches, outcome.setting, [item.expression], now)
+        answers: list[Answer] = []
+        for branch in branches:
+            trial = outcome.accepted[branch.number - 1] if outcome.accepted else None
+            samples = (branch.sample,) if trial is None else outcome.witnesses(trial)
+            value = self._evaluate(item, branch, now, samples, kind)
+            self._complete(item, value, outcome, branch, in_terms_of)
+            if kind != "direction":
+                verify_value(value, item, branch, now)
+            answer = _answer(branch.number, value, kind, angle, item.percentage)
+            twin = next((each for each in answers if _same_value(each.value, answer.value)), None)
+            if twin is not None:
+                answer = replace(twin, solution=answer.solution)
+            if trial is not None:
+                answer = self._limited(answer, item, kind, outcome, trial)
+            answers.append(answer)
+        if answers and isinstance(answers[0].value, tuple) and kind == "value":
+            kind = "vector"
+        rejected = self._rejected(item, outcome, answers, now, kind, angle)
+        return ItemResult(item, line, item.text, kind, tuple(answers), rejected=rejected)
+
+    def _limited(
+        self, answer: Answer, item: Value, kind: ItemKind, outcome: Outcome, trial: Trial
+    ) -> Answer:
+        """An answer with the condition under which it holds, if there is one."""
+        key = id(trial)
+        if key not in self.limits:
+            self.limits[key] = limitations(outcome, trial) if trial.found.values else ()
+        limits = self.limits[key]
+        if not limits:
+            return answer
+        plain = value_layout(answer.value, kind, answer.angle, item.percentage)
+        own = item.expression.name if isinstance(item.expression, Letter) else None
+        return with_condition(answer, plain, limits, own)
+
+    def _evaluate(self, item: Value, branch: Branch, now: int, samples: Any, kind: ItemKind) -> Any:
+        tree = item.expression
+        if self._of_letters(tree):
+            value = Evaluator(SYMBOLIC, branch.letters.letter).value(tree)
+        else:
+            value = branch.story.evaluator(now).value(tree)
+        open_ = forms.open_in(value, samples)
+        if open_:
+            raise _needed(item, branch, open_)
+        if isinstance(tree, Letter) and isinstance(value, Angle):
+            measured = value.measure()
+            if not measured.has(sp.atan2, sp.Abs):
+                return exact.tidy_angle(measured)
+        if kind == "direction" and isinstance(value, Vector) and not _is_unit(tree):
+            return forms.direction(value, samples)
+        result = forms.plain(value, samples)
+        if isinstance(tree, Letter) and not isinstance(result, tuple) and result.has(sp.atan):
+            return exact.tidy_angle(result)
+        if isinstance(tree, Quantity) and tree.kind == "speed" and exact.cost(result) > LONG:
+            return min((result, *self._resolved(tree, branch, now, samples)), key=exact.cost)
+        return result
+
+    def _resolved(
+        self, tree: Quantity, branch: Branch, now: int, samples: Any
+    ) -> Iterator[sp.Expr]:
+        """A speed by components along and across the line of centres of the latest event."""
+        name = tree.arguments[0]
+        assert isinstance(name, Name)
+        stage = stage_number(branch.story, tree, now, name.name)
+        event = branch.story.latest(name.name, stage)
+        if event is not None and event.centres is not None and not event.unknown_line:
+            velocity = branch.story.velocity(name.name, stage)
+            yield forms.along_and_across(velocity, event.centres, samples)
+
+    def _of_letters(self, tree: Expression) -> bool:
+        """Whether an expression needs no telling of the story: its letters are enough."""
+        lets = {step.letter for _, step in self.problem.steps() if isinstance(step, Let)}
+        return not any(
+            isinstance(node, Quantity | Name | Polar)
+            or (isinstance(node, Letter) and node.name in lets)
+            for node in walk(tree)
+        )
+
+    def _is_angle(self, tree: Expression, setting: Setting) -> bool:
+        walls = frozenset(wall.name for wall in self.problem.walls)
+        angles = {name for name, role in setting.roles.items() if role.kind == "angle"}
+        return is_angle(tree, angles, walls)
+
+    def _complete(
+        self,
+        item: Value,
+        value: Any,
+        outcome: Outcome,
+        branch: Branch,
+        in_terms_of: tuple[str, ...] | None,
+    ) -> None:
+        """Everything in an answer must be data."""
+        parts = value if isinstance(value, tuple) else (value,)
+        present = {s.name for part in parts for s in part.free_symbols}
+        hidden = sorted(name for name in present if name.startswith("_"))
+        if hidden:
+            raise _needed(item, branch, hidden)
+        own = letters(item.expression)
+        if not has_quantity(item.expression) and own & outcome.setting.asked:
+            unsolved = own - set(branch.values) - set(outcome.setting.lets)
+            loose = present & outcome.setting.asked
+            if unsolved == own or loose:
+                name = min(loose or own)
+                tied = [
+                    {key, *(s.name for s in x.free_symbols)} for key, x in branch.values.items()
+                ]
+                beside = sorted(set().union(*(each for each in tied if name in each)))
+                beside = [_phrase(branch, each) for each in beside if each.startswith("_")]
+                raise missing.is_open(name, beside)
+        if in_terms_of is not None:
+            extra = sorted(present - set(in_terms_of))
+            if extra:
+                raise MissingError(
+                    f"{_called(item)} depends on {' and '.join(extra)}, and cannot be given "
+                    f"in terms of {', '.join(in_terms_of)} alone"
+                )
+
+    def _rejected(
+        self,
+        item: Value,
+        outcome: Outcome,
+        answers: list[Answer],
+        now: int,
+        kind: ItemKind,
+        angle: bool,
+    ) -> tuple[Rejected, ...]:
+        if not outcome.refused:
+            return ()
+        rejected: list[Rejected] = []
+        known = outcome.letters.all_roles()
+        rng = random.Random(43)
+        samples = [sample(sorted(known), known, rng) for _ in range(3)]
+        for trial in outcome.refused:
+            if any(sp.count_ops(value) > UNWIELDY for value in trial.found.values.values()):
+                continue  # nobody would read it, and it takes long to put into a tidy form
+            try:
+                told = Letters(outcome.setting.roles, trial.found.values, trial.found.angles)
+                if self._of_letters(item.expression):
+                    value = Evaluator(SYMBOLIC, told.letter).value(item.expression)
+                else:
+                    story = outcome.setting.tell(told)
+                    value = story.evaluator(now).value(item.expression)
+                value = forms.plain(value, samples)
+            except (RestitutionError, ArithmeticError, TypeError, ValueError):
+                continue
+            if any(_same_value(value, each.value) for each in answers):
+                continue
+            parts = value if isinstance(value, tuple) else (value,)
+            if any(s.name.startswith("_") for p in parts for s in p.free_symbols):
+                continue
+            if any(each.has(sp.nan, sp.zoo) for each in parts):
+                continue
+            answer = _answer(0, value, kind, angle, item.percentage)
+            if not any(answer.exact == each.exact for each in rejected):
+                reason = trial.reason or ""
+                rejected.append(
+                    Rejected(answer.value, answer.exact, answer.display, reason, answer.angle)
+                )
+        return tuple(rejected)
+
+    # --- show ---------------------------------------------------------------------------------
+
+    def _show(self, step: Show, now: int) -> ItemResult:
+        from restitution.solving.showing import show
+
+        line = None if step.place is None else step.place.line
+        try:
+            result = show(self, step, now)
+            if result.undecided:
+                self._warn(f"{step.text}: this is not decided; nothing that was tried refutes it")
+            return result
+        except RestitutionError as error:
+            column = None if step.place is None else step.place.column
+            if error.line is None:
+                error = error.at(line, column)
+            return ItemResult(step, line, step.text, "show", error=error)
+        except UNFORESEEN as error:
+            return ItemResult(step, line, step.text, "show", error=unforeseen(error, line))
+
+
+def _needed(item: Value, branch: Branch, names: Iterable[str]) -> MissingError:
+    """What to say of an item that rests on what is left open."""
+    phrases = dict.fromkeys(_phrase(branch, name) for name in names)
+    called = _called(item)
+    own = next((each for each in phrases if each.startswith(called)), None)
+    if own is not None:
+        return missing.is_open(own)
+    return missing.needs(called, phrases)
+
+
+def _phrase(branch: Branch, name: str) -> str:
+    unknowns = branch.story.unknowns
+    assert isinstance(unknowns, Letters)
+    return unknowns.phrases.get(name, name.lstrip("_"))
+
+
+# Quantities that are pure numbers, or whose dimension depends on what they are taken of.
+_WITHOUT_UNIT = frozenset({"dot", "along", "across", "abs"})
+
+
+def _has_dimension(tree: Expression) -> bool:
+    """Whether an expression is plainly a quantity with a unit: a speed, a sum of energies."""
+    match tree:
+        case Quantity(kind):
+            return kind not in _WITHOUT_UNIT
+        case Negate(operand):
+            return _has_dimension(operand)
+        case Binary("+" | "-", left, right):
+            return _has_dimension(left) or _has_dimension(right)
+        case Binary("*", left, right) if isinstance(left, Number) or isinstance(right, Number):
+            return _has_dimension(left) or _has_dimension(right)
+        case Binary("/", left, Number()):
+            return _has_dimension(left)
+    return False
+
+
+def _is_unit(tree: Expression) -> bool:
+    """A line of centres is a unit vector; that of a wall is up to scale."""
+    return isinstance(tree, Quantity) and tree.kind == "line_of_centres"
+
+
+def _called(item: Value) -> str:
+    text = item.text or "this"
+    tree = item.expression
+    if isinstance(tree, Quantity) and not tree.arguments:
+        return "the " + tree.kind.replace("_", " ")
+    return text
+
+
+def _same_value(a: Any, b: Any) -> bool:
+    if isinstance(a, tuple) != isinstance(b, tuple):
+        return False
+    if isinstance(a, tuple):
+        return all(exact.same(x, y) for x, y in zip(a, b, strict=True))
+    return bool(exact.same(a, b))
+
+
+def value_layout(value: Any, kind: ItemKind, angle: bool, percentage: bool) -> Layout:
+    """A value as people write it: a number, a vector or a point."""
+    if isinstance(value, tuple):
+        return display_point(*value) if kind == "point" else display_vector(*value)
+    return display(value, angle=angle, percentage=percentage)
+
+
+@lru_cache(maxsize=512)
+def _answer(number: int, value: Any, kind: ItemKind, angle: bool, percentage: bool) -> Answer:
+    if any(each.has(sp.nan, sp.zoo) for each in (value if isinstance(value, tuple) else (value,))):
+        raise ImpossibleError("it has no value: a division by zero, or a direction at rest")
+    display_ = to_text(value_layout(value, kind, angle, percentage))
+    if isinstance(value, tuple):
+        x, y = value
+        decimals = exact.decimal(x), exact.decimal(y)
+        return Answer(
+            number,
+            value,
+            (exact.sympy_text(x), exact.sympy_text(y)),
+            None if None in decimals else decimals,  # type: ignore[arg-type]
+            display_,
+        )
+    return Answer(
+        number, value, exact.sympy_text(value), exact.decimal(value), display_, angle=angle
+    )

@@ -1,0 +1,383 @@
+"""A derivation as a worked solution: what it says in sentences and rows, for every renderer.
+
+Premises are not printed but where a reader looks for them: which equations were combined, why a
+root is rejected, on what an inequality rests. An equation has a number only where it is named.
+
+Each room has its topic: `ends` what was asked, `introductions` what letters stand for, `leads` the
+words before a line, `staying` the components that an impact does not change, `rows` the line
+itself, `reasons` what stands behind it, `noted` why an item has no answer. Here they come
+together, from the top of a part to its end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+from restitution.explaining.derivation import Derivation, Line, Meaning, Move, Note, Relation
+from restitution.explaining.layouts import chains
+from restitution.explaining.marks import Mark, Marks, reasoned
+from restitution.explaining.saying import Sentence, say
+from restitution.expression.tree import Letter, Quantity, is_zero
+from restitution.problem import Problem, Show
+from restitution.render import layout as lay
+from restitution.render.text import to_text
+from restitution.workings.bold_letters import Used
+from restitution.workings.data_angles import DataAngles
+from restitution.workings.ends import Ends
+from restitution.workings.explanation import Explanation
+from restitution.workings.introductions import Introductions
+from restitution.workings.joining import joined
+from restitution.workings.leads import TITLED, Leads
+from restitution.workings.measured import Measures, is_plain, with_unit
+from restitution.workings.meetings import meetings
+from restitution.workings.naming import Naming
+from restitution.workings.noted import Notes
+from restitution.workings.radii import Radii
+from restitution.workings.reasons import Reasons
+from restitution.workings.rows import Rows
+from restitution.workings.sources import Sources
+from restitution.workings.staying import Staying
+from restitution.workings.steps import REQUIRED, PartExplanation, Row, Step
+
+if TYPE_CHECKING:
+    from restitution.solving.solution import Solution
+
+# Definitions that speak of the whole motion: they begin no working of an impact.
+_OF_THE_WHOLE = frozenset(
+    {"energy", "total", "total-lost", "energy-ratio", "energy-lost", "assemble", "speed"}
+)
+
+
+def explanation_of(
+    derivation: Derivation,
+    problem: Problem,
+    solution: Solution | None = None,
+    conditions: Mapping[int, Sentence] | None = None,
+) -> Explanation:
+    """The working as a value that text, Markdown, LaTeX, HTML and Typst are made of.
+
+    With the ``solution`` it can be illustrated. ``conditions`` are said below the lines with
+    these numbers.
+    """
+    draft = _Writer(derivation, problem, conditions or {})
+    for label in dict.fromkeys(derivation.asked.values()):
+        draft.part(label)
+    # Which velocities have letters is known now, so that they can be introduced together.
+    writer = _Writer(derivation, problem, conditions or {}, draft.naming.bold.all)
+    parts: list[PartExplanation] = []
+    for label in dict.fromkeys(derivation.asked.values()):
+        steps = writer.part(label)
+        ends = [each for each in derivation.items if each.part == label]
+        asked = tuple(writer.ends.text(e) for e, part in derivation.asked.items() if part == label)
+        answers = tuple(to_text(writer.naming.relation(each.answer)) for each in ends)
+        parts.append(PartExplanation(label, asked, steps, answers, derivation))
+    return Explanation(problem.title, tuple(parts), problem.warnings, solution)
+
+
+@dataclass
+class _Writer:
+    """One derivation on its way to paper."""
+
+    derivation: Derivation
+    problem: Problem
+    conditions: Mapping[int, Sentence] = field(default_factory=dict)
+    used: Used | None = None
+    heading: int | None = None
+    title: Sentence | None = None
+    before: tuple[Sentence, ...] = ()
+
+    def __post_init__(self) -> None:
+        derivation = self.derivation
+        self.naming = Naming(derivation, self.problem, self.used)
+        self.measures = Measures(self.problem, derivation.meanings)
+        self.sources = Sources(derivation)
+        self.reasons = Reasons(derivation, self.naming, self.problem, self.sources)
+        self.ends = Ends(derivation, self.problem, self.naming)
+        self.notes = Notes(derivation, self.naming, self.ends)
+        self.introductions = Introductions(derivation, self.naming)
+        self.leads = Leads(derivation, self.naming, self.sources, self.reasons)
+        self.meetings = dict(meetings(derivation, self.ends, self.naming))
+        self.angles = DataAngles(derivation, self.naming)
+        self.rows = Rows(derivation, self.naming, self.measures, self.ends)
+        self.radii = Radii(derivation, self.naming)
+        self.staying = Staying(derivation, self.naming, self.measures, self.sources, self.ends)
+        self.cases = {n: each for each in derivation.cases for n in each.lines}
+        self.case: int | None = None
+        self.group: int | None = None
+        self.entered: set[int] = set()
+        self.stay: list[Line] = []
+        self.recalled: set[tuple[str | None, int]] = set()
+
+    def part(self, label: str | None) -> tuple[Step, ...]:
+        """The steps of a part."""
+        lines = [each for each in self.derivation.lines if self.ends.part(each) == label]
+        lines = list(self.angles.in_order(lines))
+        self.naming.bold.part = label
+        self.before = ()
+        return tuple(joined(self.steps(lines, label)))
+
+    def afresh(self) -> None:
+        """What comes next goes on from nothing above it."""
+        self.title = None
+        self.rows.afresh()
+
+    def steps(self, lines: list[Line], label: str | None) -> Iterator[Step]:
+        """The lines of a part as steps, with its notes among them."""
+        self.afresh()
+        lets: list[Meaning] = []
+        conditions: list[Sentence] = []
+        waiting: list[Line] = []
+        shown = [each for each in lines if each.shown != "silent"]
+        notes = self.notes.places(label, [each.item for each in shown])
+        due: list[Note] = []
+        for index, line in enumerate(shown):
+            due += notes.get(index, ())
+            if due and not (waiting or lets or self.stay):
+                yield from self._noted(due)
+                due = []
+            if isinstance(line.relation, Meaning):
+                lets.append(line.relation)
+                continue
+            yield from self._entered(line)
+            ratios = tuple(self.angles.before(line))
+            if ratios:
+                self.afresh()
+                yield Step("fact", sentences=ratios)
+            if line.move.event in self.naming.events and not self.stay:
+                self.naming.bold.gather(line.move.event or 0)
+                if not lets:
+                    yield from self._introduced()
+            if not waiting:
+                yield from self._recalled(line)
+            if lets:
+                told = tuple(self.introductions.of(lets))
+                # What they are letters of may have to be introduced itself.
+                sentences = (*self.naming.introduced(), *told)
+                lets = []
+                if sentences:
+                    yield Step("setting", sentences=sentences)
+                    self.rows.afresh()
+            if line.shown == "inline":
+                waiting.append(line)
+                continue
+            if self.staying.is_nothing(line):
+                continue
+            after = shown[index + 1] if index + 1 < len(shown) else None
+            if self.staying.stays(line) and not waiting:
+                self.stay.append(line)
+                if (
+                    after is not None
+                    and self.staying.stays(after)
+                    and self.staying.together(line, after)
+                ):
+                    continue
+                together, self.stay = self.stay, []
+                if all(map(self.staying.is_idle, together)):
+                    continue  # of bodies on one line there is nothing to say
+                step = self._unchanged(together)
+            else:
+                if line.number in self.meetings:
+                    self.afresh()
+                    meeting = (self.meetings[line.number],)
+                    yield Step("note", sentences=meeting, item=self.ends.place(line))
+                touching = tuple(self.radii.before(line))
+                if touching:
+                    self.afresh()
+                    yield Step("setting", sentences=touching)
+                step = self._step(line, waiting)
+                waiting = []
+            introduced = self.naming.introduced()
+            if introduced:
+                step = self._whole(step, line)
+                yield Step("setting", sentences=introduced)
+            yield step
+            for claim in self.ends.claims(line):
+                yield from self._introduced()
+                yield Step("note", sentences=(say("shown.claim", claim=claim),), item=step.item)
+            condition = self.conditions.get(line.number)
+            if condition is not None and condition not in conditions:
+                conditions.append(condition)
+                yield Step("note", sentences=(condition,), item=step.item)
+        yield from self._noted([*due, *notes.get(len(shown), ())])
+
+    def _noted(self, notes: Sequence[Note]) -> Iterator[Step]:
+        """Why items have no answer, or why a claim is not true."""
+        for note, sentence in self.notes.said(notes):
+            self.afresh()
+            yield from self._introduced()
+            points = tuple(_because(mark) for mark in note.marks)
+            item = self.ends.place_of(note.item)
+            if note.kind == "unwritten" and note.claim is not None:
+                line = Line(0, note.item, Move("answer"), (), note.claim)
+                *rows, last = self.rows.of(line, (), True)
+                shown = isinstance(self.ends.item(note.item), Show)
+                asides = (*last.asides, *REQUIRED) if shown else last.asides
+                last = replace(last, points=points, asides=asides, answer=not shown)
+                yield Step("result", (*rows, last), sentences=(sentence,), item=item)
+            else:
+                yield Step("note", sentences=(sentence,), points=points, item=item)
+
+    def _introduced(self) -> Iterator[Step]:
+        """What letters stand for that have come into use."""
+        introduced = self.naming.introduced()
+        if introduced:
+            yield Step("setting", sentences=introduced)
+
+    def _recalled(self, line: Line) -> Iterator[Step]:
+        """The values of earlier parts on which a line rests, where it does not name them."""
+        source = self.sources.of(line)
+        named = () if source is None else source.numbered
+        values: dict[str | None, list[Row]] = {}
+        for ref in line.premises:
+            own = self.derivation.line(ref) if isinstance(ref, int) else None
+            if own is None or ref in named or (self.ends.part(line), ref) in self.recalled:
+                continue
+            label = self.ends.part(own)
+            if label == self.ends.part(line) or not self._is_recalled(own):
+                continue
+            assert isinstance(own.relation, Relation)
+            self.recalled.add((self.ends.part(line), own.number))
+            link = own.relation.only[-1]
+            left = own.relation.only[0].left
+            value = self.naming.laid(link.right)
+            if is_plain(value) and value != lay.Number("0"):
+                value = with_unit(value, self.measures.unit(left))
+            row = Row((self.naming.laid(left), value), ("=",))
+            values.setdefault(label, []).append(row)
+        for label, rows in values.items():
+            where = say("carried.part", label=label) if label else say("carried.above")
+            self.afresh()
+            item = self.ends.place(line)
+            yield Step("result", tuple(rows), sentences=(where,), item=item)
+
+    @staticmethod
+    def _is_recalled(line: Line) -> bool:
+        """Whether a line gives a value that was worked out, and no plain datum."""
+        relation = line.relation
+        return (
+            isinstance(relation, Relation)
+            and len(relation.options) == 1
+            and len(chains(relation.only)) == 1
+            and relation.only[-1].sign == "="
+            and not is_zero(relation.only[-1].right)
+            and isinstance(relation.only[0].left, Letter | Quantity)
+            and line.shown != "silent"
+            and line.move.id not in ("triangle", "fact")
+            and line.move.record != "unchanged"
+        )
+
+    def _whole(self, step: Step, line: Line) -> Step:
+        """A step whose first row goes on from the row above, with its left side after all."""
+        if not step.rows or step.rows[0].operands[0] is not None:
+            return step
+        assert isinstance(line.relation, Relation)
+        first, *rest = step.rows
+        left = self.naming.laid(line.relation.options[0][0].left)
+        first = replace(first, operands=(left, *first.operands[1:]))
+        return replace(step, rows=(first, *rest))
+
+    def _entered(self, line: Line) -> Iterator[Step]:
+        """What stands before the lines of an event, or of a case."""
+        case = self.cases.get(line.number)
+        number = None if case is None else case.number
+        if number != self.case:
+            self.case = number
+            self.afresh()
+            behind = None if case is None else self.derivation.line(case.line)
+            if case is not None and behind is not None:
+                assert isinstance(behind.relation, Relation)
+                options = (behind.relation.options[case.option],)
+                values = (self.naming.relation(Relation(options)),)
+                yield Step("heading", sentences=(say("heading.case", values=values),))
+        yield from self._heading(line)
+
+    def _heading(self, line: Line) -> Iterator[Step]:
+        """A heading where the next of several events begins."""
+        number = line.move.event if line.move.id != "fact" else _impact_of_a_line(line)
+        if number is None or number == self.heading or len(self.naming.impacts) < 2:
+            return
+        if line.move.record in _OF_THE_WHOLE:
+            return
+        again = line.move.id == "define" and not _is_before(line)
+        if number in self.entered and (again or line.move.record == "impulse"):
+            return
+        event = self.naming.events.get(number)
+        if event is not None and event.kind == "impact":
+            self.heading = self.naming.now = number
+            self.entered.add(number)
+            self.afresh()
+            yield Step("heading", sentences=(self.naming.heading(event),), event=number)
+
+    def _unchanged(self, lines: Sequence[Line]) -> Step:
+        """The components that stay as a sentence."""
+        title, sentence = self.staying.said(lines)
+        again = title == self.title
+        if again:
+            sentence = say("derived.sentence", sentence=sentence)
+        self.afresh()
+        self.title = title
+        points: Marks = tuple(_because(mark) for line in lines for mark in line.marks)
+        own = None if again else title
+        return Step("principle", (), own, (sentence,), points, item=self.ends.place(lines[0]))
+
+    def _step(self, line: Line, waiting: Sequence[Line] = ()) -> Step:
+        kind: Any = "principle" if line.move.id in TITLED else "solve"
+        given = self.leads.given(line)
+        title = None if given else self.leads.title(line)
+        named = title is not None and title == self.title
+        sentences = given or (
+            *self.leads.anyway(line),
+            *self.leads.of(line, self.title),
+        )
+        fresh = bool(sentences) or (title is not None and not named)
+        rows = list(self.rows.of(line, waiting, fresh))
+        resolved = self.leads.resolved(line) if line.move.record == "component" else None
+        if title is not None or sentences or resolved is not None:
+            self.title = title or resolved
+        again = bool(sentences) and sentences == self.before and not given
+        self.before = sentences
+        sentences = () if again else sentences
+        decimals = self.rows.decimals(line)
+        numbers = self.sources.numbers
+        behind = next((numbers[e.number] for e in (line, *waiting) if e.number in numbers), None)
+        points = tuple(_because(mark) for each in (*waiting, line) for mark in each.marks)
+        rows[-1] = replace(
+            rows[-1],
+            points=points,
+            reasons=(*rows[-1].reasons, *self.leads.behind(line), *self.reasons.of(line)),
+            asides=(*rows[-1].asides, *self.rows.asides(line)),
+            number="" if behind is None else str(behind),
+        )
+        if decimals is not None:
+            rows.append(decimals)
+        end = self.ends.of(line)
+        rows[-1] = replace(rows[-1], answer=end is not None and not end.shown)
+        item = self.ends.place(line)
+        if resolved is not None:
+            # Components under one heading belong together, whatever items need them.
+            item = self.group if not sentences else item
+            self.group = item
+        return Step(kind, tuple(rows), None if named else title, sentences, item=item)
+
+
+def _because(mark: Mark) -> Mark:
+    """A mark with its reason: its own, or the one of its kind."""
+    return mark if mark.because else reasoned(mark)
+
+
+def _impact_of_a_line(line: Line) -> int | None:
+    """The impact whose line of centres a datum tells; None of another datum."""
+    numbers = (ref.partition(" ") for ref in line.premises if isinstance(ref, str))
+    return next((int(number) for kind, _, number in numbers if kind == "axis"), None)
+
+
+def _is_before(line: Line) -> bool:
+    """Whether a line resolves a velocity for the impact that comes next."""
+    if line.move.record != "component" or not isinstance(line.relation, Relation):
+        return False
+    match line.relation.options[0][0].left:
+        case Quantity(_, (Quantity("velocity", _, int(stage)), _)):
+            return stage == (line.move.event or 0) - 1
+    return False

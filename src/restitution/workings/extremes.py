@@ -1,0 +1,66 @@
+"""Greatest and least values in words, with where they are reached, or that they are not."""
+
+from __future__ import annotations
+
+from restitution.explaining.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.saying import Sentence, operand, say
+from restitution.explaining.sentences import SentenceId
+from restitution.expression.tree import Binary, Letter, Number, is_zero
+from restitution.render import layout as lay
+from restitution.workings.naming import Naming
+
+# The records of the lines in which such a value is the answer.
+EXTREMA = frozenset({"greatest", "least", "approached"})
+
+
+def extreme(
+    derivation: Derivation, naming: Naming, line: Line, shown: bool
+) -> tuple[lay.Layout, str, tuple[Sentence, ...]]:
+    """The left side, the sign and the reasons of a line that answers with an extremum.
+
+    ``shown`` tells that the statement has the value, and calls it the greatest or the least.
+    """
+    assert isinstance(line.relation, Relation)
+    link = line.relation.only[-1]
+    greatest = link.sign[0] == "<"
+    places = [
+        reached[0]
+        for ref in line.premises
+        if isinstance(ref, int)
+        and (behind := derivation.line(ref)) is not None
+        and isinstance(behind.relation, Relation)
+        and (reached := value_reached(behind.relation.options)) is not None
+    ]
+    if line.move.record != "approached":
+        called = operand(naming.extreme(link.left, greatest=greatest))
+        where = tuple(
+            say("derived.for", place=naming.relation(Relation(((each,),)))) for each in places
+        )
+        return called, "=", where
+    none: SentenceId = "extremum.no-greatest" if greatest else "extremum.no-least"
+    name: SentenceId = "extremum.approached" if shown else none
+    return (
+        naming.laid(link.left),
+        "→",
+        tuple(say(name, place=_approached(naming, each)) for each in places),
+    )
+
+
+def value_reached(
+    options: tuple[tuple[Link, ...], ...],
+) -> tuple[Link, tuple[Link, ...]] | None:
+    """A value and where it is reached: ``x ≠ a or y = b`` says y = b when x = a."""
+    if len(options) != 2:
+        return None
+    (where, *_), value = options
+    if where.sign != "!=" or len(options[0]) != 1:
+        return None
+    return Link(where.left, "=", where.right), value
+
+
+def _approached(naming: Naming, place: Link) -> lay.Layout:
+    """To where a letter goes: to an end of its range, or on without limit."""
+    match place:
+        case Link(Binary("/", Number(), Letter() as letter), _, right) if is_zero(right):
+            return lay.Relation((naming.laid(letter), lay.Words("∞")), ("→",))
+    return lay.Relation((naming.laid(place.left), naming.laid(place.right)), ("→",))

@@ -1,0 +1,138 @@
+"""What stands over lines about places and times: what each of them says."""
+
+from __future__ import annotations
+
+from restitution.explaining.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.resting import is_of_a_body_at_rest
+from restitution.explaining.saying import Sentence, say
+from restitution.explaining.trees import trees_of
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    Quantity,
+    is_zero,
+    walk,
+)
+from restitution.workings.naming import Naming
+from restitution.workings.sources import is_time
+
+
+def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence:
+    """The title of a line about the way of a body from one event to the next."""
+    assert isinstance(line.relation, Relation)
+    left = line.relation.options[0][0].left
+    body = line.move.bodies[0]
+    one = naming.movers == 1
+    if is_time(left) and is_zero(line.relation.options[0][-1].right):
+        return say("flight.at-once", bodies=naming.events[line.move.event or 0].bodies)
+    if is_time(left) or (isinstance(left, Letter) and _names_a_time(derivation, left)):
+        return say("flight.time") if one else say("flight.time-of", body=body)
+    if isinstance(left, Quantity) and left.kind == "position":
+        if is_of_a_body_at_rest(derivation, line):
+            return say("flight.rest", body=body)
+        if _from_the_origin(derivation, line):
+            if derivation.fact("origin") is not None:
+                return say("flight.origin-taken", body=body)
+            return say("flight.origin") if one else say("flight.origin-of", body=body)
+    if _is_place(left) and not _by_the_way(derivation, line):
+        return say("flight.place") if one else say("flight.place-of", body=body)
+    if _tells_a_time(derivation, line):
+        return say("flight.title") if one else say("flight.title-of", body=body)
+    return say("flight.same-time")
+
+
+def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
+    """The title of a line about a chord of a circular wall.
+
+    Inside it, a component along the wall is counted to the left of the radius.
+    """
+    assert isinstance(line.relation, Relation)
+    left = line.relation.options[0][0].left
+    if is_time(left):
+        return say("chord.time")
+    if isinstance(left, Quantity) and left.kind == "distance":
+        return _length_title(line)
+    own = (each for each in derivation.lines if each.move.record == "chord")
+    sensed = any(
+        isinstance(each.relation, Relation)
+        and isinstance(each.relation.only[0].left, Quantity)
+        and each.relation.only[0].left.kind == "across"
+        and not is_zero(each.relation.only[-1].right)
+        for each in own
+    )
+    return say("chord.title-sense", wall=wall) if sensed else say("chord.title")
+
+
+def _length_title(line: Line) -> Sentence:
+    """The title of the length of a chord: of a diameter, or by its angle with the radius."""
+    assert isinstance(line.relation, Relation)
+    match line.relation.options[0][0].right:
+        case Binary("*", Number(), right) if not isinstance(right, Binary):
+            return say("chord.diameter", body=line.move.bodies[0])
+    return say("chord.length")
+
+
+def distance_title(line: Line) -> Sentence:
+    """The title of a distance: by the relative velocity of bodies that met, or by coordinates."""
+    return say("distance.relative" if line.move.event else "distance.coordinates")
+
+
+def _from_the_origin(derivation: Derivation, line: Line) -> bool:
+    """Whether a place is a velocity times a time, and nothing more."""
+    assert isinstance(line.relation, Relation)
+    right = line.relation.options[0][0].right
+    return _speaks_of_a_time(derivation, line) and not (
+        isinstance(right, Binary) and right.op in ("+", "-")
+    )
+
+
+def _names_a_time(derivation: Derivation, letter: Letter) -> bool:
+    """Whether the statement lets a letter stand for a time."""
+    fact = derivation.fact(" ".join(("let", letter.name)))
+    return fact is not None and is_time(fact.relation.only[0].left)
+
+
+def _is_place(tree: Expression) -> bool:
+    match tree:
+        case Quantity("position"):
+            return True
+        case Quantity("along" | "across", (Quantity("position"), _)):
+            return True
+    return False
+
+
+def _speaks_of_a_time(derivation: Derivation, line: Line) -> bool:
+    """Whether a time is in a line, or is put into it."""
+    assert isinstance(line.relation, Relation)
+    nodes = [node for tree in trees_of(line.relation) for node in walk(tree)]
+    return any(map(is_time, nodes)) or _tells_a_time(derivation, line)
+
+
+def _by_the_way(derivation: Derivation, line: Line) -> bool:
+    """Whether a line tells a place without the time: by the components of the velocity."""
+    moved = any(isinstance(each, int) or each.startswith("velocity") for each in line.premises)
+    assert isinstance(line.relation, Relation)
+    match line.relation.options[0][0].left:
+        case Quantity("along" | "across"):
+            pass
+        case _:
+            return False
+    quotient = any(
+        isinstance(node, Binary) and node.op == "/"
+        for node in walk(line.relation.options[0][0].right)
+    )
+    return moved and quotient and not _speaks_of_a_time(derivation, line)
+
+
+def _tells_a_time(derivation: Derivation, line: Line) -> bool:
+    """Whether a line rests on a time."""
+    for ref in line.premises:
+        if ref == "start":
+            return True
+        own = derivation.line(ref) if isinstance(ref, int) else None
+        match None if own is None else own.relation:
+            case Relation(options=((Link(left=left), *_), *_)) if is_time(left):
+                return True
+    return False

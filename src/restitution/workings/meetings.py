@@ -1,0 +1,99 @@
+"""When bodies meet again, in words: who has to gain on whom, or which way one has to move."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from restitution.explaining.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.saying import Sentence, say
+from restitution.expression.tree import Binary
+from restitution.problem import Meets, Show
+from restitution.render.layout import Layout
+from restitution.workings.ends import Ends
+from restitution.workings.naming import Naming
+
+# That a wall is hit, or is not, as an inequality and as a comparison.
+_MEETINGS = {
+    ("condition", "towards"): "condition.towards",
+    ("condition", "away"): "condition.away",
+    ("letter", "towards"): "condition.towards-if",
+    ("letter", "away"): "condition.away-if",
+    ("meeting", "towards"): "meeting.towards",
+    ("meeting", "away"): "meeting.away",
+}
+
+
+def condition_of(
+    relation: Meets, naming: Naming, *, inequality: bool, told: Layout | None = None
+) -> Sentence | None:
+    """When bodies meet; None of two spheres that have not met before.
+
+    With ``inequality`` what it says of components comes next: of a wall, what is ``told`` of the
+    letter for one.
+    """
+    one, other = relation.first.name, relation.second.name
+    if naming.bodies.get(other) == "wall":
+        again = say("again") if relation.again else ""
+        way = "towards" if relation.happens else "away"
+        topic = "condition" if inequality else "meeting"
+        if inequality and told is not None:
+            return say(_MEETINGS["letter", way], body=one, wall=other, again=again, told=told)
+        return say(_MEETINGS[topic, way], body=one, wall=other, again=again)
+    met = [each for each in naming.events.values() if set(each.bodies) == {one, other}]
+    if not met:
+        return None
+    first, second = met[-1].bodies
+    if inequality:
+        name = "collide-again.if" if relation.happens else "collide-again.unless"
+    else:
+        name = "meeting.collide" if relation.happens else "meeting.apart"
+    return say(name, one=one, other=other, first=first, second=second)
+
+
+def gain_of(relation: Meets, naming: Naming) -> Sentence | None:
+    """That a sphere gains on another, or does not, where it was claimed otherwise."""
+    pair = {relation.first.name, relation.second.name}
+    met = [each for each in naming.events.values() if set(each.bodies) == pair]
+    if not met or "wall" in {naming.bodies.get(each) for each in pair}:
+        return None
+    one, other = met[-1].bodies
+    name = "claim.does-not-gain" if relation.happens else "claim.gains"
+    return say(name, one=one, other=other)
+
+
+def meetings(derivation: Derivation, ends: Ends, naming: Naming) -> Iterator[tuple[int, Sentence]]:
+    """The lines in which what is to be shown of a meeting begins, and when it happens."""
+    for end in derivation.items:
+        asked = ends.item(end.item)
+        line = derivation.line(end.line)
+        if line is None or not isinstance(asked, Show) or not isinstance(asked.relation, Meets):
+            continue
+        sentence = condition_of(asked.relation, naming, inequality=False)
+        if sentence is not None:
+            yield _first(derivation, line), sentence
+    for note in derivation.notes:
+        asked = ends.item(note.item)
+        line = derivation.line(max(note.lines, default=0))
+        if line is None or not isinstance(asked, Show) or not isinstance(asked.relation, Meets):
+            continue
+        if note.kind == "refuted" and not note.instance and line.item == note.item:
+            true = replace(asked.relation, happens=not asked.relation.happens)
+            sentence = condition_of(true, naming, inequality=False)
+            if sentence is not None:
+                yield _first(derivation, line), sentence
+
+
+def _first(derivation: Derivation, line: Line) -> int:
+    """The line of a difference on which a comparison rests; without one the comparison."""
+    for ref in line.premises:
+        own = derivation.line(ref) if isinstance(ref, int) else None
+        if own is None or own.item != line.item:
+            continue
+        match own.relation:
+            case Relation(((Link(Binary("-"), "=", _), *_),)):
+                return own.number
+    return line.number
+
+
+__all__ = ["condition_of", "gain_of", "meetings"]

@@ -1,0 +1,128 @@
+"""Notes in words: why an item has no answer, and why a claim is not true."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+
+from restitution.explaining.derivation import Derivation, Note, Ref, Relation
+from restitution.explaining.saying import Sentence, say
+from restitution.problem import Extremum, Show
+from restitution.render import layout as lay
+from restitution.workings.ends import Ends
+from restitution.workings.naming import Naming
+from restitution.workings.refuted import claim_of, refutation
+
+# These notes are of one item each.
+_ALONE = frozenset({"refuted", "undecided", "unwritten"})
+
+
+class Notes:
+    """The notes of one working, and where they stand among its lines."""
+
+    def __init__(self, derivation: Derivation, naming: Naming, ends: Ends) -> None:
+        self._derivation = derivation
+        self._naming = naming
+        self._ends = ends
+        self._all = derivation.notes
+        self._order = {item: n for n, item in enumerate(derivation.asked)}
+
+    def of_part(self, label: str | None) -> list[Note]:
+        """The notes of a part, in the order asked."""
+        own = [each for each in self._derivation.notes if each.part == label]
+        return sorted(own, key=lambda note: note.place)
+
+    def places(self, label: str | None, items: Sequence[str | None]) -> dict[int, list[Note]]:
+        """The notes of a part by the number of its lines above them.
+
+        A note stands below the lines of its item, and of those asked before it.
+        """
+        places: dict[int, list[Note]] = {}
+        for note in self.of_part(label):
+            before = [
+                n
+                for n, item in enumerate(items, 1)
+                if item is not None and self._order[item] <= self._order[note.item]
+            ]
+            places.setdefault(max(before, default=0), []).append(note)
+        return places
+
+    def said(self, notes: Sequence[Note]) -> Iterator[tuple[Note, Sentence]]:
+        """Notes in words; those with one reason in one sentence."""
+
+        def reason(note: Note) -> object:
+            own = note.item if note.kind in _ALONE else None
+            return note.kind, note.reason, note.premises, self._ends_in(note), own
+
+        for _, group in groupby(notes, reason):
+            own = list(group)
+            yield own[0], self._of_several(own)
+
+    def _of_several(self, notes: Sequence[Note]) -> Sentence:
+        (first, *_) = notes
+        items = self._items(notes)
+        if first.kind == "refuted":
+            return refutation(first, self._derivation, self._naming, self._ends)
+        if first.kind == "undecided":
+            return say("undecided.claim", claim=claim_of(first, self._naming, self._ends))
+        if first.kind == "unwritten" and first.claim is not None:
+            return say("note.unwritten-line-from" if first.premises else "note.unwritten-line")
+        if first.kind == "unwritten":
+            name = "note.unwritten-from" if first.premises else "note.unwritten"
+            return say(name, item=self._in_words(first), answer=first.reason)
+        if first.kind == "impossible" and first.premises:
+            return self._impossible(first, items)
+        shown = isinstance(self._ends.item(first.item), Show)
+        name = "note.none-shown" if shown else "note.none"
+        return say(name, items=items, reason=first.reason)
+
+    def _items(self, notes: Sequence[Note]) -> Sentence:
+        """What was asked, in the words of the question."""
+        names = dict.fromkeys(map(self._in_words, notes))
+        return say("derived.items", items=tuple(names))
+
+    def _in_words(self, note: Note) -> Sentence | lay.Layout | str:
+        """An item in words, and not as it was typed."""
+        match self._ends.item(note.item):
+            case Extremum(kind, expression):
+                extreme = self._naming.extreme(expression, greatest=kind == "maximum")
+                return say("derived.the", quantity=extreme)
+        return self._ends.named(note.item)
+
+    def _impossible(self, note: Note, items: Sentence) -> Sentence:
+        """The value of a coefficient, and the bound that it breaks."""
+        value, bound = note.premises
+        relation = self._relation(value)
+        link = relation.only[-1]
+        laid = lay.equation(self._naming.laid(relation.only[0].left), self._naming.laid(link.right))
+        over = "<=" in str(bound)
+        if self._ends_in(note):
+            after = self._naming.laid(relation.only[0].left)
+            more = say("note.goes-on", letter=after) if self._goes_on(note) else ""
+            return say("note.above-one" if over else "note.below-zero", value=laid, more=more)
+        if any(each.premises == note.premises and self._ends_in(each) for each in self._all):
+            return say("note.none-either", items=items)
+        if isinstance(value, int):
+            name = "note.none-above-one" if over else "note.none-below-zero"
+            return say(name, items=items, value=laid)
+        name = "note.none-data-above-one" if over else "note.none-data-below-zero"
+        return say(name, items=items, value=self._naming.laid(link.right))
+
+    def _ends_in(self, note: Note) -> bool:
+        """Whether a note is of the item that its lines are about."""
+        line = self._derivation.line(max(note.lines, default=0))
+        return line is not None and line.item == note.item
+
+    def _goes_on(self, note: Note) -> bool:
+        """Whether lines of other items of the part stand below those of a note."""
+        last = max(note.lines, default=0)
+        return any(
+            each.number > last and each.shown != "silent" and self._ends.part(each) == note.part
+            for each in self._derivation.lines
+        )
+
+    def _relation(self, ref: Ref) -> Relation:
+        own = self._derivation.line(ref) if isinstance(ref, int) else self._derivation.fact(ref)
+        assert own is not None
+        assert isinstance(own.relation, Relation)
+        return own.relation

@@ -1,0 +1,86 @@
+"""What is said of spheres of which one lies beside the other's path: how that gives the line."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Fact, Link
+from restitution.explaining.saying import Sentence, say
+from restitution.expression.tree import Apply, Binary, Expression, Negate, Polar, Quantity
+from restitution.planning.forms import tree_of
+from restitution.render import layout as lay
+from restitution.workings.measured import is_plain, vector_worth, with_unit, worth
+from restitution.workings.naming import Naming
+
+
+def is_offset(fact: Fact) -> bool:
+    """Whether a line of centres is given by how far it lies beside a path."""
+    match fact.relation.options:
+        case ((Link(_, "=", Polar(_, Apply("arcsin"))),),):
+            return True
+    return False
+
+
+def offset_sentence(fact: Fact, naming: Naming, given: bool) -> Sentence:
+    """How an offset gives a line of centres: by the sine of the angle to the path.
+
+    Where the angle is ``given``, that is said next.
+    """
+    match fact.relation.only[0].right:
+        case Polar(_, Apply(_, Binary("/", beside, apart)), origin):
+            pass
+        case _:
+            raise ValueError(fact)
+    one, other = naming.events[int(fact.id.partition(" ")[2])].bodies
+    path = _path(naming, one, other, origin)
+    if worth(beside) == 0:
+        return say("offset.none", other=other, path=path)
+    right = worth(beside).as_coeff_Mul()[0] < 0
+    if isinstance(beside, Negate):
+        beside = beside.operand
+    elif right:
+        beside = tree_of(tidy(-worth(beside)))
+    sine = tidy(worth(beside) / worth(apart))
+    sides = naming.laid(Binary("/", beside, apart)), naming.laid(tree_of(sine))
+    slots: dict[str, Any] = {
+        "other": other,
+        "path": path,
+        "offset": _length(naming, beside),
+        "apart": _length(naming, tree_of(tidy(worth(apart)))),
+        "side": say("offset.right" if right else "offset.left"),
+        "sine": sides[0] if sides[0] == sides[1] else lay.Relation(sides, ("=",)),
+    }
+    if given:
+        return say("offset.sine-alone", **slots)
+    angle = sp.asin(sine) if sine.is_number else sp.nan
+    if not (angle / sp.pi).is_Rational:
+        return say("offset.sine", **slots)
+    return say("offset.degrees", angle=naming.laid(tree_of(angle, angle=True)), **slots)
+
+
+def _length(naming: Naming, tree: Expression) -> lay.Layout:
+    """A length, with its unit where it is a number."""
+    laid = naming.laid(tree)
+    if not is_plain(laid):
+        return laid
+    return with_unit(laid, naming.unit(Quantity("distance", ())))
+
+
+def _path(naming: Naming, one: str, other: str, origin: Expression | None) -> Sentence:
+    """The path of the one sphere, relative to the other where that moves across it or faster."""
+    match origin:
+        case Binary("-", own, _):
+            way = vector_worth(origin)
+            first = vector_worth(own)
+            if way is None or first is None:
+                return say("offset.relative", body=one, other=other, direction=naming.laid(origin))
+            if tidy(first.cross(way)) != 0 or tidy(first.dot(way)).as_coeff_Mul()[0] < 0:
+                direction = naming.laid(tree_of(way))
+                return say("offset.relative", body=one, other=other, direction=direction)
+    return say("offset.path", body=one)
+
+
+__all__ = ["is_offset", "offset_sentence"]

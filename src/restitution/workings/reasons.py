@@ -1,0 +1,604 @@
+"""On what a line rests that is no equation: *as α is acute*, *as 0 ≤ e ≤ 1*."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explaining.algebra import NotComparableError, Quotient
+from restitution.explaining.derivation import Derivation, Line, Link, Move, Ref, Relation
+from restitution.explaining.notation import read_relation, read_tree
+from restitution.explaining.saying import Sentence, say
+from restitution.explaining.step import Setting, Step
+from restitution.explaining.trees import rebuilt
+from restitution.expression.evaluate import evaluate
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    Quantity,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.planning.forms import factors, tree_of
+from restitution.planning.inequalities import turned
+from restitution.problem import Problem
+from restitution.render import layout as lay
+from restitution.solving.letters import roles
+from restitution.workings.factors import factor_cancelled
+from restitution.workings.growing import growth, way_of
+from restitution.workings.naming import Naming
+from restitution.workings.sources import Sources, bound_broken
+
+_REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
+_OF_SQUARES = frozenset({"speed", "size", "energy", "total"})
+# A longer expression is told by the name of what it is worth.
+_LONGEST = 24
+ZERO = Number(Fraction(0))
+_UP, _DOWN = ("<", "<="), (">", ">=")
+_WEAK = ("<=", ">=")
+
+
+class Reasons:
+    """The reasons of the lines of one derivation."""
+
+    def __init__(
+        self, derivation: Derivation, naming: Naming, problem: Problem, sources: Sources
+    ) -> None:
+        self._derivation = derivation
+        self._sources = sources
+        self._roles = roles(problem)
+        self._naming = naming
+
+    def of(self, line: Line) -> tuple[Sentence, ...]:
+        """What a line rests on, to stand behind it."""
+        if self._by_pythagoras(line):
+            return (say("derived.pythagoras"),)
+        if line.move.id not in _REASONED and not (self._ordered(line) or self._is_root(line)):
+            return ()
+        if line.move.id == "cancel" and factor_cancelled(self._derivation, line) is not None:
+            return ()  # the words before the line say it
+        if self.is_own_range(line):
+            return ()
+        would = self._would(line)
+        if would is not None:
+            return (say("derived.as", reasons=(would,)),)
+        reasons = (
+            *self._monotone(line),
+            *self._shape(line),
+            *self._known(line),
+            *self._silent(line),
+        )
+        reasons = reasons or tuple(self._positive_sum(line))
+        if line.move.id == "inverse":
+            # An angle of up to 90° is what the arc functions give.
+            reasons = self._beyond_a_right_angle(line, reasons)
+        if line.move.id == "reject" and not reasons:
+            reasons = tuple(self._positive(line))
+        return (say("derived.as", reasons=reasons),) if reasons else ()
+
+    def _would(self, line: Line) -> Sentence | None:
+        """What the root that is rejected would make of another letter, by which laws."""
+        broken = bound_broken(self._derivation, line) if line.move.id == "reject" else None
+        if broken is None:
+            return None
+        dropped, bound = broken
+        value, result = (self._laid(Relation((each,))) for each in (dropped, (bound,)))
+        source = self._sources.of(line)
+        numbers = sorted(self._sources.numbers[e] for e in (source.reasons if source else ()))
+        equations = tuple(say("derived.number", number=str(each)) for each in numbers)
+        if not equations:
+            return None
+        return say("derived.would", value=value, result=result, equations=equations)
+
+    def _beyond_a_right_angle(
+        self, line: Line, known: tuple[Sentence | lay.Layout, ...]
+    ) -> tuple[Sentence | lay.Layout, ...]:
+        """Why an angle of the statement is obtuse or more: a component has a sign, or its range."""
+        assert isinstance(line.relation, Relation)
+        link = line.relation.only[0]
+        if not isinstance(link.left, Letter) or link.left.name in self._naming.meanings:
+            return ()
+        if not any(isinstance(e, Degrees) and e.value > 90 for e in walk(link.right)):
+            return ()
+        signs: list[Sentence | lay.Layout] = []
+        for ref in line.premises:
+            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            match own.relation if own is not None else None:
+                case Relation(((Link(Apply("cos"), "="), *_),)):
+                    return ()  # it tells an angle of up to 180°
+                case Relation(((Link(left, "=", right),),)):
+                    sign = "<" if isinstance(right, Negate) else ">"
+                    ratios = [Apply(each, link.left) for each in ("sin", "cos")]
+                    for each in (e for e in ratios if e in set(walk(left))):
+                        told = Link(each, sign, Number(Fraction(0)))  # type: ignore[arg-type]
+                        signs.append(self._laid(Relation(((told,),))))
+        return tuple(signs) or known
+
+    @staticmethod
+    def _by_pythagoras(line: Line) -> bool:
+        """Whether a sum of squares is worked out by sin² + cos² = 1."""
+        assert isinstance(line.relation, Relation)
+        steps = {link.by for links in line.relation.options for link in links}
+        return line.move.record in _OF_SQUARES and "identity" in steps
+
+    def _is_root(self, line: Line) -> bool:
+        """Whether of an equation of squares the roots are taken, which may have two signs."""
+        above = [own for ref in line.premises if (own := self._told(ref)) is not None]
+        assert isinstance(line.relation, Relation)
+        if line.move.id != "rearrange" or len(above) != 1 or len(line.relation.options) != 1:
+            return False
+        match above[0].options[0][-1].left:
+            case Binary("^", base, Number(Fraction(numerator=2, denominator=1))):
+                return line.relation.only[0].left == base
+        return False
+
+    @staticmethod
+    def _ordered(line: Line) -> bool:
+        """Whether values were put into an inequality."""
+        assert isinstance(line.relation, Relation)
+        signs = {each.sign for links in line.relation.options for each in links}
+        return line.move.id == "put" and bool(signs & {*_UP, *_DOWN})
+
+    def is_own_range(self, line: Line) -> bool:
+        """Whether a line only says what a letter may be anyway: all its values are possible."""
+        assert isinstance(line.relation, Relation)
+        reasons = self._known(line) if line.move.id in ("sign", "compare") else ()
+        return reasons == (self._laid(line.relation),)
+
+    def known(self, line: Line) -> tuple[Sentence | lay.Layout, ...]:
+        """What is known of letters on which a line rests."""
+        return self._known(line)
+
+    def _known(self, line: Line) -> tuple[Sentence | lay.Layout, ...]:
+        said: list[Sentence | lay.Layout] = []
+        bounds: list[Link] = []
+        for ref in line.premises:
+            match self._reason(ref, line):
+                case Relation(options=((link,),)) if link.sign in (*_UP, *_DOWN):
+                    bounds.append(link)
+                case Relation() as relation:
+                    said.append(self._laid(relation))
+                case Sentence() as sentence:
+                    said.append(sentence)
+        merged = (self._laid(each) for each in _merged(bounds))
+        return (*said, *merged, *map(self._laid, self._below(line, bounds)))
+
+    def _below(self, line: Line, bounds: Sequence[Link]) -> Iterator[Relation]:
+        """That a letter is not zero, where it stands below a line and may be zero otherwise."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.options[0]:
+            case (Link(Letter() as letter, ">", zero),) if zero == ZERO:
+                if line.move.id != "sign" or Link(letter, ">=", ZERO) not in bounds:
+                    return
+                for ref in line.premises:
+                    own = self._told(ref)
+                    nodes = () if own is None else walk(own.only[-1].right)
+                    below = [e.right for e in nodes if isinstance(e, Binary) and e.op == "/"]
+                    if any(letter in factors(each) for each in below):
+                        yield Relation(((Link(letter, "!=", ZERO),),))
+                        return
+
+    def _reason(self, ref: Ref, line: Line) -> Sentence | Relation | None:
+        """What is known of a letter, as a reader would say it."""
+        if isinstance(ref, int):
+            own = self._derivation.line(ref)
+            if line.move.id != "reject" or own is None or not isinstance(own.relation, Relation):
+                return None
+            # A law stands above: that a root contradicts it is told by what bounds the root.
+            known = own.move.id == "law" or self._offers(own.relation, line)
+            # That bodies approach is a reason by itself.
+            approach = any(str(each).startswith("towards") for each in line.premises)
+            return None if known or approach else own.relation
+        fact = self._derivation.fact(ref)
+        if fact is not None and line.move.id == "put":
+            return None
+        if fact is not None:
+            signs = {each.sign for links in fact.relation.options for each in links}
+            ordered = signs and signs <= {*_UP, *_DOWN, "!="}
+            kind, _, number = fact.id.partition(" ")
+            if kind == "order":
+                return fact.relation
+            if kind == "towards":
+                body, wall = self._naming.events[int(number)].bodies
+                if self._naming.bodies.get(wall) == "sphere":
+                    return say("touch.towards", one=body, other=wall)
+                return say("circle.towards", body=body, wall=wall)
+            if not ordered or fact.kind not in ("given", "range"):
+                return None
+            match fact.relation:
+                case Relation(((Link(Number(), _, Quantity()) as link,),)):
+                    return Relation(((turned(link),),))
+            return fact.relation
+        head, colon, text = ref.partition(":")
+        if colon and head.strip() == "acute":
+            angle = self._naming.laid(read_tree(text, self._naming.bodies))
+            return say("derived.acute", angle=angle)
+        return read_relation(ref, self._naming.bodies)
+
+    @staticmethod
+    def _offers(relation: Relation, line: Line) -> bool:
+        """Whether a relation holds the alternatives of which a line keeps some."""
+        assert isinstance(line.relation, Relation)
+        return set(line.relation.options) < set(relation.options)
+
+    def _laid(self, relation: Relation) -> lay.Layout:
+        return self._naming.relation(relation)
+
+    def _silent(self, line: Line) -> Iterator[lay.Layout]:
+        """That a letter is positive, where a range begins with 0 that nothing else bounds."""
+        assert isinstance(line.relation, Relation)
+        if line.move.id != "compare" or len(line.relation.options) != 1:
+            return
+        match line.relation.only:
+            case (Link(left, "<", Letter(name) as letter), Link()) if left == ZERO:
+                role = self._roles.get(name)
+                if role is None or role.kind != "positive":
+                    return
+                for ref in line.premises:
+                    if _bounds_below(self._told(ref), letter):
+                        return
+                yield self._laid(Relation(((Link(letter, ">", ZERO),),)))
+
+    def _told(self, ref: Ref) -> Relation | None:
+        """What a premise says."""
+        if isinstance(ref, int):
+            own = self._derivation.line(ref)
+            return own.relation if own is not None and isinstance(own.relation, Relation) else None
+        fact = self._derivation.fact(ref)
+        return None if fact is None else fact.relation
+
+    def _positive(self, line: Line) -> Iterator[Sentence]:
+        """The silent reason: the letter stands for something positive."""
+        assert isinstance(line.relation, Relation)
+        left = line.relation.options[0][0].left
+        if isinstance(left, Letter):
+            yield say("derived.positive", letter=self._naming.laid(left))
+
+    def _positive_sum(self, line: Line) -> Iterator[lay.Layout]:
+        """That coefficients of restitution are not negative, where a sum of them is positive.
+
+        A reader sees it by that, and of 1 + e + e² there is nothing that has to be cited.
+        """
+        cited = [self._told(ref) for ref in line.premises]
+        if line.move.id != "sign" or len(cited) != 1 or cited[0] is None:
+            return
+        whole = cited[0].options[0][-1].right
+        signs = {each.op for each in walk(whole) if isinstance(each, Binary)}
+        if "-" in signs or "+" not in signs:
+            return
+        if any(isinstance(each, Negate | Apply) for each in walk(whole)):
+            return
+        names = sorted(letters(whole))
+        for name in (n for n in names if n in self._roles and self._roles[n].kind == "restitution"):
+            yield self._laid(Relation(((Link(Letter(name), ">=", ZERO),),)))
+
+    def _monotone(self, line: Line) -> Iterator[Sentence]:
+        """That a quantity increases, or decreases, between the ends that are cited."""
+        if line.move.id != "monotone":
+            return
+        told = [
+            own.relation
+            for ref in line.premises
+            if isinstance(ref, int)
+            and (own := self._derivation.line(ref)) is not None
+            and isinstance(own.relation, Relation)
+        ]
+        above = [
+            Link(each.only[0].left, "=", each.only[-1].right)
+            for each in told
+            if each.only[0].sign == "="
+        ]
+        ends = [link for each in told for link in each.only if link.sign != "="]
+        ends += [
+            link
+            for ref in line.premises
+            if isinstance(relation := self._reason(ref, line), Relation)
+            for links in relation.options
+            for link in links
+        ]
+        for ref in line.premises:
+            if isinstance(ref, str) and ref.startswith("acute:"):
+                angle = read_tree(ref.removeprefix("acute:"), self._naming.bodies)
+                ends += [
+                    Link(angle, ">", Degrees(Fraction(0))),
+                    Link(angle, "<", Degrees(Fraction(90))),
+                ]
+        if len(above) != 1:
+            return
+        assert isinstance(line.relation, Relation)
+        positive = {name for name, role in self._roles.items() if role.kind == "positive"}
+        found = growth(above[0].right, line.relation, ends, positive)
+        if found is not None:
+            name, way = found
+            whole = above[0].right
+            if not _is_short(whole):
+                part = _part_with(whole, name)
+                turn = 0 if part is None else way_of(part, name, ends, line.relation)
+                whole, way = (above[0].left, way) if part is None or not turn else (part, turn)
+            id_ = "derived.increases" if way > 0 else "derived.decreases"
+            quantity = self._naming.laid(whole)
+            letter = self._naming.laid(Letter(name))
+            yield say(id_, quantity=quantity, letter=letter)
+            far = _far_end(line.relation, above[0].left, name, way, ends)
+            if name in positive and far is not None:
+                yield say("derived.tends", value=self._naming.laid(far), letter=letter)
+
+    def _shape(self, line: Line) -> tuple[Sentence, ...]:
+        """What bounds a value by its form, the plainest that fits."""
+        ways = (self._square, self._factor, self._wave, self._share)
+        return next((told for way in ways if (told := tuple(way(line)))), ())
+
+    def _square(self, line: Line) -> Iterator[Sentence]:
+        """That a square is not negative, where a bound is what is left without it."""
+        assert isinstance(line.relation, Relation)
+        links = line.relation.options[0]
+        if line.move.id != "sign" or len(links) != 1 or links[0].sign not in (">=", "<="):
+            return
+        above = [self._derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
+        for own in above:
+            if own is None or not isinstance(own.relation, Relation):
+                continue
+            left, bound = own.relation.options[0][0].left, links[0].right
+            if left == Binary("^", links[0].left, Number(Fraction(2))):
+                bound = Binary("^", bound, Number(Fraction(2)))
+            elif left != links[0].left:
+                continue
+            for link in own.relation.options[0]:
+                for term, square in _squares(link.right, links[0].sign):
+                    if self._is_left(link.right, term, bound):
+                        facts = [Link(square, ">=", ZERO)]
+                        match term:
+                            case Binary("/", _, Letter(name) as below) if (
+                                name in self._roles and self._roles[name].kind == "positive"
+                            ):
+                                facts.append(Link(below, ">", ZERO))
+                        for fact in facts:
+                            yield say("derived.fact", fact=self._laid(Relation(((fact,),))))
+                        return
+
+    def _is_left(self, whole: Expression, square: Expression, bound: Expression) -> bool:
+        """Whether a bound is what is left of a whole without a square."""
+        rest = rebuilt(whole, lambda each: ZERO if each == square else each)
+        match rest:
+            case Apply("sqrt", inside):
+                rest, bound = inside, _squared(bound)
+            case Binary("*", factor, Apply("sqrt", inside)):
+                rest, bound = Binary("*", _squared(factor), inside), _squared(bound)
+        step = Step(Setting(self._roles), Move("rearrange"), (), ())
+        try:
+            gap = step.residual(Link(rest, "=", bound))
+        except NotComparableError:
+            return False
+        return isinstance(gap, Quotient) and gap.vanishes
+
+    def _factor(self, line: Line) -> Iterator[Sentence]:
+        """That a square is not negative, where it is a factor of the difference to a bound."""
+        assert isinstance(line.relation, Relation)
+        refs = [ref for ref in line.premises if isinstance(ref, int)]
+        own = self._derivation.line(refs[0]) if line.move.id == "sign" and len(refs) == 1 else None
+        if own is None or not isinstance(own.relation, Relation):
+            return
+        match own.relation.options:
+            case ((Link(Binary("-"), "=", right),),) if line.relation.options[0][0].sign in _WEAK:
+                above = right.left if isinstance(right, Binary) and right.op == "/" else right
+                for each in factors(above):
+                    match each:
+                        case Binary("^", base, Number(Fraction(numerator=2))) if isinstance(
+                            base, Binary
+                        ) and base.op in ("+", "-"):
+                            told = Relation(((Link(each, ">=", ZERO),),))
+                            yield say("derived.fact", fact=self._laid(told))
+
+    def _wave(self, line: Line) -> Iterator[Sentence]:
+        """Why a sum or a product of a sine and a cosine is bounded, where a bound comes of that."""
+        assert isinstance(line.relation, Relation)
+        links = line.relation.options[0]
+        if line.move.id != "sign" or len(links) != 1 or links[0].sign not in _UP:
+            return
+        for ref in line.premises:
+            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            if own is None or not isinstance(own.relation, Relation):
+                continue
+            wholes = [each.right for each in reversed(own.relation.options[0])]
+            for whole, node in ((each, node) for each in wholes for node in walk(each)):
+                told = _sine_and_cosine(node)
+                if told is not None and _bounds(whole, node, told[0], links[0].right):
+                    yield say("derived.fact", fact=self._laid(Relation((told[1],))))
+                    return
+
+    def _share(self, line: Line) -> Iterator[Sentence]:
+        """That what a value is of its bound is at most 1, where nothing else is cited for that."""
+        assert isinstance(line.relation, Relation)
+        links = line.relation.options[0]
+        if line.move.id != "sign" or len(links) != 1 or links[0].sign not in _UP:
+            return
+        values: dict[Expression, Expression] = {}
+        for ref in line.premises:
+            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            if (
+                own is None
+                or not isinstance(own.relation, Relation)
+                or len(own.relation.options) > 1
+            ):
+                return  # a reason is cited
+            values[own.relation.only[0].left] = own.relation.only[-1].right
+        sides = [
+            rebuilt(side, lambda each: values.get(each, each))
+            for side in (links[0].left, links[0].right)
+        ]
+        if not values or any(map(has_quantity, sides)):
+            return
+        try:
+            value, most = (sp.sympify(evaluate(each, sp.Symbol), strict=True) for each in sides)
+        except (RestitutionError, TypeError, ValueError):
+            return
+        share = sp.factor(value / most)
+        if not share.free_symbols or sp.fraction(share)[1].free_symbols or share.has(sp.zoo):
+            return
+        if any(not each.exp.is_Integer for each in share.atoms(sp.Pow)):
+            return
+        told = Link(tree_of(share), links[0].sign, Number(Fraction(1)))
+        if _is_short(told.left):
+            yield say("derived.fact", fact=self._laid(Relation(((told,),))))
+
+
+def _sine_and_cosine(node: Expression) -> tuple[Expression, tuple[Link, ...]] | None:
+    """The greatest value of ``a cos x + b sin x``, or of ``sin x cos x``, and what tells it."""
+    a = b = None
+    two = Number(Fraction(2))
+    match node:
+        case Binary("*", before, Apply("sin" | "cos" as one, x)):
+            rest, last = (
+                (before.left, before.right)
+                if isinstance(before, Binary) and before.op == "*"
+                else (None, before)
+            )
+            if last != Apply("cos" if one == "sin" else "sin", x):
+                return None
+            half = Binary("/", Number(Fraction(1)), two)
+            most = half if rest is None else Binary("*", rest, half)
+            double = Apply("sin", Binary("*", two, x))
+            twice = Binary("*", Binary("*", two, Apply("sin", x)), Apply("cos", x))
+            return most, (Link(twice, "=", double), Link(double, "<=", Number(Fraction(1))))
+        case Binary("+", left, right):
+            a, b = _times(left), _times(right)
+        case Apply("sin" | "cos", Binary("*")):
+            return Number(Fraction(1)), (Link(node, "<=", Number(Fraction(1))),)
+    if a is None or b is None:
+        return None
+    if a[1].argument != b[1].argument or {a[1].function, b[1].function} != {"sin", "cos"}:
+        return None
+    total = sp.expand(a[0] ** 2 + b[0] ** 2)
+    other_ = Binary("-", _scaled(b[0], a[1]), _scaled(a[0], b[1]))
+    squared = tree_of(total)
+    less = Binary("-", squared, Binary("^", other_, two))
+    links = (Link(Binary("^", node, two), "=", less), Link(less, "<=", squared))
+    return tree_of(sp.sqrt(total)), links
+
+
+def _times(tree: Expression) -> tuple[sp.Expr, Apply] | None:
+    """A number, perhaps a root, times a sine or a cosine."""
+    match tree:
+        case Apply("sin" | "cos"):
+            return sp.Integer(1), tree
+        case Binary("*", factor, Apply("sin" | "cos") as ratio) if not letters(factor):
+            return sp.sympify(evaluate(factor, sp.Symbol), strict=True), ratio
+    return None
+
+
+def _scaled(factor: sp.Expr, ratio: Apply) -> Expression:
+    return ratio if factor == 1 else Binary("*", tree_of(factor), ratio)
+
+
+def _bounds(whole: Expression, node: Expression, most: Expression, bound: Expression) -> bool:
+    """Whether a bound is a whole with the greatest value of a part of it, for letters of 2/3."""
+    put = rebuilt(whole, lambda each: most if each == node else each)
+    try:
+        one, other = (evaluate(each, lambda _: sp.Rational(2, 3)) for each in (put, bound))
+        return bool(sp.sympify(one - other, strict=True).equals(0))
+    except (RestitutionError, TypeError, ValueError):
+        return False
+
+
+def _squared(tree: Expression) -> Expression:
+    return Binary("^", tree, Number(Fraction(2)))
+
+
+def _squares(tree: Expression, sign: str) -> Iterator[tuple[Expression, Expression]]:
+    """The terms of sums that are squares, or multiples of them, each with its square.
+
+    For an upper bound those that are taken away.
+    """
+    for each in walk(tree):
+        match each:
+            case Binary("+", left, right) if sign == ">=":
+                terms: tuple[Expression, ...] = (left, right)
+            case Binary("-", _, right) if sign == "<=":
+                terms = (right,)
+            case _:
+                continue
+        for term in terms:
+            match term:
+                case Binary("^", _, Number(Fraction(numerator=2, denominator=1))):
+                    yield term, term
+                case Binary("/", Binary("^", _, Number(Fraction(numerator=2))) as inner, _):
+                    yield term, inner
+                case Binary("*", factor, Binary("^", _, Number(Fraction(numerator=2))) as inner):
+                    if not letters(factor):
+                        yield term, inner
+
+
+def _bounds_below(relation: Relation | None, letter: Letter) -> bool:
+    """Whether a relation says that a letter is more than something."""
+    return relation is not None and any(
+        (link.left == letter and link.sign in _DOWN) or (link.right == letter and link.sign in _UP)
+        for links in relation.options
+        for link in links
+    )
+
+
+def _far_end(
+    bound: Relation, subject: Expression, name: str, way: int, ends: list[Link]
+) -> Expression | None:
+    """The bound that is approached as a letter grows, where nothing cited bounds it above."""
+    for each in ends:
+        above = each.left if each.sign in _UP else each.right
+        if above == Letter(name):
+            return None
+    for link in bound.only:
+        for side, other, signs in (
+            (link.left, link.right, _UP if way > 0 else _DOWN),
+            (link.right, link.left, _DOWN if way > 0 else _UP),
+        ):
+            if side == subject and link.sign in signs:
+                return other
+    return None
+
+
+def _part_with(tree: Expression, name: str) -> Expression | None:
+    """The one factor of a product, or above in a quotient, that has a letter, if it is short."""
+    above = tree
+    if isinstance(tree, Binary) and tree.op == "/":
+        if name in letters(tree.right):
+            return None
+        above = tree.left
+    parts = [each for each in factors(above) if name in letters(each)]
+    return parts[0] if len(parts) == 1 and _is_short(parts[0]) else None
+
+
+def _is_short(tree: Expression) -> bool:
+    """Whether an expression fits behind a line as what grows or falls."""
+    return sum(1 for _ in walk(tree)) <= _LONGEST
+
+
+def _merged(bounds: list[Link]) -> Iterator[Relation]:
+    """Bounds of one letter as one chain: 0 ≤ e ≤ 1."""
+    rest = list(bounds)
+    while rest:
+        link = rest.pop(0)
+        for other in rest:
+            low, high = (_upwards(each) for each in (link, other))
+            if low.right != high.left:
+                low, high = high, low
+            if low.right == high.left:
+                rest.remove(other)
+                yield Relation(((low, high),))
+                break
+        else:
+            yield Relation(((link,),))
+
+
+def _upwards(link: Link) -> Link:
+    """A bound with its lower side on the left."""
+    if link.sign in _UP:
+        return link
+    return Link(link.right, "<" if link.sign == ">" else "<=", link.left)

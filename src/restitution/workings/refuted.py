@@ -1,0 +1,289 @@
+"""A claim that is not true in words: what is true instead, or numbers for which it fails."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import fields, replace
+from typing import Any
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.exact import tidy
+from restitution.explaining.derivation import Derivation, Link, Note, Relation
+from restitution.explaining.saying import Sentence, say
+from restitution.explaining.trees import rebuilt
+from restitution.expression.evaluate import evaluate
+from restitution.expression.tree import Expression, Negate, Quantity, has_quantity, letters
+from restitution.planning.forms import product, tree_of
+from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Show
+from restitution.render import layout as lay
+from restitution.render.text import to_text
+from restitution.vector import Vector
+from restitution.workings.ends import Ends, claim_of_meeting
+from restitution.workings.measured import as_answer
+from restitution.workings.meetings import gain_of
+from restitution.workings.naming import Naming
+
+_HOLDS: Mapping[str, Callable[[float], bool]] = {
+    "=": lambda gap: gap == 0,
+    "<": lambda gap: gap < 0,
+    "<=": lambda gap: gap <= 0,
+    ">": lambda gap: gap > 0,
+    ">=": lambda gap: gap >= 0,
+}
+_NEAR = 1e-12
+_DENIED = {
+    "perpendicular to": "claim.not-perpendicular",
+    "parallel to": "claim.not-parallel",
+    "in the direction of": "claim.not-same-direction",
+    "opposite to": "claim.not-opposite",
+}
+
+
+def claim_of(note: Note, naming: Naming, ends: Ends) -> Sentence | lay.Layout | str:
+    """What a claim says: in the words of the question, but for an equation in letters."""
+    asked = ends.item(note.item)
+    if isinstance(asked, Show) and isinstance(asked.relation, Meets):
+        return claim_of_meeting(asked.relation, naming)
+    if note.claim is not None and isinstance(asked, Show) and isinstance(asked.relation, Compare):
+        laid, named = naming.relation(note.claim), ends.named(note.item)
+        # The letters that the question has for quantities may be others in the working.
+        lettered = "where" in (named if isinstance(named, str) else to_text(named)).split()
+        if lettered or not _in_words(laid):
+            return _with_article(laid)
+    return ends.named(note.item)
+
+
+def _in_words(layout: Any) -> bool:
+    """Whether mathematics holds words: the name of a quantity that has no letter."""
+    if isinstance(layout, tuple):
+        return any(map(_in_words, layout))
+    if isinstance(layout, lay.Words | lay.Phrase):
+        return True
+    return isinstance(layout, lay.Layout) and any(
+        _in_words(getattr(layout, each.name)) for each in fields(layout)
+    )
+
+
+def _with_article(laid: lay.Layout) -> Sentence | lay.Layout:
+    """An equation among words: where it begins with words, they have their article."""
+    if isinstance(laid, lay.Relation) and isinstance(laid.operands[0], lay.Words | lay.Phrase):
+        return say("derived.the", quantity=laid)
+    return laid
+
+
+def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -> Sentence:
+    """That a claim is not true, and why."""
+    asked = ends.item(note.item)
+    relation = asked.relation if isinstance(asked, Show) else None
+    claim = claim_of(note, naming, ends)
+    values = tuple(_side(each, naming) for each in note.instance)
+    equations = (_side(each, naming) for each in note.sides)
+    sides = tuple(_with_article(each) for each in equations if len(each.operands) > 1)
+    match relation:
+        case Compare() if isinstance(asked, Show) and asked.subject is not None:
+            return _of_subject(asked, claim, note, naming)
+        case Compare(operators=("=",)):
+            other_value = _value(note, derivation, naming)
+            if other_value is not None:
+                return other_value
+        case AtRest(body) if note.lines:
+            link = _link_of(derivation, note.lines[-1])
+            return say("refuted.rest", body=body.name, velocity=_side(link, naming))
+        case Aligned(left, how, right):
+            trees = _sides_of(note, left, right, how)
+            one, other_ = map(naming.side, trees)
+            denied = say(_DENIED[how], left=one, right=other_)
+            if not note.instance:
+                return _apart(denied, how, trees, note, derivation, naming)
+            if values and sides:
+                return say("refuted.direction-instance", claim=denied, values=values, sides=sides)
+            return say("refuted.direction", claim=denied)
+        case Meets() if not values and note.lines:
+            line = derivation.line(note.lines[-1])
+            if line is not None and line.item != note.item:
+                return say("refuted.opposite-above", claim=claim)
+            other = replace(relation, happens=not relation.happens)
+            return say("refuted.opposite", claim=claim_of_meeting(other, naming))
+    if sides and note.sides == note.instance:
+        letter, value = (naming.laid(each) for each in (note.sides[0].left, note.sides[0].right))
+        return say("refuted.possible", claim=claim, letter=letter, value=value)
+    told = say("refuted.sides", sides=sides)
+    if isinstance(relation, Compare):
+        told = _compared(note, sides, naming) or told
+    elif isinstance(relation, Meets):
+        gain = gain_of(relation, naming)
+        told = told if gain is None else say("refuted.so", sides=sides, claim=gain)
+    if values and sides:
+        return say("refuted.general", claim=claim, values=values, sides=told)
+    if values:
+        return say("refuted.instance", claim=claim, values=values)
+    if sides:
+        return say("refuted.claim", claim=claim, sides=told)
+    return say("refuted.plainly", claim=claim)
+
+
+def _compared(
+    note: Note, sides: tuple[Sentence | lay.Layout, ...], naming: Naming
+) -> Sentence | None:
+    """What the sides of a claim are worth, and how they compare; None where they are no numbers."""
+    values = {each.left: each.right for each in (*note.sides, *note.instance)}
+    assert note.claim is not None
+    for link in note.claim.only:
+        ends = (link.left, link.right)
+        try:
+            low, high = (
+                _number(rebuilt(each, lambda tree: values.get(tree, tree))) for each in ends
+            )
+        except (RestitutionError, TypeError, ValueError, ZeroDivisionError):
+            return None
+        gap = 0 if abs(low - high) <= _NEAR * max(abs(low), abs(high)) else low - high
+        if _HOLDS[link.sign](gap):
+            continue
+        worth = [e for e in ends if any(e == side.left != side.right for side in note.sides)]
+        if link.sign == "=":
+            if len(sides) == 2:
+                return say("refuted.but", one=sides[0], other=sides[1])
+        elif len(sides) == 2 == len(worth):
+            word = "refuted.equal" if gap == 0 else "refuted.less" if gap > 0 else "refuted.more"
+            return say(word, sides=sides)
+        if len(sides) != 1 or len(worth) != 1:
+            return None
+        (other,) = [each for each in ends if each not in worth] or [link.right]
+        above = gap if worth == [link.left] else -gap
+        if link.sign == "=":
+            word = "refuted.not-equal-to"
+        elif above:
+            word = "refuted.more-than" if above > 0 else "refuted.less-than"
+        else:
+            upper = (link.sign[0] == "<") == (worth == [link.left])
+            word = "refuted.not-less-than" if upper else "refuted.not-more-than"
+        return say(word, side=sides[0], bound=naming.laid(other))
+    return None
+
+
+def _number(tree: Expression) -> float:
+    """An expression as a float, with 1 for letters of size."""
+    value: Any = evaluate(tree, lambda name: sp.Integer(1))
+    return float(sp.sympify(value, strict=True))
+
+
+def _apart(
+    denied: Sentence,
+    how: str,
+    trees: tuple[Expression, Expression],
+    note: Note,
+    derivation: Derivation,
+    naming: Naming,
+) -> Sentence:
+    """That two directions do not stand to each other as claimed, and what they are."""
+    known = {e.left: e.right for e in (_link_of(derivation, line) for line in note.lines)}
+    worth = [known.get(each, each) for each in trees]
+    try:
+        a, b = (evaluate(e, lambda name: sp.Symbol(name, positive=True)) for e in worth)
+    except RestitutionError:
+        return say("refuted.direction", claim=denied)
+    if not (isinstance(a, Vector) and isinstance(b, Vector)) or 0 in (a.dot(a), b.dot(b)):
+        return say("refuted.direction", claim=denied)
+    if how == "perpendicular to":
+        told = Link(Quantity("dot", trees), "=", tree_of(tidy(a.dot(b))))
+    elif tidy(a.cross(b)) != 0:
+        left, right = map(naming.laid, worth)
+        return say("refuted.no-multiple", claim=denied, left=left, right=right)
+    else:
+        factor = tree_of(tidy(a.dot(b) / b.dot(b)))
+        told = Link(trees[0], "=", product(factor, trees[1]))
+    return say("refuted.direction-as", claim=denied, relation=naming.relation(Relation(((told,),))))
+
+
+def _of_subject(
+    asked: Show, claim: Sentence | lay.Layout | str, note: Note, naming: Naming
+) -> Sentence:
+    """That a range, or a greatest or least value, is another."""
+    if isinstance(asked.subject, Extremum) and note.claim is not None:
+        link = note.claim.only[0]
+        extreme = naming.extreme(link.left, greatest=asked.subject.kind == "maximum")
+        claimed = naming.laid(link.right)
+        if not note.sides:
+            return say("refuted.extreme", quantity=extreme, claimed=claimed)
+        (true,) = note.sides
+        value = naming.laid(true.right)
+        return say("refuted.value", quantity=extreme, claimed=claimed, value=value)
+    if note.sides:
+        true_range = naming.relation(Relation((note.sides,)))
+        return say("refuted.range-is", range=claim, true=true_range)
+    return say("refuted.range", range=claim)
+
+
+def _value(note: Note, derivation: Derivation, naming: Naming) -> Sentence | None:
+    """What a quantity is worth of which another value is claimed."""
+    assert note.claim is not None
+    link = note.claim.only[0]
+    if not isinstance(link.left, Quantity) or has_quantity(link.right) or not note.lines:
+        return None
+    own = _link_of(derivation, note.lines[-1])
+    if own.left != link.left:
+        return None
+    claimed, value = naming.laid(link.right), naming.laid(own.right)
+    added = as_answer(own.right)
+    if note.sides and note.sides[0].sign == "≈":
+        value = naming.laid(note.sides[0].right)
+    elif added:
+        value = lay.Relation((value, *(e for e, _ in added)), tuple(s for _, s in added))
+    name = naming.laid(link.left)
+    plain, general = (
+        ("refuted.vector", "refuted.vector-general")
+        if isinstance(name, lay.Bold)
+        else ("refuted.value", "refuted.value-general")
+    )
+    sentence = general if _may_agree(link.right, own.right) else plain
+    return say(sentence, quantity=name, claimed=claimed, value=value)
+
+
+def _may_agree(claimed: Expression, value: Expression) -> bool:
+    """Whether two values in letters may be equal for some: their ratio is no number."""
+    if not letters(claimed) | letters(value):
+        return False
+    try:
+        ends: list[Any] = [
+            evaluate(each, lambda name: sp.Symbol(name, positive=True)) for each in (claimed, value)
+        ]
+    except RestitutionError:
+        return True
+    if not all(isinstance(each, sp.Expr) and each != 0 for each in ends):
+        return True
+    return bool(tidy(ends[0] / ends[1]).free_symbols)
+
+
+def _link_of(derivation: Derivation, number: int) -> Link:
+    """A line as one link, from its first side to its last."""
+    line = derivation.line(number)
+    assert line is not None
+    assert isinstance(line.relation, Relation)
+    links = line.relation.only
+    return Link(links[0].left, links[0].sign, links[-1].right)
+
+
+def _sides_of(
+    note: Note, left: Expression, right: Expression, how: str
+) -> tuple[Expression, Expression]:
+    """The two directions of a claim, with the stages that are meant."""
+    if note.claim is None:
+        return left, right
+    link = note.claim.only[0]
+    turned = how == "opposite to" and isinstance(link.right, Negate)
+    return link.left, link.right.operand if turned else link.right  # type: ignore[union-attr]
+
+
+def _side(link: Link, naming: Naming) -> lay.Relation:
+    """``tan β = 3/4 = 0.75``: what a letter or a quantity is worth.
+
+    What is worth itself, as ``u/3``, is not said twice.
+    """
+    added = as_answer(link.right) if link.sign == "=" else ()
+    operands = [naming.laid(link.left), naming.laid(link.right), *(e for e, _ in added)]
+    signs = [lay.SIGNS.get(link.sign, link.sign), *(s for _, s in added)]
+    if operands[0] == operands[1]:
+        del operands[0], signs[0]
+    return lay.Relation(tuple(operands), tuple(signs))

@@ -1,0 +1,123 @@
+"""A solution to its explanation: planned as a derivation, and put on paper."""
+
+from __future__ import annotations
+
+from restitution.errors import TimeLimitError
+from restitution.explaining.awarding import awarded
+from restitution.explaining.derivation import Derivation
+from restitution.explaining.follower import follow
+from restitution.explaining.marks import STYLES, Style
+from restitution.explaining.saying import say
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solving.letters import roles
+from restitution.solving.solution import ItemResult, PartSolution, Solution
+from restitution.work import confirm, limited
+from restitution.workings.backwards import is_told_backwards, steps_backwards
+from restitution.workings.conditions import conditions_of
+from restitution.workings.derived import explanation_of
+from restitution.workings.explanation import Explanation
+from restitution.workings.steps import PartExplanation, Step
+
+
+def explain(
+    solution: Solution,
+    part: str | None = None,
+    time_limit: float | None = None,
+    *,
+    marks: Style = "fm1",
+    route: int = 1,
+    check: bool = False,
+) -> Explanation:
+    """The worked solution of a problem, or of the part with that label.
+
+    ``marks`` is the style in which marks are given, or ``"none"``. ``route`` chooses among the ways
+    to the answers, the best being 1, and ``check`` has every line followed exactly.
+
+    It is whole, or there is none: after ``time_limit`` seconds (None is no limit; it holds in any
+    thread) TimeLimitError is raised.
+
+    Every line is checked by numbers that satisfy the facts before it is kept. An item of which no
+    line leads to the answer has the answer alone, and says so. Items without an answer are told
+    with their reason. Raises
+    KeyError for a part that is not there, and ValueError for a style or a route that cannot be.
+    """
+    if marks not in STYLES:
+        raise ValueError(f"there is no style of marks {marks!r}; styles: {', '.join(STYLES)}")
+    if route < 1:
+        raise ValueError(f"routes are counted from 1, not {route}")
+    if part is not None and part not in solution.parts:
+        known = ", ".join(str(label) for label in solution.parts)
+        raise KeyError(f"there is no part {part!r}; parts: {known}")
+    with limited(time_limit, error=None if time_limit is None else _too_late(time_limit)):
+        derivation = awarded(plan(solution, route, partial=True), marks)
+        explanation = _printed(solution, derivation, part, check)
+        confirm()
+    return explanation
+
+
+def _too_late(seconds: float) -> TimeLimitError:
+    return TimeLimitError(f"no working within the time limit of {seconds:g} s")
+
+
+def _printed(
+    solution: Solution, derivation: Derivation, part: str | None, check: bool
+) -> Explanation:
+    """A derivation in steps and rows."""
+    conditions = conditions_of(solution, derivation)
+    whole = explanation_of(derivation, solution.problem, conditions=conditions)
+    steps = {each.label: each.steps for each in whole.parts}
+    parts = tuple(
+        PartExplanation(
+            label,
+            tuple(item.text for item in each.items),
+            (*_before(derivation, each), *steps.get(label, ())),
+            tuple(_answers(item) for item in each.items),
+            derivation,
+        )
+        for label, each in solution.parts.items()
+        if part is None or label == part
+    )
+    proved = _proved_on_paper(solution, derivation)
+    warnings = [each for each in solution.warnings if each not in proved]
+    followed: bool | None = None
+    if check:
+        complaints = follow(derivation, Oracle(roles(solution.problem)))
+        warnings += [str(say("amiss.complaint", complaint=str(each))) for each in complaints]
+        followed = not complaints
+    return Explanation(solution.problem.title, parts, tuple(warnings), solution, followed)
+
+
+def _proved_on_paper(solution: Solution, derivation: Derivation) -> set[str]:
+    """The warnings of what was only sought, of which the lines of the working are the proof."""
+    ended = {each.item for each in derivation.items}
+    return {
+        item.not_proved
+        for label, part in solution.parts.items()
+        for name, item in zip(
+            [each for each, own in derivation.asked.items() if own == label],
+            part.items,
+            strict=True,
+        )
+        if name in ended and item.proof == "undecided"
+    }
+
+
+def _before(derivation: Derivation, part: PartSolution) -> tuple[Step, ...]:
+    """Where each contact has to be, of a part that nobody would write out."""
+    label = part.part.label
+    own = {each for each, other in derivation.asked.items() if other == label}
+    noted = {each.item for each in derivation.notes if each.kind == "unwritten"}
+    return steps_backwards(part) if own <= noted and is_told_backwards(part) else ()
+
+
+def _answers(item: ItemResult) -> str:
+    if item.error is not None:
+        return str(say("answer.reason", item=item.text, reason=item.error.message))
+    if item.undecided:
+        return str(say("answer.undecided", item=item.text))
+    displays = [each.display for each in item.distinct]
+    if item.holds is not None:
+        outcome = say("answer.shown" if item.holds else "answer.false")
+        return str(say("answer.outcome", item=item.text, outcomes=[outcome, *displays]))
+    return str(say("answer.value", item=item.text, values=displays))

@@ -1,0 +1,386 @@
+"""The lines of a working as rows: chains with names, units and decimals at their ends."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from restitution.explaining.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.layouts import chains
+from restitution.explaining.saying import Sentence, operand, say
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Quantity,
+    has_quantity,
+    walk,
+)
+from restitution.planning.forms import coordinates
+from restitution.problem import Value
+from restitution.render import layout as lay
+from restitution.render.text import to_text
+from restitution.workings.ends import Ends
+from restitution.workings.extremes import EXTREMA, extreme, value_reached
+from restitution.workings.measured import (
+    Measures,
+    as_answer,
+    as_decimal,
+    is_plain,
+    percentage,
+    rounded,
+    to_three_figures,
+    with_unit,
+)
+from restitution.workings.naming import Naming
+from restitution.workings.sources import is_time
+from restitution.workings.steps import REQUIRED, Row
+
+# In these the second line of an equation leaves out the side that stays.
+_GOES_ON = frozenset({"rearrange", "put", "identity", "value", "cancel"})
+# So many lines after a letter was introduced a reader still knows what it stands for.
+_REMEMBERED = 3
+_TANGENTS = frozenset({"tan", "tan-direction"})
+_ORDERS = frozenset({"<", "<=", ">", ">="})
+_VECTORS = ("velocity", "impulse")
+_WORDS = {"parallel to": "claim.parallel", "perpendicular to": "claim.perpendicular"}
+
+
+class Rows:
+    """The rows of one derivation, written from the top."""
+
+    def __init__(
+        self, derivation: Derivation, naming: Naming, measures: Measures, ends: Ends
+    ) -> None:
+        self._derivation = derivation
+        self._naming = naming
+        self._measures = measures
+        self._ends = ends
+        # The left side of the row above, and the item to which it belongs.
+        self._left: tuple[Expression, str | None] | None = None
+
+    def afresh(self) -> None:
+        """The next row goes on from none."""
+        self._left = None
+
+    def of(self, line: Line, waiting: Sequence[Line], fresh: bool) -> Iterator[Row]:
+        assert isinstance(line.relation, Relation)
+        options = line.relation.options
+        (left, item), self._left = self._left or (None, None), None
+        left = left if item == line.item else None
+        reached = value_reached(options)
+        if reached is not None:
+            place, value = reached
+            row = self._chain(line, value)
+            where = self._naming.relation(Relation(((place,),)))
+            yield replace(row, reasons=(say("derived.for", place=where),))
+            return
+        if len(options) > 1:
+            yield self._alternatives(options, self._ends.of(line) is not None)
+            return
+        if line.move.record in EXTREMA and line.move.id == "answer":
+            yield self._extreme(line)
+            return
+        groups = chains(options[0])
+        for index, links in enumerate(groups):
+            whole = links
+            if waiting and not index:
+                whole = self._with(waiting, links)
+            row = self._chain(line, whole, last=index == len(groups) - 1)
+            same = left is not None and not fresh and whole[0].left == left
+            goes_on = line.move.id in _GOES_ON and whole[0].sign in ("=", "≈") and row.signs
+            if same and goes_on:
+                row = replace(row, operands=(None, *row.operands[1:]))
+            yield row
+            if whole[0].sign == "=" and len(whole) == 1:
+                self._left = (whole[0].left, line.item)
+            fresh = False
+
+    def asides(self, line: Line) -> Iterator[Sentence]:
+        """What stands behind a row in brackets: that it was to be shown."""
+        end = self._ends.of(line)
+        if self._ends.is_required(line):
+            yield from REQUIRED
+        if end is not None and not end.shown and isinstance(line.relation, Relation):
+            called = self._called(line)
+            if called is not None:
+                yield called
+
+    @staticmethod
+    def _with(waiting: Sequence[Line], links: tuple[Link, ...]) -> tuple[Link, ...]:
+        """A chain that takes up lines written within it."""
+        whole = list(links)
+        for line in reversed(waiting):
+            assert isinstance(line.relation, Relation)
+            before = line.relation.options[0]
+            if before[0].left == whole[0].left:
+                first = Link(before[-1].right, whole[0].sign, whole[0].right, whole[0].by)
+                whole = [*before, first, *whole[1:]]
+            else:
+                whole = [*before, *whole]
+        return tuple(whole)
+
+    def _chain(self, line: Line, links: tuple[Link, ...], last: bool = True) -> Row:
+        """A chain as a row: with the name of what was asked, units, and a decimal at its end."""
+        words = _WORDS.get(links[0].sign)
+        if words is not None:
+            left, right = map(self._naming.side, (links[0].left, links[0].right))
+            return Row((operand(say(words, left=left, right=right)),), ())
+        trees = [links[0].left, *(each.right for each in links)]
+        if self._measures.decimals and self._measures.unit(links[0].left):
+            trees[1:] = map(as_decimal, trees[1:])
+        match links[0]:
+            case Link(Binary("/", Quantity(), Quantity()), _, Binary("/", above, below)) if (
+                self._measures.decimals
+            ):
+                trees[1] = Binary("/", as_decimal(above), as_decimal(below))
+        sides_ = [self._naming.laid(each) for each in trees]
+        for n, each in enumerate(links, 1):
+            if each.sign == "≈":
+                sides_[n] = to_three_figures(trees[n]) or sides_[n]
+        signs = [_sign(each) for each in links]
+        angle = self._tangent_of(line, links[0])
+        if angle is not None:
+            sides_[:0], signs[:0] = [self._naming.laid(Apply("tan", angle))], ["="]
+        for n in range(len(sides_) - 1, 1, -1):
+            if sides_[n] == sides_[n - 1] and signs[n - 1] == "=":
+                del sides_[n], signs[n - 1]
+        quotient = _quotient(line, links[0])
+        if quotient is not None and isinstance(sides_[1], lay.Number):
+            sides_[1:1], signs[:0] = [quotient], ["="]
+        if self._towards(line, links, sides_):
+            sides_[0] = self._away(links[0].left)
+            sides_[1:] = [lay.split_sign(each)[1] for each in sides_[1:]]
+        reasons: tuple[Sentence, ...] = ()
+        if signs[-1] in ("=", "≈") and last:
+            self._ended(line, links, sides_, signs)
+            reasons = self._placed(line, links[-1])
+        return Row(tuple(sides_), tuple(signs), reasons=reasons)
+
+    def _tangent_of(self, line: Line, link: Link) -> Expression | None:
+        """The given sum or difference of angles of which a row is the tangent, if it is left out.
+
+        None where the row has the tangent of an angle on a side.
+        """
+        if line.move.record != "sum-of-angles" or not isinstance(link.left, Binary):
+            return None
+        if link.left.op != "/" or isinstance(link.right, Apply):
+            return None
+        for ref in line.premises:
+            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            if fact is not None and fact.kind == "given" and len(fact.relation.options) == 1:
+                match fact.relation.only:
+                    case (Link(Binary("+" | "-") as angle, "="),):
+                        return angle
+        return None
+
+    def _placed(self, line: Line, link: Link) -> tuple[Sentence, ...]:
+        """Where a body is by its coordinates, behind its position vector, if that was asked."""
+        end, asked = self._ends.of(line), self._ends.asked(line)
+        if end is None or end.shown or not self._ends.is_place(line):
+            return ()
+        assert isinstance(line.relation, Relation)
+        match asked:
+            case Value(expression=Quantity("position", (Name(body),))):
+                shown = as_answer(link.right, True)
+                if not shown:
+                    return ()
+                sides, signs = [each for each, _ in shown], tuple(sign for _, sign in shown[1:])
+                decimals = self._measures.decimals and self._measures.unit(link.left)
+                point = coordinates(as_decimal(link.right) if decimals else link.right)
+                if point is not None:
+                    sides[0] = self._naming.laid(Pair(*point))
+                if decimals and signs == ("=",):
+                    sides, signs = sides[:1], ()
+                if is_plain(self._naming.laid(link.right)):
+                    unit = self._measures.unit(line.relation.options[0][0].left)
+                    sides[-1] = with_unit(sides[-1], unit)
+                place = lay.Relation(tuple(sides), signs) if signs else sides[0]
+                return (say("place.so", body=body, place=place),)
+        return ()
+
+    def _towards(self, line: Line, links: tuple[Link, ...], sides: list[lay.Layout]) -> bool:
+        """Whether a row gives a rebound as a negative component towards a wall."""
+        if self._ends.of(line) is not None:
+            return False
+        match links[0].left:
+            case Quantity("along", (Quantity("velocity", _), axis)):
+                event = self._naming.event_of_axis(axis)
+                return (
+                    event is not None
+                    and event.wall
+                    and not self._naming.bold.has_unit(event.number)
+                    and all(lay.split_sign(each)[0] == "-" for each in sides[1:])
+                )
+        return False
+
+    def _away(self, tree: Expression) -> lay.Layout:
+        assert isinstance(tree, Quantity)
+        vector, axis = tree.arguments
+        event = self._naming.event_of_axis(axis)
+        assert event is not None
+        of = self._naming.laid(vector)
+        return operand(say("derived.component-away", of=of, wall=event.bodies[1]))
+
+    def _ended(
+        self,
+        line: Line,
+        links: tuple[Link, ...],
+        sides: list[lay.Layout],
+        signs: list[str],
+    ) -> None:
+        """Puts what belongs to a value at the end of a row: its name, its unit, a decimal."""
+        left, right = links[0].left, links[-1].right
+        end = self._ends.of(line)
+        worth = not has_quantity(right) and (_is_value(left) or end is not None)
+        unit = self._measures.unit(left) if worth else ""
+        asked = self._ends.asked(line)
+        if end is not None and not end.shown:
+            if isinstance(asked, Value) and asked.percentage:
+                hundred = percentage(right)
+                if hundred is not None:
+                    sides.append(hundred[0])
+                    signs.append(hundred[1])
+                return
+            place = self._ends.is_place(line)
+            for side, sign in as_answer(right) if links[-1].sign == "=" and not place else ():
+                if side != sides[-1] and not (sign == "=" and _has_decimals(sides[-1])):
+                    sides.append(side)
+                    signs.append(sign)
+        nothing = sides[-1] == lay.Number("0")
+        answered = end is not None and not has_quantity(right)
+        if unit and not nothing and (answered or is_plain(sides[-1])):
+            sides[-1] = with_unit(sides[-1], unit)
+
+    def _called(self, line: Line) -> Sentence | None:
+        """What a letter stands for that was introduced a while ago, where it is what was asked."""
+        asked = self._ends.asked(line)
+        if not isinstance(asked, Value) or not isinstance(asked.expression, Quantity):
+            return None
+        assert isinstance(line.relation, Relation)
+        left = line.relation.options[0][0].left
+        if not isinstance(left, Letter) or left.name not in self._naming.meanings:
+            return None
+        meaning = self._naming.meanings[left.name]
+        numbers = [each.number for each in self._derivation.lines]
+        since = next(e.number for e in self._derivation.lines if e.relation == meaning)
+        if numbers.index(line.number) - numbers.index(since) <= _REMEMBERED:
+            return None
+        return say("derived.called", quantity=self._naming.quantity(meaning.quantity))
+
+    def decimals(self, line: Line) -> Row | None:
+        """A row with the ends of a range to three figures, where roots or angles are in them."""
+        end = self._ends.of(line)
+        if end is None or end.shown or not isinstance(line.relation, Relation):
+            return None
+        if line.move.record in EXTREMA:
+            return None
+        if len(line.relation.options) != 1 or len(chains(line.relation.only)) != 1:
+            return None
+        links = line.relation.only
+        if any(each.sign not in _ORDERS for each in links):
+            return None
+        sides = [links[0].left, *(each.right for each in links)]
+        ends = [rounded(each) if _has_function(each) else None for each in sides]
+        exact = tuple(self._naming.laid(each) for each in sides)
+        laid = tuple(new or each for new, each in zip(ends, exact, strict=True))
+        if laid == exact:
+            return None
+        figures = (say("shown.figures", figures="3"),)
+        return Row(laid, tuple(_sign(each) for each in links), reasons=figures)
+
+    def _alternatives(self, options: tuple[tuple[Link, ...], ...], asked: bool) -> Row:
+        """``t = 1 or t = −1``, set at the first sign; opposite roots as ``t = ±1``."""
+        first, *rest = options
+        root = None if asked else _opposite(options)
+        if root is not None:
+            sides = (self._naming.laid(root.left), self._naming.laid(root.right))
+            return Row((sides[0], lay.Phrase((lay.Words("±"), sides[1]), "")), ("=",))
+        words = _WORDS.get(first[0].sign)
+        if words is not None and all(len(each) == 1 for each in options):
+            left = self._naming.side(first[0].left)
+            ways = tuple(self._naming.side(each[0].right) for each in options)
+            either = say("derived.either", values=ways)
+            return Row((operand(say(words, left=left, right=either)),), (), alternatives=True)
+        if isinstance(first[0].left, Quantity) and first[0].left.kind in _VECTORS:
+            asked = False  # the line above has the value
+        laid = self._bare(first, asked)
+        others: list[lay.Layout] = [self._bare(each, asked) for each in rest]
+        if isinstance(first[0].left, Quantity) and all(len(each) == 1 for each in options):
+            # A quantity in words stands once.
+            others = [_without_subject(each) for each in others if isinstance(each, lay.Relation)]
+        final = lay.Phrase((laid.operands[-1], *others), str(say("list.or")))
+        return Row((*laid.operands[:-1], final), laid.signs, alternatives=True)
+
+    def _extreme(self, line: Line) -> Row:
+        """The greatest or the least value and where it is reached, or what is only approached."""
+        assert isinstance(line.relation, Relation)
+        link = line.relation.only[-1]
+        end = self._ends.of(line)
+        shown = end is not None and end.shown
+        called, sign, reasons = extreme(self._derivation, self._naming, line, shown)
+        sides, signs = [called, self._naming.laid(link.right)], [sign]
+        self._ended(line, (Link(link.left, "=", link.right),), sides, signs)
+        return Row(tuple(sides), tuple(signs), reasons=reasons)
+
+    def _bare(self, links: tuple[Link, ...], asked: bool) -> lay.Relation:
+        trees = [links[0].left, *(each.right for each in links)]
+        sides = [self._naming.laid(each) for each in trees]
+        signs = [_sign(each) for each in links]
+        for side, sign in as_answer(trees[-1]) if asked and signs[-1] == "=" else ():
+            sides.append(side)
+            signs.append(sign)
+        if _is_value(trees[0]) and is_plain(sides[-1]) and signs[-1] in ("=", "≈"):
+            sides[-1] = with_unit(sides[-1], self._measures.unit(trees[0]))
+        return lay.Relation(tuple(sides), tuple(signs))
+
+
+def _quotient(line: Line, link: Link) -> lay.Layout | None:
+    """The quotient of two numbers, which is a decimal next: of components, or of a flight."""
+    flight = line.move.record == "straight-line" and is_time(link.left)
+    match link.right:
+        case Binary("/", Number(above), Number(below)) if flight or line.move.record in _TANGENTS:
+            return lay.Fraction(lay.Number(str(above)), lay.Number(str(below)))
+    return None
+
+
+def _has_function(tree: Expression) -> bool:
+    """Whether there are roots or angles of which only a calculator knows the value."""
+    return any(isinstance(each, Apply) for each in walk(tree))
+
+
+def _without_subject(relation: lay.Relation) -> lay.Layout:
+    """The right sides of an equation."""
+    sides, signs = relation.operands[1:], relation.signs[1:]
+    return sides[0] if len(sides) == 1 else lay.Relation(sides, signs)
+
+
+def _opposite(options: tuple[tuple[Link, ...], ...]) -> Link | None:
+    """The positive one of two roots that differ in their sign alone."""
+    if len(options) != 2 or any(len(each) != 1 or each[0].sign != "=" for each in options):
+        return None
+    (one,), (two,) = options
+    if one.left != two.left:
+        return None
+    if two.right == Negate(one.right):
+        return one
+    return two if one.right == Negate(two.right) else None
+
+
+def _has_decimals(side: lay.Layout) -> bool:
+    """Whether a side is written in decimals, to which no zeros need be added."""
+    return "." in to_text(side)
+
+
+def _is_value(tree: Expression) -> bool:
+    """Whether a side names one quantity, whose dimension is known."""
+    return isinstance(tree, Letter | Quantity) or is_time(tree)
+
+
+def _sign(link: Link) -> str:
+    return lay.SIGNS.get(link.sign, link.sign)
