@@ -246,7 +246,7 @@ class World:
         """Keep the cosines below the tangents of a line, as far as they do not cancel there."""
         parts = (line.x, line.y) if isinstance(line, Plane) else (line,)
         for cosine in self.tangents:
-            if any(not each.below.is_ground and not each.below.rem(cosine) for each in parts):
+            if any(not part.below.is_ground and not part.below.rem(cosine) for part in parts):
                 self.denominators.append(cosine)
         self.tangents.clear()
 
@@ -403,7 +403,7 @@ class World:
     def _is_of_an_angle(self, vector: Plane) -> bool:
         """Whether a vector is written as the cosine and the sine of an angle: its size is 1."""
         keys = [list(self.keys(each.above).values()) for each in (vector.x, vector.y)]
-        if any(len(each) != 1 for each in keys):
+        if any(len(key) != 1 for key in keys):
             return False
         (one,), (other,) = keys
         if {one[0], other[0]} != {"cos", "sin"} or one[1] != other[1]:
@@ -460,8 +460,8 @@ class World:
                 return self._component(tree, vector, axis)
             case "dot":
                 a, b = (
-                    self.unit(each) if _is_line_of_centres(each) else self.value(each)
-                    for each in tree.arguments
+                    self.unit(argument) if _is_line_of_centres(argument) else self.value(argument)
+                    for argument in tree.arguments
                 )
                 if not (isinstance(a, Plane) and isinstance(b, Plane)):
                     raise NotComparableError("a scalar product of numbers")
@@ -966,11 +966,11 @@ def _rational(tree: Expression) -> Fraction | None:
 
 
 def _arguments(tree: Expression) -> Iterable[Expression]:
-    for each in walk(tree):
-        if isinstance(each, Apply) and each.function in _TRIGONOMETRIC:
-            yield each.argument
-        elif isinstance(each, Polar):
-            yield each.angle
+    for node in walk(tree):
+        if isinstance(node, Apply) and node.function in _TRIGONOMETRIC:
+            yield node.argument
+        elif isinstance(node, Polar):
+            yield node.angle
 
 
 def _fraction(number: Any) -> Fraction:
@@ -1009,9 +1009,9 @@ def small(*polynomials: PolyElement) -> tuple[tuple[int, ...], tuple[PolyElement
     ring = _small_ring(max(len(used), 1))
     return tuple(used), tuple(
         ring.from_dict(
-            {tuple(m[n] for n in used) or (0,): value for m, value in each.items()},
+            {tuple(m[n] for n in used) or (0,): value for m, value in polynomial.items()},
         )
-        for each in polynomials
+        for polynomial in polynomials
     )
 
 

@@ -231,15 +231,15 @@ def awarded(
         return replace(
             derivation,
             lines=tuple(replace(each, marks=()) for each in derivation.lines),
-            notes=tuple(replace(each, marks=()) for each in derivation.notes),
+            notes=tuple(replace(note, marks=()) for note in derivation.notes),
         )
     proposed = _Awarding(derivation, style, frozenset(justify)).proposed()
     return replace(
         derivation,
         lines=tuple(replace(each, marks=proposed[each.number]) for each in derivation.lines),
         notes=tuple(
-            replace(each, marks=_UNSEEN if each.kind == "unwritten" else ())
-            for each in derivation.notes
+            replace(note, marks=_UNSEEN if note.kind == "unwritten" else ())
+            for note in derivation.notes
         ),
     )
 
@@ -286,7 +286,7 @@ class _Awarding:
                 self.ends.setdefault(last, None)
         self.shown = {each.line for each in derivation.items if each.shown}
         self.order = {item: n for n, item in enumerate(self.parts)}
-        self.walls = {each.number: each.wall for each in derivation.events}
+        self.walls = {event.number: event.wall for event in derivation.events}
         self.further = {
             number
             for case in derivation.cases
@@ -335,11 +335,11 @@ class _Awarding:
         """Whether its part has come to a coefficient that cannot be, and asks for more."""
         last = len(self.order)
         return any(
-            each.kind == "impossible"
-            and each.premises
-            and each.part == self.part(line)
-            and self.order.get(each.item, last) < self.order.get(line.item or "", 0)
-            for each in self.derivation.notes
+            note.kind == "impossible"
+            and note.premises
+            and note.part == self.part(line)
+            and self.order.get(note.item, last) < self.order.get(line.item or "", 0)
+            for note in self.derivation.notes
         )
 
     def rule(self, line: Line) -> Rule | None:
@@ -867,7 +867,7 @@ def _is_sum(tree: Expression) -> bool:
 
 
 def _has_power(tree: Expression) -> bool:
-    return any(isinstance(each, Binary) and each.op == "^" for each in walk(tree))
+    return any(isinstance(node, Binary) and node.op == "^" for node in walk(tree))
 
 
 def _opposite(work: _Awarding, line: Line) -> bool:
@@ -881,7 +881,7 @@ def _opposite(work: _Awarding, line: Line) -> bool:
 def _new_inequality(work: _Awarding, line: Line) -> bool:
     """An inequality that comes of none; a comparison by a place on a wall, or by a given bound."""
     if line.move.id == "compare" and not any(
-        each.id.startswith("within ") or _bounds_a_quantity(each) for each in work.facts(line)
+        fact.id.startswith("within ") or _bounds_a_quantity(fact) for fact in work.facts(line)
     ):
         return False
     if isinstance(line.relation, Relation) and _tells_a_quadrant(line.relation):
@@ -982,7 +982,7 @@ def _by_an_open_time(line: Line) -> bool:
     match line.relation:
         case Relation(((first, *_), *_)):
             nodes = walk(first.right)
-            return any(isinstance(each, Quantity) and each.kind == "time" for each in nodes)
+            return any(isinstance(node, Quantity) and node.kind == "time" for node in nodes)
     return False
 
 

@@ -147,7 +147,7 @@ def _chords(step: Step, event: Event | None) -> Iterator[Link]:
 def _speeds(velocity: Quantity, radial: Expression) -> Iterator[Expression]:
     """A speed by the components along a radius and across it, as it is, and by the vector."""
     parts = [Quantity(kind, (velocity, radial)) for kind in ("along", "across")]
-    yield Apply("sqrt", _sum([_squared(each) for each in parts]))
+    yield Apply("sqrt", _sum([_squared(part) for part in parts]))
     yield replace(velocity, kind="speed")
     yield Apply("abs", velocity)
 
@@ -218,7 +218,7 @@ def _beside(step: Step, event: Event | None) -> Iterator[Link]:
     """Where the one centre is by the other: as far along the line of centres as they are apart."""
     if event is None or event.kind != "impact" or event.wall:
         return
-    first, second = (Quantity("position", (Name(each),), event.number) for each in event.bodies)
+    first, second = (Quantity("position", (Name(body),), event.number) for body in event.bodies)
     radii = [
         link.left
         for link in step.links
@@ -280,8 +280,8 @@ def _component(kind: str, body: str, stage: int, event: Event) -> Expression:
 
 def _sum(terms: Sequence[Expression]) -> Expression:
     total = terms[0]
-    for each in terms[1:]:
-        total = Binary("+", total, each)
+    for term in terms[1:]:
+        total = Binary("+", total, term)
     return total
 
 
@@ -294,7 +294,7 @@ def _squares(form: str, body: str, stage: int, event: Event | None) -> Expressio
     velocity = Quantity("velocity", (Name(body),), stage)
     if form == "components" and event is not None and body in event.bodies:
         parts = (_component(kind, body, stage, event) for kind in ("along", "across"))
-        return _sum([_squared(each) for each in parts])
+        return _sum([_squared(part) for part in parts])
     if form == "along" and event is not None:
         return _squared(_component("along", body, stage, event))
     if form == "speed":
@@ -418,7 +418,7 @@ def _tied(step: Step, event: Event | None) -> Iterator[Link]:
 
 def _named_angles(step: Step) -> Iterator[Link]:
     """What is cited of letters for angles, said of the angles."""
-    named = {Letter(each.letter): each.quantity for each in step.lets}
+    named = {Letter(let.letter): let.quantity for let in step.lets}
     named |= {
         each.right: each.left
         for each in step.links

@@ -185,7 +185,7 @@ class Note:
     @property
     def lines(self) -> tuple[int, ...]:
         """The lines among its premises."""
-        return tuple(each for each in self.premises if isinstance(each, int))
+        return tuple(premise for premise in self.premises if isinstance(premise, int))
 
     def renumbered(self, numbers: Mapping[int, int]) -> Note:
         """The same note, which names lines by their new numbers."""
@@ -249,9 +249,9 @@ class Derivation:
     def meanings(self) -> Mapping[str, Meaning]:
         """The letters that the working introduces."""
         return {
-            each.relation.letter: each.relation
-            for each in self.lines
-            if isinstance(each.relation, Meaning)
+            line.relation.letter: line.relation
+            for line in self.lines
+            if isinstance(line.relation, Meaning)
         }
 
 
@@ -261,29 +261,29 @@ def of_part(derivation: Derivation, part: str | None) -> Derivation:
     Of the facts those of other parts are left out, but for those that these lines cite.
     """
     parts = derivation.asked
-    lines = {each.number: each for each in derivation.lines}
+    lines = {line.number: line for line in derivation.lines}
     needed: set[int] = set()
-    open_ = [each.number for each in derivation.lines if parts.get(each.item or "") == part]
+    open_ = [line.number for line in derivation.lines if parts.get(line.item or "") == part]
     while open_:
         number = open_.pop()
         if number in needed or number not in lines:
             continue
         needed.add(number)
         open_ += [ref for ref in lines[number].premises if isinstance(ref, int)]
-    own = tuple(each for each in derivation.lines if each.number in needed)
+    own = tuple(line for line in derivation.lines if line.number in needed)
     cited = {ref for each in own for ref in each.premises}
     return Derivation(
         tuple(e for e in derivation.facts if e.part in (None, part) or e.id in cited),
         own,
-        tuple(each for each in derivation.items if each.line in needed),
+        tuple(item for item in derivation.items if item.line in needed),
         derivation.events,
         tuple(
             Case(e.number, e.line, e.option, tuple(n for n in e.lines if n in needed))
             for e in derivation.cases
             if e.line in needed
         ),
-        tuple(each for each in derivation.others if parts.get(each.item) == part),
-        tuple(each for each in derivation.notes if each.part == part),
+        tuple(other for other in derivation.others if parts.get(other.item) == part),
+        tuple(note for note in derivation.notes if note.part == part),
     )
 
 
@@ -327,7 +327,7 @@ def common_scope(
 ) -> frozenset[str | None] | None:
     """The parts in which all of some premises hold; None where they hold in all parts."""
     found: frozenset[str | None] | None = None
-    for each in scopes:
-        if each is not None:
-            found = each if found is None else found & each
+    for scope in scopes:
+        if scope is not None:
+            found = scope if found is None else found & scope
     return found

@@ -56,8 +56,8 @@ def _is_refuted(step: Step, links: tuple[Link, ...]) -> bool:
     for link in links:
         value = step.residual(link, step.rules())
         parts = (value.x, value.y) if isinstance(value, Plane) else (value,)
-        for each in parts:
-            gap = step.world.expression(each, step.roles)
+        for part in parts:
+            gap = step.world.expression(part, step.roles)
             plain = {symbol.name for symbol in gap.free_symbols} <= step.roles.keys()
             if plain and oracle.proves(negation(compared(gap, link.sign, zero))):
                 return True

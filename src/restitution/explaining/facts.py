@@ -117,7 +117,7 @@ class _Facts:
     def __init__(self, problem: Problem) -> None:
         self.problem = problem
         self.events = events_of(problem)
-        self.walls = {each.name: each for each in problem.walls}
+        self.walls = {wall.name: wall for wall in problem.walls}
         self._normals: dict[int, Expression | None] = {}
 
     def facts(self) -> Iterator[Fact]:
@@ -162,7 +162,7 @@ class _Facts:
     def _place(self, tree: Any) -> Expression | None:
         """The coordinates of a point that is named or given."""
         if isinstance(tree, Name):
-            points = {each.name: each.position for each in self.problem.points}
+            points = {point.name: point.position for point in self.problem.points}
             return self._place(points.get(tree.name))
         return tree if isinstance(tree, Expression) else None
 
@@ -265,7 +265,7 @@ class _Facts:
         if number > 1 or step.second in self.walls or step.along is None:
             return
         speeds = [self._sphere(each).velocity for each in (step.first, step.second)]
-        if all(isinstance(each, Expression) for each in speeds) and any(map(letters, speeds)):
+        if all(isinstance(speed, Expression) for speed in speeds) and any(map(letters, speeds)):
             axis = step.along
             a, b = (
                 Quantity("along", (Quantity("velocity", (Name(each),), 0), axis))
@@ -298,11 +298,11 @@ class _Facts:
     @cached_property
     def radius(self) -> Expression | None:
         """The radius of all spheres; None where they are small."""
-        told = (each.radius for each in self.problem.spheres)
+        told = (sphere.radius for sphere in self.problem.spheres)
         return next((each for each in told if isinstance(each, Expression)), None)
 
     def _sphere(self, name: str) -> Any:
-        return next(each for each in self.problem.spheres if each.name == name)
+        return next(sphere for sphere in self.problem.spheres if sphere.name == name)
 
     def _off_the_wall(self, body: str, part: str, wall: Expression) -> Expression | None:
         """The coordinate of a centre at a wall: its radius away on the side where it begins."""
@@ -330,10 +330,10 @@ class _Facts:
             return None
         if step.along not in (Unit("i"), Unit("j")):
             return self._beside_on_a_slant(step, theirs, places)
-        if all(isinstance(each, Pair) for each in places):
+        if all(isinstance(place, Pair) for place in places):
             part = "x" if step.along == Unit("i") else "y"
-            side = self._sign(Binary("-", *(getattr(each, part) for each in reversed(places))))
-        elif any(isinstance(each, Pair) for each in places):
+            side = self._sign(Binary("-", *(getattr(place, part) for place in reversed(places))))
+        elif any(isinstance(place, Pair) for place in places):
             return None
         else:
             side = self._approach(first, second, step.along)
@@ -356,7 +356,7 @@ class _Facts:
                 unit = Binary("/", vector, Apply("abs", vector))
             case _:
                 return None
-        if not all(isinstance(each, Pair) for each in places) or self.radius is None:
+        if not all(isinstance(place, Pair) for place in places) or self.radius is None:
             return None
         first, second = places
         way = Pair(_difference(second.x, first.x), _difference(second.y, first.y))
@@ -372,9 +372,9 @@ class _Facts:
             Number(Fraction(0)) if _at_rest(each.velocity) else each.velocity
             for each in (first, second)
         ]
-        if not all(isinstance(each, Expression) for each in paces):
+        if not all(isinstance(pace, Expression) for pace in paces):
             return None
-        a, b = (Quantity("dot", (each, axis)) if not is_zero(each) else each for each in paces)
+        a, b = (Quantity("dot", (pace, axis)) if not is_zero(pace) else pace for pace in paces)
         return self._sign(Binary("-", a, b))
 
     def _sign(self, tree: Expression) -> int | None:
@@ -398,7 +398,7 @@ class _Facts:
 
         Who rests until the first event, a blow, is struck at that time.
         """
-        placed = any(isinstance(each.position, Expression) for each in self.problem.spheres)
+        placed = any(isinstance(sphere.position, Expression) for sphere in self.problem.spheres)
         apart = bool(self.events) and self.events[0].kind == "impact" and not self.events[0].wall
         if placed or apart:
             time = Quantity("time", (), 0 if placed and not self._is_struck() else 1)
@@ -413,7 +413,9 @@ class _Facts:
         if not self.events or self.events[0].kind != "kick":
             return False
         (name,) = self.events[0].bodies
-        return any(each.name == name and _at_rest(each.velocity) for each in self.problem.spheres)
+        return any(
+            sphere.name == name and _at_rest(sphere.velocity) for sphere in self.problem.spheres
+        )
 
     def _of_events(self) -> Iterator[Fact]:
         yield from self._start()
@@ -464,7 +466,7 @@ class _Facts:
         velocities = [self._sphere(each).velocity for each in (step.first, step.second)]
         told = [each for each in (step.along, *velocities) if isinstance(each, Expression)]
         nodes = (each for tree in told for each in walk(tree))
-        if len(told) != 3 or any(isinstance(each, Letter | Polar) for each in nodes):
+        if len(told) != 3 or any(isinstance(node, Letter | Polar) for node in nodes):
             return False
         world = _world_of(self.problem)
         way, *both = (world.value(each) for each in told)
@@ -611,7 +613,7 @@ class _Facts:
         """
         from restitution.explaining.algebra import CONSTANT, Plane
 
-        given = next(each.velocity for each in self.problem.spheres if each.name == body)
+        given = next(sphere.velocity for sphere in self.problem.spheres if sphere.name == body)
         value = world.value(given) if isinstance(given, Expression) else None
         for event, step in enumerate(self.problem.events, 1):
             if event == number or not isinstance(value, Plane):
@@ -620,7 +622,7 @@ class _Facts:
                 continue
             if isinstance(step, Kick):
                 push = world.value(step.impulse)
-                mass = next(each.mass for each in self.problem.spheres if each.name == body)
+                mass = next(sphere.mass for sphere in self.problem.spheres if sphere.name == body)
                 if not isinstance(push, Plane) or not isinstance(mass, Expression):
                     return None
                 share = world.scalar(mass)
@@ -657,7 +659,7 @@ class _Facts:
     def _links(self, relation: Said, events: int) -> Iterator[tuple[Link, ...]]:
         match relation:
             case Compare(operands, operators):
-                trees = [self.settled(each, events) for each in operands]
+                trees = [self.settled(operand, events) for operand in operands]
                 for left, sign, right in zip(trees, operators, trees[1:], strict=False):
                     yield (Link(left, sign, right),)
             case Aligned(left, how, right):
@@ -742,8 +744,10 @@ class _Facts:
         return settled(rebuilt(tree, change), self.events)
 
     def _is_between_bodies(self, tree: Quantity) -> bool:
-        spheres = {each.name for each in self.problem.spheres}
-        return any(isinstance(each, Name) and each.name in spheres for each in tree.arguments)
+        spheres = {sphere.name for sphere in self.problem.spheres}
+        return any(
+            isinstance(argument, Name) and argument.name in spheres for argument in tree.arguments
+        )
 
     def _is_wall(self, tree: Quantity) -> bool:
         return any(isinstance(a, Name) and a.name in self.walls for a in tree.arguments)

@@ -113,8 +113,8 @@ def without_spare(derivation: Derivation, oracle: Oracle) -> Derivation:
         and len(line.relation.options) == 1
         and isinstance(line.relation.only[0].left, Apply)
     }
-    facts = {each.id for each in derivation.facts if not _is_ratio(each.relation)}
-    given = {each.id for each in derivation.facts if each.kind == "given"}
+    facts = {fact.id for fact in derivation.facts if not _is_ratio(fact.relation)}
+    given = {fact.id for fact in derivation.facts if fact.kind == "given"}
     read: _Reader | None = None
     lines = []
     for line in derivation.lines:
@@ -191,9 +191,9 @@ def _mixes(line: Line) -> bool:
     """Whether a sine and a cosine of one angle stand in a line."""
     angles: dict[str, set[Expression]] = {"sin": set(), "cos": set()}
     for tree in trees_of(line.relation):
-        for each in walk(tree):
-            if isinstance(each, Apply) and each.function in angles:
-                angles[each.function].add(each.argument)
+        for node in walk(tree):
+            if isinstance(node, Apply) and node.function in angles:
+                angles[node.function].add(node.argument)
     return bool(angles["sin"] & angles["cos"])
 
 
@@ -250,12 +250,12 @@ def settled_derivation(derivation: Derivation) -> Derivation:
 
     return replace(
         derivation,
-        facts=tuple(replace(each, relation=of(each.relation)) for each in derivation.facts),  # type: ignore[arg-type]
-        lines=tuple(replace(each, relation=of(each.relation)) for each in derivation.lines),
-        items=tuple(replace(each, answer=of(each.answer)) for each in derivation.items),  # type: ignore[arg-type]
+        facts=tuple(replace(fact, relation=of(fact.relation)) for fact in derivation.facts),  # type: ignore[arg-type]
+        lines=tuple(replace(line, relation=of(line.relation)) for line in derivation.lines),
+        items=tuple(replace(item, answer=of(item.answer)) for item in derivation.items),  # type: ignore[arg-type]
         notes=tuple(
-            replace(each, claim=None if each.claim is None else of(each.claim))  # type: ignore[arg-type]
-            for each in derivation.notes
+            replace(note, claim=None if note.claim is None else of(note.claim))  # type: ignore[arg-type]
+            for note in derivation.notes
         ),
     )
 
@@ -266,8 +266,8 @@ class _Reader:
     def __init__(self, derivation: Derivation, oracle: Oracle, redundant: AbstractSet[str]) -> None:
         self.derivation = derivation
         self.redundant = redundant
-        self.lines = {each.number: each for each in derivation.lines}
-        self.facts = {each.id: each for each in derivation.facts}
+        self.lines = {line.number: line for line in derivation.lines}
+        self.facts = {fact.id: fact for fact in derivation.facts}
         self.parts = derivation.asked
         self.setting = setting_of(derivation, oracle)
         self._scopes: dict[Ref, frozenset[str | None] | None] = {}
@@ -409,8 +409,8 @@ class _Reader:
 
     def _turned(self, trees: Iterable[tuple[Ref, Expression]]) -> Iterator[Complaint]:
         cited = [
-            *(Cited(each.id, each.relation) for each in self.derivation.facts),
-            *(Cited(each.number, each.relation) for each in self.derivation.lines),
+            *(Cited(fact.id, fact.relation) for fact in self.derivation.facts),
+            *(Cited(line.number, line.relation) for line in self.derivation.lines),
         ]
         step = Step(self.setting, _NO_MOVE, tuple(cited), ())
         signs = Signs(step.world, lambda: Oracle(self.setting.silent))
@@ -463,7 +463,7 @@ class _Reader:
             return self._given_in.get(ref)
         if ref not in self._scopes:
             self._scopes[ref] = None
-            known = (each for each in self.lines[ref].premises if each in self._known_refs)
+            known = (premise for premise in self.lines[ref].premises if premise in self._known_refs)
             self._scopes[ref] = common_scope(map(self._scope, known))
         return self._scopes[ref]
 
@@ -473,7 +473,7 @@ class _Reader:
             return frozenset({self.facts[ref].part} if ref in self.facts else ())
         if ref not in self._home_parts:
             self._home_parts[ref] = frozenset()
-            known = (each for each in self.lines[ref].premises if each in self._known_refs)
+            known = (premise for premise in self.lines[ref].premises if premise in self._known_refs)
             self._home_parts[ref] = frozenset().union(*map(self._homes, known))
         return self._home_parts[ref]
 
@@ -799,8 +799,8 @@ def means_something(meaning: Meaning, setting: Setting) -> bool:
         value = step.world.value(meaning.quantity)
         if meaning.vector != isinstance(value, Plane):
             return False
-        for each in walk(meaning.quantity):
-            match each:
+        for node in walk(meaning.quantity):
+            match node:
                 case Binary("/", _, below) if signs.of(step.world.scalar(below)) is None:
                     return False
                 case Binary("^", _, power) if not isinstance(power, Number):
@@ -830,9 +830,9 @@ def _same(line: Relation, answer: Relation) -> bool:
     if said(line) == said(answer):
         return True
     subject = answer.options[0][0].left
-    if all(subject in {each.left for each in links} for links in line.options):
+    if all(subject in {link.left for link in links} for links in line.options):
         # Of several unknowns one is what was asked.
-        own = (tuple(each for each in links if each.left == subject) for links in line.options)
+        own = (tuple(link for link in links if link.left == subject) for links in line.options)
         if said(Relation(tuple(dict.fromkeys(own)))) == said(answer):
             return True
     if len(line.options) != 1 or len(line.only) < 2:

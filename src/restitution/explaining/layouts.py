@@ -280,7 +280,7 @@ def _put(layout: Any, vectors: AbstractSet[str], called: Mapping[str, lay.Layout
     if isinstance(layout, lay.Power) and called:
         return replace(layout, base=_worded(_put(layout.base, vectors, called)))
     if isinstance(layout, lay.Product) and called:
-        put = tuple(_put(each, vectors, called) for each in layout.factors)
+        put = tuple(_put(factor, vectors, called) for factor in layout.factors)
         named = [each for each in put if isinstance(each, lay.Phrase | lay.Words)]
         others = tuple(each for each in put if each not in named)
         if len(named) != 1 or not others or layout.sign:
@@ -304,7 +304,7 @@ def _shaped(layout: Any) -> Any:
         return tuple(_shaped(each) for each in layout)
     if not isinstance(layout, lay.Layout):
         return layout
-    put = {each.name: _shaped(getattr(layout, each.name)) for each in fields(layout)}
+    put = {field.name: _shaped(getattr(layout, field.name)) for field in fields(layout)}
     layout = replace(layout, **put)
     return _grouped(layout) if isinstance(layout, lay.Product) else layout
 
@@ -313,11 +313,11 @@ def _roots_first(product: lay.Product) -> lay.Product:
     """A product in which roots of numbers stand before letters and brackets: ``√3(1 + e)u``."""
     if product.sign:
         return product
-    numbers = [each for each in product.factors if _numeric(each)]
-    roots = [each for each in product.factors if _is_surd(each)]
+    numbers = [factor for factor in product.factors if _numeric(factor)]
+    roots = [factor for factor in product.factors if _is_surd(factor)]
     if not roots or product.factors[: len(numbers)] != tuple(numbers):
         return product
-    rest = [each for each in product.factors if not (_numeric(each) or _is_surd(each))]
+    rest = [factor for factor in product.factors if not (_numeric(factor) or _is_surd(factor))]
     return replace(product, factors=(*numbers, *roots, *rest))
 
 
@@ -341,7 +341,7 @@ def _grouped(product: lay.Product) -> lay.Layout:
     for index, (one, other) in enumerate(pairwise(product.factors), 1):
         if isinstance(one, lay.Letter) and one == other:
             sides = product.factors[:index], product.factors[index:]
-            return lay.Product(tuple(lay.product(*each) for each in sides), "×")  # 4u × u
+            return lay.Product(tuple(lay.product(*side) for side in sides), "×")  # 4u × u
     if _numeric(rest[0]) and not _numeric(first):
         return _grouped(lay.Product((rest[0], first, *rest[1:])))
     groups: list[list[lay.Layout]] = [[]]
@@ -353,12 +353,12 @@ def _grouped(product: lay.Product) -> lay.Layout:
     if len(groups) == 1:
         return product
     whole = [
-        lay.Brackets(lay.Product(tuple(each)) if len(each) > 1 else each[0])
-        if isinstance(each[-1], lay.Function)
-        else lay.Product(tuple(each))
-        if len(each) > 1
-        else each[0]
-        for each in groups
+        lay.Brackets(lay.Product(tuple(group)) if len(group) > 1 else group[0])
+        if isinstance(group[-1], lay.Function)
+        else lay.Product(tuple(group))
+        if len(group) > 1
+        else group[0]
+        for group in groups
     ]
     return lay.Product(tuple(whole))
 
@@ -392,10 +392,10 @@ def of_chain(
     forms: Forms | None = None,
 ) -> lay.Relation:
     """A chain: operands with signs between them."""
-    operands = [links[0].left, *(each.right for each in links)]
+    operands = [links[0].left, *(link.right for link in links)]
     return lay.Relation(
-        tuple(of_tree(each, vectors, names, forms) for each in operands),
-        tuple(_SIGNS.get(each.sign, each.sign) for each in links),
+        tuple(of_tree(operand, vectors, names, forms) for operand in operands),
+        tuple(_SIGNS.get(link.sign, link.sign) for link in links),
     )
 
 
@@ -407,7 +407,7 @@ def of_relation(
 ) -> lay.Layout:
     """A whole relation in one line."""
     options = [
-        _joined([of_chain(each, vectors, names, forms) for each in chains(links)], ", ")
+        _joined([of_chain(chain, vectors, names, forms) for chain in chains(links)], ", ")
         for links in relation.options
     ]
     return _joined(options, " or ")

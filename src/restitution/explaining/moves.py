@@ -79,7 +79,7 @@ def follows(step: Step, relation: Relation) -> bool:
 def _on_either_side(step: Step, relation: Relation) -> bool:
     """What a line says of a direction or a vector, or else the same mirrored along **i**."""
     number = step.move.event
-    if number not in step.setting.either or [len(each) for each in relation.options] != [1, 1]:
+    if number not in step.setting.either or [len(option) for option in relation.options] != [1, 1]:
         return False
     (first,), (second,) = relation.options
     axis = first.left
@@ -150,7 +150,10 @@ def _under_condition(step: Step, place: Link, then: Link) -> bool:
     if not (isinstance(place.left, Letter) and place.left.name in step.setting.angles):
         chosen = step.under(cited=(*step.cited, Cited("", Relation(((place,),)))))
         try:
-            if any(_by_links(chosen, Relation(((each,),))) for each in _with_squares(chosen, then)):
+            if any(
+                _by_links(chosen, Relation(((with_square,),)))
+                for with_square in _with_squares(chosen, then)
+            ):
                 return True
         except NotComparableError:
             pass  # it may still be compared at the place itself
@@ -161,7 +164,7 @@ def _with_squares(step: Step, then: Link) -> Iterator[Link]:
     """An equation, and that of the squares of both sides where both are positive."""
     yield then
     sides = [step.world.value(each) for each in (then.left, then.right)]
-    if all(isinstance(each, Quotient) and step.signs.of(each) == 1 for each in sides):
+    if all(isinstance(side, Quotient) and step.signs.of(side) == 1 for side in sides):
         two = Number(Fraction(2))
         yield Link(Binary("^", then.left, two), "=", Binary("^", then.right, two))
 
@@ -194,7 +197,7 @@ def _at_place(step: Step, place: Link, then: Link) -> bool:
         for each in (equation.right, then.right)
     )
     value = value.xreplace(_by_their_tangents(step, value))
-    letter = next((each for each in value.free_symbols if each.name == name), None)
+    letter = next((symbol for symbol in value.free_symbols if symbol.name == name), None)
     if letter is None:
         return False
     there = _worth_at(value, letter, at)
@@ -216,9 +219,9 @@ def _by_their_tangents(step: Step, value: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
         role = step.setting.role(symbol.name)
         if role.kind != "angle" or role.low != 0 or role.high != sp.pi / 2:
             continue
-        for each in step.links:
-            if each.sign == "=" and each.left == Apply("tan", Letter(symbol.name)):
-                found[symbol] = sp.atan(_in_radians(step, _last_side(step, each)))
+        for link in step.links:
+            if link.sign == "=" and link.left == Apply("tan", Letter(symbol.name)):
+                found[symbol] = sp.atan(_in_radians(step, _last_side(step, link)))
     return found
 
 
@@ -365,7 +368,7 @@ def _matches(step: Step, line: Link, expected: Value, sign: Sign = "=") -> bool:
         # What stands with i, or with j, on both sides.
         parts = (expected.x, expected.y)
         return sign == line.sign == "=" and any(
-            step.is_multiple(own, each) is not None for each in parts
+            step.is_multiple(own, part) is not None for part in parts
         )
     if sign == "=" or sign == "!=":
         return line.sign == sign and step.is_multiple(own, expected) is not None
@@ -381,7 +384,7 @@ def _expected(step: Step, link: Link, rules: Rules) -> Value:
 
 
 def _law(step: Step, line: Link) -> bool:
-    return any(_is_template(step, line, each) for each in _templates(step, line))
+    return any(_is_template(step, line, template) for template in _templates(step, line))
 
 
 def _templates(step: Step, line: Link) -> Iterator[Link]:
@@ -638,7 +641,7 @@ def _is_resolved(step: Step, line: Link) -> bool:
     """A component by a vector, or a vector by its components: the value is what is cited."""
     quantity = line.left
     if isinstance(quantity, Letter):
-        meaning = next((each for each in step.lets if each.letter == quantity.name), None)
+        meaning = next((let for let in step.lets if let.letter == quantity.name), None)
         if meaning is None or meaning.sense is not None:
             return False
         quantity = meaning.quantity
@@ -757,7 +760,7 @@ def _is_squared(step: Step, line: Link, base: Link) -> bool:
     if not any(map(_is_size_or_root, (*walk(base.left), *walk(base.right)))):
         return False
     values = [step.world.value(each) for link in (base, line) for each in (link.left, link.right)]
-    if not all(isinstance(each, Quotient) for each in values):
+    if not all(isinstance(value, Quotient) for value in values):
         return False
     a, b, c, d = values
     if not all(step.world.reduced(x**2 - y).vanishes for x, y in ((a, c), (b, d))):  # type: ignore[operator]
@@ -813,7 +816,7 @@ def _identity(step: Step, line: Link) -> bool:
         return False  # no identity is used
     chosen = step.under(identities=names)
     trees = [t for each in (line, *base.only) for t in (each.left, each.right)]
-    chosen.world.divide_angles([*trees, *(each.quantity for each in step.lets)])
+    chosen.world.divide_angles([*trees, *(let.quantity for let in step.lets)])
     # Where tan ½α is t, its cosine and sine are known by t: c² = 1/(1 + t²).
     rules = chosen.rules(_rest(step))
     rules.complete()
@@ -830,9 +833,7 @@ def _is_instance(step: Step, line: Link, names: frozenset[Any]) -> bool:
     if line.sign != "=":
         return False
     named: dict[Expression, Expression] = {
-        Letter(each.letter): each.quantity
-        for each in step.lets
-        if isinstance(each.quantity, Binary)
+        Letter(let.letter): let.quantity for let in step.lets if isinstance(let.quantity, Binary)
     }
     left, right = (
         rebuilt(each, lambda own: named.get(own, own)) for each in (line.left, line.right)
@@ -894,9 +895,9 @@ def _matches_with(step: Step, line: Link, expected: Value, rules: Rules, sign: S
 def _pair(step: Step) -> tuple[Link, Link] | None:
     """The two equations that are cited."""
     equations = [e.relation for e in step.cited if isinstance(e.relation, Relation)]
-    if len(equations) < 2 or any(len(each.options) != 1 for each in equations[:2]):
+    if len(equations) < 2 or any(len(equation.options) != 1 for equation in equations[:2]):
         return None
-    first, second = (_ends(each.only) for each in equations[:2])
+    first, second = (_ends(equation.only) for equation in equations[:2])
     return None if first is None or second is None else (first, second)
 
 
@@ -1021,7 +1022,7 @@ def _triangle(step: Step, relation: Relation) -> bool:
         and link.left.function in _RATIOS
         and link.left.argument in known
         and not any(
-            isinstance(each, Apply) and each.function != "sqrt" for each in walk(link.right)
+            isinstance(node, Apply) and node.function != "sqrt" for node in walk(link.right)
         )
         for link in relation.only
     ) and _by_oracle(step, relation)
@@ -1035,14 +1036,14 @@ def _roots(step: Step, relation: Relation) -> bool:
     equation = _ends(base.only)
     links = [links[0] for links in relation.options]
     subject = links[0].left
-    if equation is None or any(each.left != subject or each.sign != "=" for each in links):
+    if equation is None or any(link.left != subject or link.sign != "=" for link in links):
         return False
     rules = step.rules(_rest(step))
     polynomial = _polynomial(step, _expected(step, equation, rules), subject)
     if polynomial is None:
         return False
-    for each in links:
-        root = step.world.scalar(each.right)
+    for link in links:
+        root = step.world.scalar(link.right)
         times = 0
         while len(polynomial) > 1:
             quotient, rest = _divided(step, polynomial, root)
@@ -1090,7 +1091,7 @@ def _polynomial(step: Step, residual: Value, subject: Expression) -> list[Quotie
     if others:
         # A ratio such as tan θ = sin θ/cos θ: what is left of the denominator is a common factor.
         lead = coefficients[-1]
-        coefficients = [world.reduced(each / lead) for each in coefficients]
+        coefficients = [world.reduced(coefficient / lead) for coefficient in coefficients]
         if any(
             any(m[n] for n in others) for each in coefficients for m in (*each.above, *each.below)
         ):
@@ -1421,7 +1422,7 @@ def _inverse(step: Step, relation: Relation) -> bool:
     if not ratios or link.sign != "=":
         return False
     # Of a chain the last side is the shortest.
-    ratio_, value = [each for each in ratios if each[0] == ratios[0][0]][-1]
+    ratio_, value = [ratio for ratio in ratios if ratio[0] == ratios[0][0]][-1]
     angle = _in_radians(step, _scaled_angle(step, link, ratio_.argument))
     found = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan}[ratio_.function](angle)
     low, high, closed = _range_of(step, ratio_.argument)
@@ -1457,7 +1458,7 @@ def _ratio_of(step: Step, link: Link) -> tuple[Apply, Expression] | None:
     """A sine, cosine or tangent and its value, where a link gives one; also by its letter."""
     left = link.left
     if isinstance(left, Letter):
-        left = next((each.quantity for each in step.lets if each.letter == left.name), left)
+        left = next((let.quantity for let in step.lets if let.letter == left.name), left)
     if link.sign == "=" and isinstance(left, Apply) and left.function in _RATIOS:
         return left, link.right
     return None

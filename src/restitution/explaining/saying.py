@@ -66,14 +66,14 @@ def topic_of(name: SentenceId) -> str:
 def words_of(sentences: Iterable[Sentence], between: str = " ") -> Words:
     """Several sentences as one run of words."""
     spoken: list[str | Layout] = []
-    for each in sentences:
-        spoken += [between, *each.words] if spoken else each.words
+    for sentence in sentences:
+        spoken += [between, *sentence.words] if spoken else sentence.words
     return _merged(spoken)
 
 
 def operand(sentence: Sentence) -> Layout:
     """A sentence as an operand of a line: words and formulas side by side."""
-    items = [Text(each.strip()) if isinstance(each, str) else each for each in sentence.words]
+    items = [Text(word.strip()) if isinstance(word, str) else word for word in sentence.words]
     return items[0] if len(items) == 1 else Phrase(tuple(items))
 
 
@@ -144,11 +144,11 @@ def _listed(items: tuple[Slot, ...], how: str) -> Words:
 def _merged(words: Iterable[str | Layout]) -> Words:
     """The same words with strings that follow each other as one."""
     merged: list[str | Layout] = []
-    for each in words:
-        if isinstance(each, str) and merged and isinstance(merged[-1], str):
-            merged[-1] += each
-        elif each != "":
-            merged.append(each)
+    for word in words:
+        if isinstance(word, str) and merged and isinstance(merged[-1], str):
+            merged[-1] += word
+        elif word != "":
+            merged.append(word)
     return tuple(merged)
 
 

@@ -128,8 +128,8 @@ class Signs:
     def _is_printed(self, factor: PolyElement) -> bool:
         if self._printed is None or self._noted != len(self.world.denominators):
             self._printed, self._noted = set(), len(self.world.denominators)
-            for each in self.world.denominators:
-                for own, _ in factors_of(each)[1] if each else []:
+            for denominator in self.world.denominators:
+                for own, _ in factors_of(denominator)[1] if denominator else []:
                     self._printed |= {own, -own}
         return factor in self._printed
 

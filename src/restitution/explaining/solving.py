@@ -52,21 +52,21 @@ def _equations(step: Step, bare: Step) -> list[sp.Expr] | None:
 
 def _satisfied(step: Step, equations: Sequence[sp.Expr], links: Sequence[Link]) -> bool:
     values = {
-        _expression(step, each.left, of=True): _expression(step, each.right) for each in links
+        _expression(step, link.left, of=True): _expression(step, link.right) for link in links
     }
     unknowns = list(values)
     if len(unknowns) != len(links) or len(links) != len(equations) or len(links) > _MOST:
         return False
-    if not all(each.is_Symbol for each in unknowns):
+    if not all(unknown.is_Symbol for unknown in unknowns):
         return False
     if any(value.free_symbols & set(unknowns) for value in values.values()):
         return False
     oracle = Oracle(step.setting.roles)
-    slopes = sp.Matrix([[sp.diff(each, x) for x in unknowns] for each in equations])
+    slopes = sp.Matrix([[sp.diff(equation, x) for x in unknowns] for equation in equations])
     try:
         return all(
-            _is_finite(own := each.subs(values)) and oracle.proves(Claim(own, "="))
-            for each in equations
+            _is_finite(own := equation.subs(values)) and oracle.proves(Claim(own, "="))
+            for equation in equations
         ) and _is_not_zero(oracle, slopes.subs(values).det(method="berkowitz"))
     except BeyondError:
         return False

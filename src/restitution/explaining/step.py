@@ -90,7 +90,7 @@ class Setting:
         """What an angle may be: to a wall or a line of centres, no more than a right angle."""
         match quantity:
             case Quantity("angle", sides):
-                return TO_90 if any(self._is_line(each) for each in sides) else TO_180
+                return TO_90 if any(self._is_line(side) for side in sides) else TO_180
             case Quantity("deflection"):
                 return TO_180
             case Quantity("direction", (Name(name),)) if self.names.get(name) != "wall":
@@ -147,7 +147,9 @@ class Setting:
     @cached_property
     def _hash(self) -> int:
         mappings = (self.roles, self.meanings, self.names, self.values)
-        return hash((self.events, self.either, *(tuple(sorted(each.items())) for each in mappings)))
+        return hash(
+            (self.events, self.either, *(tuple(sorted(mapping.items())) for mapping in mappings))
+        )
 
     @cached_property
     def angles(self) -> frozenset[str]:
@@ -314,9 +316,10 @@ class Step:
             case Link(left, "=", right) if _runs_forward(left):
                 factors = list(_factors(right))
                 open_ = [
-                    each.name
-                    for each in factors
-                    if isinstance(each, Letter) and self.setting.role(each.name).kind != "positive"
+                    factor.name
+                    for factor in factors
+                    if isinstance(factor, Letter)
+                    and self.setting.role(factor.name).kind != "positive"
                 ]
                 if len(open_) == 1 and all(map(self._is_no_loss, factors)):
                     yield open_[0]
@@ -429,7 +432,7 @@ class Step:
                     return
                 given, angle = along, Degrees(Fraction(0))
             case Link(Letter(name), "=", angle):
-                meaning = next((each for each in self.lets if each.letter == name), None)
+                meaning = next((let for let in self.lets if let.letter == name), None)
                 match meaning and meaning.quantity:
                     case Quantity("direction", (Name() as body,), int(stage)):
                         velocity, given = Quantity("velocity", (body,), stage), Unit("i")
@@ -475,7 +478,7 @@ class Step:
             angle = Binary("-", Degrees(Fraction(90)), angle)
         straight = Degrees(Fraction(180))
         forms = (angle, Binary("-", straight, angle), Negate(angle), Binary("+", straight, angle))
-        return next((each for each in forms if self._is_up_to(world, each, sp.pi / 2)), None)
+        return next((form for form in forms if self._is_up_to(world, form, sp.pi / 2)), None)
 
     def _is_up_to(self, world: World, angle: Expression, most: sp.Expr) -> bool:
         """Whether an angle of the data is from zero to a bound, as angles of directions are."""
@@ -519,7 +522,7 @@ class Step:
         )
         if not sizes and self.move.record not in ("distance", "size"):
             return frozenset()
-        return frozenset(each.letter for each in self.lets)
+        return frozenset(let.letter for let in self.lets)
 
     def _put_together(self, cited: Sequence[Cited], rules: Rules) -> None:
         """Vectors of which both components are cited, in directions that are told in letters.
@@ -894,11 +897,11 @@ def _without_circles(
 def _leads_to(tree: Expression, goal: Expression, by: Mapping[Expression, Expression]) -> bool:
     pending, seen = [tree], set()
     while pending:
-        for each in walk(pending.pop()):
-            own = Quantity("direction", (each,)) if isinstance(each, Name) else each
-            if goal in (each, own):
+        for node in walk(pending.pop()):
+            own = Quantity("direction", (node,)) if isinstance(node, Name) else node
+            if goal in (node, own):
                 return True
-            for key in (each, own):
+            for key in (node, own):
                 if key in by and key not in seen:
                     seen.add(key)
                     pending.append(by[key])

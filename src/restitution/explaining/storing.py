@@ -45,19 +45,19 @@ def to_json(derivation: Derivation) -> dict[str, Any]:
     return {
         "version": VERSION,
         "names": _names(derivation),
-        "events": [_event(each) for each in derivation.events],
-        "facts": [_fact(each, vectors) for each in derivation.facts],
-        "lines": [_line(each, vectors) for each in derivation.lines],
-        "items": [_item(each, vectors) for each in derivation.items],
+        "events": [_event(event) for event in derivation.events],
+        "facts": [_fact(fact, vectors) for fact in derivation.facts],
+        "lines": [_line(line, vectors) for line in derivation.lines],
+        "items": [_item(item, vectors) for item in derivation.items],
         "cases": [
             {"n": e.number, "line": e.line, "option": e.option, "lines": list(e.lines)}
             for e in derivation.cases
         ],
         "others": [
-            {"item": each.item, "moves": [_move(move) for move in each.moves]}
-            for each in derivation.others
+            {"item": other.item, "moves": [_move(move) for move in other.moves]}
+            for other in derivation.others
         ],
-        "notes": [_note(each, vectors) for each in derivation.notes],
+        "notes": [_note(note, vectors) for note in derivation.notes],
     }
 
 
@@ -66,9 +66,9 @@ def _names(derivation: Derivation) -> dict[str, str]:
     walls = {body for e in derivation.events if e.wall for body in e.bodies[1:2]}
     spheres = {body for e in derivation.events for body in e.bodies} - walls
     relations = [
-        *(each.relation for each in derivation.facts),
-        *(each.relation for each in derivation.lines),
-        *(each.answer for each in derivation.items),
+        *(fact.relation for fact in derivation.facts),
+        *(line.relation for line in derivation.lines),
+        *(item.answer for item in derivation.items),
         *(each for note in derivation.notes for each in _relations_of(note)),
     ]
     found = {
@@ -109,7 +109,7 @@ def _line(line: Line, vectors: frozenset[str]) -> dict[str, Any]:
         **_move(line.move),
         "premises": list(line.premises),
         **_told(line.relation, vectors),
-        "marks": [_mark(each) for each in line.marks],
+        "marks": [_mark(mark) for mark in line.marks],
         "shown": line.shown,
     }
 
@@ -158,8 +158,8 @@ def _note(note: Note, vectors: frozenset[str]) -> dict[str, Any]:
         "premises": list(note.premises),
         "claim": None if note.claim is None else _told(note.claim, vectors),
         "instance": [_told(_alone(each), vectors) for each in note.instance],
-        "sides": [_told(_alone(each), vectors) for each in note.sides],
-        "marks": [_mark(each) for each in note.marks],
+        "sides": [_told(_alone(side), vectors) for side in note.sides],
+        "marks": [_mark(mark) for mark in note.marks],
     }
 
 

@@ -110,7 +110,7 @@ class Tracer:
     def __init__(self, statement: Derivation, oracle: Oracle) -> None:
         self.statement = settled_derivation(statement)
         self.setting = setting_of(self.statement, oracle)
-        self.facts = [Cited(each.id, each.relation) for each in self.statement.facts]
+        self.facts = [Cited(fact.id, fact.relation) for fact in self.statement.facts]
         self.lines: list[Cited] = []
         self.lets: list[Cited] = []
         self._angles: set[Expression] = set()
@@ -152,13 +152,13 @@ class Tracer:
     def numbers(self) -> list[_Numbers]:
         """Everything that a line may come from, in numbers: event by event, the latest first."""
         if self._numbers is None:
-            events = [each.number for each in reversed(self.statement.events)] or [0]
+            events = [event.number for event in reversed(self.statement.events)] or [0]
             self._numbers = [
                 _Numbers(self, number, group) for group in _GROUPS for number in events
             ]
             for numbers in self._numbers:
-                for each in self.lines:
-                    numbers.add(each)
+                for line in self.lines:
+                    numbers.add(line)
         return self._numbers
 
     def _directs(self, cited: Cited) -> bool:
@@ -172,7 +172,7 @@ class Tracer:
     @property
     def directions(self) -> list[Cited]:
         """The lines that tell where something points."""
-        return [each for each in self.lines if self._directs(each)]
+        return [line for line in self.lines if self._directs(line)]
 
     def _settled(self, relation: Relation) -> Relation:
         return Relation(
@@ -232,11 +232,11 @@ class Tracer:
         return first if first.kind != "unrecognised" else self.trace(whole)
 
     def _fact(self, relation: Relation) -> Trace | None:
-        for each in self.facts:
-            if isinstance(each.relation, Relation):
-                step = Step(self.setting, Move("fact"), (each,), ())
+        for fact in self.facts:
+            if isinstance(fact.relation, Relation):
+                step = Step(self.setting, Move("fact"), (fact,), ())
                 if _tried(step, relation):
-                    return Trace("move", (Move("fact"),), (each.ref,))
+                    return Trace("move", (Move("fact"),), (fact.ref,))
         return None
 
     def _of_directions(self, relation: Relation) -> Trace | None:
@@ -259,7 +259,7 @@ class Tracer:
         quantity = first.left
         if isinstance(quantity, Letter):
             name = quantity.name
-            named = (each.relation for each in self.lets if isinstance(each.relation, Meaning))
+            named = (let.relation for let in self.lets if isinstance(let.relation, Meaning))
             quantity = next((each.quantity for each in named if each.letter == name), quantity)
         if rest or not isinstance(quantity, Quantity):
             return None
@@ -301,7 +301,7 @@ class Tracer:
         )
 
     def _bodies(self, record: Record, bodies: tuple[str, ...]) -> Iterable[tuple[str, ...]]:
-        spheres = [each for each in bodies if self.setting.names.get(each) == "sphere"]
+        spheres = [body for body in bodies if self.setting.names.get(body) == "sphere"]
         both = any("Y" in _names(template) for template in record.templates)
         if not any(_names(template) for template in record.templates):
             return [tuple(spheres)]
@@ -381,16 +381,16 @@ class Tracer:
                 elif _is_axis(node) and with_axes:
                     assert isinstance(node, Quantity)
                     pending.extend(
-                        each.relation.quantity
-                        for each in self.lets
-                        if isinstance(each.relation, Meaning)
-                        and _is_impulse(each.relation.quantity, node.stage)
+                        let.relation.quantity
+                        for let in self.lets
+                        if isinstance(let.relation, Meaning)
+                        and _is_impulse(let.relation.quantity, node.stage)
                     )
                     pending.extend(
-                        Letter(each.relation.letter)
-                        for each in self.lets
-                        if isinstance(each.relation, Meaning)
-                        and _is_impulse(each.relation.quantity, node.stage)
+                        Letter(let.relation.letter)
+                        for let in self.lets
+                        if isinstance(let.relation, Meaning)
+                        and _is_impulse(let.relation.quantity, node.stage)
                     )
                 elif isinstance(node, Quantity) and node not in kept:
                     pending.extend(node.arguments)
@@ -457,8 +457,8 @@ class Tracer:
     def _from_one(self, relation: Relation, ids: Sequence[str]) -> Trace | None:
         """A move of its own kind on one line above, the newest first."""
         known = self._background(relation)
-        given = {each.id for each in self.statement.facts if each.kind == "given"}
-        near = [*reversed(self.lines), *(each for each in self.facts if each.ref in given)]
+        given = {fact.id for fact in self.statement.facts if fact.kind == "given"}
+        near = [*reversed(self.lines), *(fact for fact in self.facts if fact.ref in given)]
         for cited in near if ids == ("reject", "inverse") else near[:_NEAR]:
             for name in ids:
                 if not _may_be(name, relation, cited):
@@ -473,9 +473,9 @@ class Tracer:
 
     def _inequality(self, relation: Relation) -> Trace | None:
         """An inequality by one line or fact, or by two, and what is known of letters."""
-        sources = [*reversed(self.lines), *(each for each in self.facts if _compares(each))]
+        sources = [*reversed(self.lines), *(fact for fact in self.facts if _compares(fact))]
         letters = {n.name for t in trees_of(relation) for n in walk(t) if isinstance(n, Letter)}
-        near = [each for each in sources if _letters(each) & letters][:_NEAREST]
+        near = [source for source in sources if _letters(source) & letters][:_NEAREST]
         tries = [(each,) for each in near[:3]] + list(combinations(near[:3], 2))
         for chosen in tries:
             names = letters.union(*(_letters(each) for each in chosen))
@@ -637,7 +637,7 @@ def _axes(cited: Cited) -> list[Expression]:
         if isinstance(cited.relation, Meaning)
         else cited.relation.only[0].left
     )
-    return [each for each in walk(left) if _is_axis(each)]
+    return [node for node in walk(left) if _is_axis(node)]
 
 
 def _is_tie(cited: Cited) -> bool:
@@ -669,8 +669,8 @@ class _Numbers:
     """Laws and lines as polynomials, with the statement's facts put in, tried at random points."""
 
     def __init__(self, tracer: Tracer, event: int, records: Sequence[str]) -> None:
-        given = {each.id for each in tracer.statement.facts if each.kind == "given"}
-        data = [each for each in tracer.facts if each.ref not in given]
+        given = {fact.id for fact in tracer.statement.facts if fact.kind == "given"}
+        data = [fact for fact in tracer.facts if fact.ref not in given]
         self.steps = [
             Step(tracer.setting, Move("let"), (*each, *tracer.lets, *tracer.directions), ())
             for each in (data, tracer.facts)
@@ -682,9 +682,9 @@ class _Numbers:
         self.samples = [_Sample(random.Random(seed)) for seed in range(_POINTS)]
         self.sources: list[list[_Source]] = [[], []]
         self.values: list[list[tuple[int, Quotient, Ref]]] = [[], []]
-        for each in tracer.facts:
-            if each.ref in given:
-                self.add(each, levels=(0,))
+        for fact in tracer.facts:
+            if fact.ref in given:
+                self.add(fact, levels=(0,))
         laws = list(tracer.laws_of(event, records))
         for level in (0, 1):
             for move, law in laws:
@@ -763,10 +763,10 @@ class _Numbers:
         """Two lines, a line and a law, or two laws: the line vanishes where both of them do."""
         level = 0 if own[0] is not None else 1
         sources = self.sources[level]
-        lines = [each for each in reversed(sources) if each.move is None][:_NEAREST]
+        lines = [source for source in reversed(sources) if source.move is None][:_NEAREST]
         # Which sign a ratio of components has, only the follower decides.
         laws = [e for e in sources if e.move is not None and not isinstance(e.link.left, Apply)]
-        principles = [each for each in laws if each.move is not None and each.move.id == "law"]
+        principles = [law for law in laws if law.move is not None and law.move.id == "law"]
         for first, second in (
             *combinations(lines, 2),
             *product(lines, laws),
@@ -804,7 +804,7 @@ class _Numbers:
 
     def _agree(self, level: int, own: Quotient, sources: Sequence[_Source], values: bool) -> bool:
         world = self.steps[level].world
-        own_refs = {each.cited.ref for each in sources if each.move is None}
+        own_refs = {source.cited.ref for source in sources if source.move is None}
         known = {n: x for n, x, ref in self.values[level] if values and ref not in own_refs}
         used = {n for x in known.values() for n in world.keys(x.above, x.below)}
         for pivots in islice(self._pivots(world, own, sources, known), _PIVOTS):
@@ -846,10 +846,10 @@ class _Numbers:
         in_line = set(world.keys(own.above))
         linear = [
             sorted(
-                _linear(world, each.value) - known.keys(),
+                _linear(world, source.value) - known.keys(),
                 key=lambda n: (_is_ratio(world, n), n not in in_line, _is_positive(world, n)),
             )
-            for each in sources
+            for source in sources
         ]
         if len(linear) == 1:
             yield from ((n,) for n in linear[0] if n in in_line)

@@ -73,8 +73,8 @@ def of_relation(relation: Relation, change: Callable[[Expression], Expression]) 
     return Relation(
         tuple(
             tuple(
-                Link(rebuilt(each.left, change), each.sign, rebuilt(each.right, change), each.by)
-                for each in links
+                Link(rebuilt(link.left, change), link.sign, rebuilt(link.right, change), link.by)
+                for link in links
             )
             for links in relation.options
         )
@@ -88,9 +88,9 @@ def trees_of(relation: Relation | Meaning) -> Iterable[Expression]:
         yield relation.quantity
         return
     for links in relation.options:
-        for each in links:
-            yield each.left
-            yield each.right
+        for link in links:
+            yield link.left
+            yield link.right
 
 
 def said(relation: Relation) -> frozenset[frozenset[object]]:

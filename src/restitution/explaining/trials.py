@@ -169,8 +169,8 @@ def setting_of(derivation: Derivation, oracle: Oracle) -> Setting:
             names[body] = "wall" if event.wall and position else "sphere"
     for fact in derivation.facts:
         for tree in trees_of(fact.relation):
-            for each in walk(tree):
-                match each:
+            for node in walk(tree):
+                match node:
                     case Quantity("mass" | "velocity" | "speed" | "energy", (Name(name), *_)):
                         names.setdefault(name, "sphere")
                     case Quantity("direction", (Name(name),), None):
@@ -224,7 +224,7 @@ def _is_along_i(tree: Expression) -> bool:
         case Pair():
             return False
     return not any(
-        isinstance(each, Polar | Pair | Unit) and each != Unit("i") for each in walk(tree)
+        isinstance(node, Polar | Pair | Unit) and node != Unit("i") for node in walk(tree)
     )
 
 
@@ -236,7 +236,7 @@ def _tells_a_side(tree: Expression) -> bool:
         case Quantity("direction", (Name(),), None):
             return True
         case Quantity("angle" | "along" | "dot", arguments):
-            own = [each for each in arguments if not _is_velocity(each)]
+            own = [argument for argument in arguments if not _is_velocity(argument)]
             return any(each == Unit("j") or _tells_a_side(each) for each in own)
         case Quantity("direction" | "across" | "position" | "momentum"):
             return True
@@ -244,8 +244,8 @@ def _tells_a_side(tree: Expression) -> bool:
             return True
         case Unit("j") | Pair() | Polar():
             return True
-    parts: list[Any] = [getattr(tree, each.name) for each in fields(tree)]
-    return any(_tells_a_side(each) for each in parts if isinstance(each, Expression))
+    parts: list[Any] = [getattr(tree, field.name) for field in fields(tree)]
+    return any(_tells_a_side(part) for part in parts if isinstance(part, Expression))
 
 
 def _is_velocity(tree: Expression) -> bool:

@@ -43,7 +43,7 @@ def turnings(step: Step, event: Event | None) -> Iterator[Link]:
             subjects.append(Quantity("deflection", (Name(one[0]),), event.number))
         for angle in (_between(step, event, one, other), _from_a_unit(step, event, one, other)):
             if angle is not None:
-                yield from (Link(each, "=", angle) for each in subjects)
+                yield from (Link(subject, "=", angle) for subject in subjects)
 
 
 def _between(step: Step, event: Event, one: Moving, other: Moving) -> Expression | None:

@@ -59,7 +59,9 @@ def _comes_to(scene: Scene, body: str, number: int) -> bool:
 def striker(scene: Scene, number: int) -> str | None:
     """Who has to be at a known place at an impact, so that the other goes where it is told."""
     hit = struck(scene, number)
-    return None if hit is None else next(each for each in scene.spheres(number) if each != hit)
+    return (
+        None if hit is None else next(sphere for sphere in scene.spheres(number) if sphere != hit)
+    )
 
 
 def place_at(scene: Scene, number: int) -> Vector:

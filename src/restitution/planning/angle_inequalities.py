@@ -26,7 +26,7 @@ def write_of_angles(
     """An inequality between angles of the motion; None where there is no way to it."""
     if len(relation.only) != 1 or not quantities:
         return None
-    if any(each.kind not in ("angle", "deflection") for each in quantities):
+    if any(quantity.kind not in ("angle", "deflection") for quantity in quantities):
         return None
     mark = claims.worths.mark()
     for way in (_by_sign, _by_its_tangent, _by_the_other):
@@ -74,10 +74,10 @@ def _by_its_tangent(
     if len(quantities) != 1 or quantities[0] not in sides:
         return None
     (angle,) = quantities
-    if not any(isinstance(each, Letter) for each in sides):
+    if not any(isinstance(side, Letter) for side in sides):
         return None
     tangent, letter, extent = _tangent_of(claims, angle)
-    left, right = (letter if each == angle else each for each in sides)
+    left, right = (letter if side == angle else side for side in sides)
     told = Link(Apply("tan", left), link.sign, Apply("tan", right))
     compared = claims.compared([tangent], Relation(((told,),)))
     if compared is None:
@@ -113,7 +113,7 @@ def _by_the_other(claims: Claims, quantities: Sequence[Quantity], relation: Rela
         angles = claims.judge.write(_COMPARE, pool, Relation(((less,),)))
         if angles is None:
             continue
-        every = {each.letter for each in _lets(claims)} | names
+        every = {let.letter for let in _lets(claims)} | names
         pool = [made, angles, *extents(scene, every)]
         last = claims.judge.write(_COMPARE, pool, relation)
         if last is not None:
@@ -140,7 +140,7 @@ def _which_is_less(claims: Claims, link: Link, angle: Expression) -> Link | None
 def _in_two(claims: Claims, tree: Expression) -> sp.Expr | None:
     """A side of an inequality in letters of angles, with those put in that lines make of others."""
     scene = claims.scene
-    named = {each.quantity: each.letter for each in _lets(claims)}
+    named = {let.quantity: let.letter for let in _lets(claims)}
     made = {
         link.left: link.right
         for each in scene.desk.lines
@@ -163,8 +163,8 @@ def _in_two(claims: Claims, tree: Expression) -> sp.Expr | None:
 
 def _lets(claims: Claims) -> list[Meaning]:
     """What the letters of the working stand for."""
-    lines = (each.relation for each in claims.scene.desk.lines)
-    return [each for each in lines if isinstance(each, Meaning)]
+    lines = (line.relation for line in claims.scene.desk.lines)
+    return [line for line in lines if isinstance(line, Meaning)]
 
 
 _COMPARE = (Move("compare"),)

@@ -51,7 +51,7 @@ def made_of_two(scene: Scene, asked: Quantity) -> tuple[int, tuple[int, ...]] | 
         terms = terms_of(scene, turn)
         if terms is not None:
             letter, _ = letter_of(scene, asked)
-            made = turn.made_of(*(each.angle for each in terms))
+            made = turn.made_of(*(term.angle for term in terms))
             line = made_of_angles(scene, turn, chain(Letter(letter), (made, None)), ())
             if line is not None:
                 refs = (ref for each in terms for ref in each.refs)
@@ -83,7 +83,7 @@ def tangent_of_two(
             terms.append(Term(Letter(letter), scene.desk.last_link(line).right, (line,)))
         else:
             terms.append(term_of_data(scene, side))
-    whole = Binary(sign, *(each.angle for each in terms))
+    whole = Binary(sign, *(term.angle for term in terms))
     name = free_letter(scene, "deflection")
     let = scene.desk.write(Move("let"), (), Meaning(name, whole, angle="signed"))
     form = "sum" if sign == "+" else "difference"
@@ -95,12 +95,12 @@ def tangent_of_two(
 def extents(scene: Scene, names: Iterable[str]) -> tuple[Ref, ...]:
     """What is known of the ranges of angles of the motion, by their letters."""
     found: list[Ref] = []
-    for each in scene.desk.lines:
-        meaning = each.relation
+    for line in scene.desk.lines:
+        meaning = line.relation
         if not isinstance(meaning, Meaning) or meaning.letter not in names:
             continue
         if isinstance(meaning.quantity, Quantity) and meaning.quantity.kind in ANGLES:
-            found += [*_texts(meaning.letter), each.number]
+            found += [*_texts(meaning.letter), line.number]
     for fact in scene.desk.facts:
         match fact.relation.options:
             case ((link,),) if fact.id.startswith("let ") and isinstance(link.right, Letter):

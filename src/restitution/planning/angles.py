@@ -95,14 +95,14 @@ def angle_to_a_line(scene: Scene, body: str, line: Expression) -> Expression | N
             return None
         told, origin = right.angle, right.origin
         given = scene.model.story.direction(origin or Unit("i"), 0)
-    elif right is not None and any(isinstance(each, Unit) for each in walk(right)):
+    elif right is not None and any(isinstance(node, Unit) for node in walk(right)):
         given = scene.initial(body).value
         if given.x != 0 and given.y != 0:
             return None
     else:
         return None
     turned = scene.scalar(told)
-    if all(isinstance(each, Degrees | Letter | Binary) for each in walk(line)):
+    if all(isinstance(node, Degrees | Letter | Binary) for node in walk(line)):
         if given.x != 0 and given.y != 0:
             return None
         across = Binary("-", line, RIGHT) if given.x == 0 else line

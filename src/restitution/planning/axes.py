@@ -192,7 +192,7 @@ def write_wall(scene: Scene, wall: str) -> int:
         Move("law", "wall-direction", number, (body,)),
         frame.refs,
         Relation(((Link(direction, "perpendicular to", vector(*map(tree_of, normal))),),)),
-        "silent" if any(isinstance(each, int) for each in frame.refs) else "line",
+        "silent" if any(isinstance(ref, int) for ref in frame.refs) else "line",
     )
     along = whole_direction(frame.t)[0] if known is None else normal.turned_left()
     if scene.model.sign(along.x) < 0:
@@ -249,7 +249,7 @@ def take_opposite(scene: Scene, given: GivenEquation) -> str | None:
     """
     match given.link:
         case Link(Quantity("impulse", (Name(body),), int(event)), "=", right):
-            others = [each for each in scene.spheres(event) if each != body]
+            others = [sphere for sphere in scene.spheres(event) if sphere != body]
         case _:
             return None
     if len(others) != 1:
@@ -259,7 +259,7 @@ def take_opposite(scene: Scene, given: GivenEquation) -> str | None:
     if scene.last_event(other, event - 1) or velocity not in scene.facts:
         return None
     (start,) = scene.facts[velocity].relation.only
-    polar = any(isinstance(each, Polar) for each in walk(start.right))
+    polar = any(isinstance(node, Polar) for node in walk(start.right))
     if polar or scene.unknown(scene.mass(other).value):
         return None
     opposite = tree_of(tuple(tidy(-each) for each in scene.vector(right)))

@@ -24,5 +24,5 @@ def write_blows(scene: Scene) -> None:
                 scene.desk.know(quantity, value, together(given[2], refs))
                 continue
             velocities = [scene.velocity(step.body, each) for each in (number - 1, number)]
-            if not any(scene.unknown(each) for each in velocities):
+            if not any(scene.unknown(velocity) for velocity in velocities):
                 blown(scene, step.body, number)

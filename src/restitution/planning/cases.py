@@ -53,7 +53,7 @@ def _joined(before: Desk, drafts: Sequence[Desk], depth: int) -> Desk:
         for each in _added_case(before, desk, _joined(before, group, depth + 1), split, option):
             if each not in ends:
                 ends.append(each)
-    items = list(dict.fromkeys(each.item for each in ends))
+    items = list(dict.fromkeys(end.item for end in ends))
     desk.ends += sorted(ends, key=lambda each: items.index(each.item))
     desk.splits = first.splits[:depth]
     if any(draft.notes != first.notes for draft in drafts):
@@ -63,14 +63,14 @@ def _joined(before: Desk, drafts: Sequence[Desk], depth: int) -> Desk:
 
 def without_idle(derivation: Derivation) -> Derivation:
     """A working without cases under which nothing stands: the alternatives are the answer."""
-    busy = {each.line for each in derivation.cases if each.lines}
-    idle = {each.number for each in derivation.cases if each.line not in busy}
+    busy = {case.line for case in derivation.cases if case.lines}
+    idle = {case.number for case in derivation.cases if case.line not in busy}
     return replace(
         derivation,
-        cases=tuple(each for each in derivation.cases if each.number not in idle),
+        cases=tuple(case for case in derivation.cases if case.number not in idle),
         items=tuple(
             dict.fromkeys(
-                replace(each, case=None) if each.case in idle else each for each in derivation.items
+                replace(item, case=None) if item.case in idle else item for item in derivation.items
             )
         ),
     )
@@ -104,7 +104,7 @@ def _added(desk: Desk, draft: Desk, split: int) -> dict[int, int]:
     """Adds the lines of one solution below the split; returns their new numbers by the old."""
     numbers: dict[int, int] = {}
     for line in draft.lines[split:]:
-        premises = tuple(_renumbered(each, numbers) for each in line.premises)
+        premises = tuple(_renumbered(premise, numbers) for premise in line.premises)
         again = None
         if not _under(draft, line.number, split):
             again = next(

@@ -83,12 +83,12 @@ def evaluator(
     story = model.branch.numbers
     events = len(story.happenings)
     meanings = {
-        each.relation.letter: each.relation for each in lines if isinstance(each.relation, Meaning)
+        line.relation.letter: line.relation for line in lines if isinstance(line.relation, Meaning)
     }
     axes = {
-        each.relation.only[0].left: each.relation.only[0].right
-        for each in facts
-        if each.id.startswith("axis ")
+        fact.relation.only[0].left: fact.relation.only[0].right
+        for fact in facts
+        if fact.id.startswith("axis ")
     }
     of_lines: dict[Expression, Any] = {}
 

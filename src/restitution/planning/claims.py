@@ -67,7 +67,7 @@ class Claims:
     def _tied_letters(self) -> set[sp.Symbol]:
         """The letters of the statement that the facts tie to others."""
         model = self.scene.model
-        components = {each.symbol for each in model.components.values()}
+        components = {component.symbol for component in model.components.values()}
         return {
             symbol
             for symbol, value in model.final.items()
@@ -170,9 +170,9 @@ class Claims:
             return desk.write(move, (*kept, *line.premises), relation)
         under = desk.under(number)
         rest = [
-            each
-            for each in self.conditions.inequalities()
-            if each.id not in under and each.kind in ("given", "range")
+            inequality
+            for inequality in self.conditions.inequalities()
+            if inequality.id not in under and inequality.kind in ("given", "range")
         ]
         if line.move.id != "compare" or number != len(desk.lines) or not rest:
             return number
@@ -189,7 +189,9 @@ class Claims:
 
     def _own_range(self, premises: Sequence[Ref]) -> bool:
         """Whether premises only say what a letter may be anyway."""
-        return all(isinstance(each, str) and each not in self.scene.facts for each in premises)
+        return all(
+            isinstance(premise, str) and premise not in self.scene.facts for premise in premises
+        )
 
     def _kept_bounds(self, relation: Relation) -> list[int]:
         """That the coefficients that are tied to a letter are at most 1 for all its values."""
@@ -209,7 +211,7 @@ class Claims:
     def _worths(self, trees: Sequence[Expression], quantities: Sequence[Quantity]) -> list[int]:
         """The lines of what stands in a claim: of its sides, or of the quantities in them."""
         lines: list[int] = []
-        left = [each for each in quantities if not self.worths.is_data(each)]
+        left = [quantity for quantity in quantities if not self.worths.is_data(quantity)]
         for tree in trees:
             opened = self.worths.opened(tree)
             inside = list(self.worths.quantities(opened))
@@ -322,7 +324,7 @@ class Claims:
     @staticmethod
     def _texts(refs: Sequence[Ref]) -> list[Ref]:
         """The facts among premises."""
-        return [each for each in refs if isinstance(each, str)]
+        return [ref for ref in refs if isinstance(ref, str)]
 
     def _tangent_of(self, tree: Expression) -> Expression | None:
         value = sp.sympify(self.scene.scalar(tree), strict=True)
@@ -427,10 +429,10 @@ class Claims:
 
     def _by_squares(self, quantities: Sequence[Quantity], relation: Relation) -> int | None:
         """A speed compared by its square."""
-        if not all(each.kind == "speed" for each in quantities):
+        if not all(quantity.kind == "speed" for quantity in quantities):
             return None
         mark = self.worths.mark()
-        lines = [self.worths.squared(each) for each in quantities]
+        lines = [self.worths.squared(quantity) for quantity in quantities]
         if None not in lines:
             line = self.compared(lines, relation)  # type: ignore[arg-type]
             if line is None:
@@ -497,13 +499,13 @@ class Claims:
         """The lines above that bound a letter, or a ratio of one."""
         desk = self.scene.desk
         return [
-            each.number
-            for each in desk.lines
-            if isinstance(each.relation, Relation)
-            and len(each.relation.options) == 1
-            and all(link.sign in FLIPPED for link in each.relation.only)
-            and subject_of(each.relation) == subject
-            and desk.holds(each.number)
+            line.number
+            for line in desk.lines
+            if isinstance(line.relation, Relation)
+            and len(line.relation.options) == 1
+            and all(link.sign in FLIPPED for link in line.relation.only)
+            and subject_of(line.relation) == subject
+            and desk.holds(line.number)
         ]
 
     def monotone(self, line: int, relation: Relation, bounds: Sequence[Ref] = ()) -> int | None:
@@ -602,7 +604,7 @@ class Claims:
         value, refs = self.scene.put(sp.tan(symbol))
         if value.free_symbols or not refs:
             return None
-        line = next((each for each in refs if isinstance(each, int)), None)
+        line = next((ref for ref in refs if isinstance(ref, int)), None)
         told = Relation(((Link(tangent, "=", tree_of(value)),),))
         number = self.judge.standing(told)
         if number is None and line is not None:
@@ -671,8 +673,8 @@ class Claims:
             and isinstance(own := self.scene.desk.line(each).relation, Relation)
             and own.only[0].sign != "="
         ]
-        for each in conditions:
-            line = self.judge.write((Move("rearrange"),), [each], relation)
+        for condition in conditions:
+            line = self.judge.write((Move("rearrange"),), [condition], relation)
             if line is not None:
                 return line
         kind: MoveId = "compare" if conditions else "sign"
@@ -716,14 +718,14 @@ class Claims:
 
     def _bounding(self, subject: Expression, sign: Sign, most: sp.Expr) -> Iterator[int]:
         """The lines in force that bound an expression so by a number."""
-        for each in self.scene.desk.lines:
-            if not isinstance(each.relation, Relation) or len(each.relation.options) != 1:
+        for line in self.scene.desk.lines:
+            if not isinstance(line.relation, Relation) or len(line.relation.options) != 1:
                 continue
-            link = each.relation.only[-1]
-            if (link.left, link.sign) != (subject, sign) or not self.scene.desk.holds(each.number):
+            link = line.relation.only[-1]
+            if (link.left, link.sign) != (subject, sign) or not self.scene.desk.holds(line.number):
                 continue
             if self.worths.value(link.right) == most:
-                yield each.number
+                yield line.number
 
     def coefficients(self, names: Iterable[str]) -> list[str]:
         """The coefficients of restitution among some letters."""
@@ -738,10 +740,10 @@ class Claims:
         product = tree_of(sp.Mul(*(known[each].symbol(each) for each in several)))
         bounds = (Link(product, ">", ZERO), Link(product, "<=", ONE))
         lines = [
-            self.judge.write((Move("sign"),), self.judge.known(several), Relation(((each,),)))
-            for each in bounds
+            self.judge.write((Move("sign"),), self.judge.known(several), Relation(((bound,),)))
+            for bound in bounds
         ]
-        return [each for each in lines if each is not None]
+        return [line for line in lines if line is not None]
 
     def _rooted(self, refs: Sequence[Ref], relation: Relation, pool: Sequence[Ref]) -> int | None:
         """Of a bound of the square of a ratio, that of the ratio, where its angle is asked."""

@@ -124,8 +124,8 @@ def _open_trees(link: Link) -> Iterable[Expression]:
 
 
 def _parts(tree: Expression) -> list[Expression]:
-    values = (getattr(tree, each.name) for each in fields(tree) if each.name != "place")
-    return [each for each in values if isinstance(each, Expression)]
+    values = (getattr(tree, field.name) for field in fields(tree) if field.name != "place")
+    return [value for value in values if isinstance(value, Expression)]
 
 
 def _is_angle(scene: Scene, name: str) -> bool:
@@ -207,9 +207,9 @@ def _squared(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     """Roots on both sides, or one that is a number: both sides are squared."""
     link = scene.desk.last_link(number)
     sides = [link.left, link.right]
-    if not any(_has_root(each, symbol) for each in sides):
+    if not any(_has_root(side, symbol) for side in sides):
         return None
-    squares = [_square_of(scene, each) for each in sides]
+    squares = [_square_of(scene, side) for side in sides]
     if any(each is None for each in squares):
         return None
     relation = Relation(((Link(squares[0], "=", squares[1]),),))  # type: ignore[arg-type]
@@ -223,10 +223,10 @@ def _squared(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
 def _has_root(tree: Expression, symbol: sp.Symbol) -> bool:
     """Whether an unknown stands below a root, or in a vector of which the size is taken."""
     return any(
-        isinstance(each, Apply)
-        and each.function in ("sqrt", "abs")
-        and any(isinstance(x, Letter) and x.name == symbol.name for x in walk(each))
-        for each in walk(tree)
+        isinstance(node, Apply)
+        and node.function in ("sqrt", "abs")
+        and any(isinstance(x, Letter) and x.name == symbol.name for x in walk(node))
+        for node in walk(tree)
     )
 
 
@@ -246,7 +246,7 @@ def _square_of(scene: Scene, tree: Expression) -> Expression | None:
             if None in squares:
                 return None
             return Binary(op, squares[0], squares[1])  # type: ignore[arg-type]
-    if any(_is_size(each) for each in walk(tree)):
+    if any(_is_size(node) for node in walk(tree)):
         return None
     return square(tree)
 
@@ -261,7 +261,7 @@ def _square_of_size(scene: Scene, tree: Expression) -> Expression | None:
     if not isinstance(value, Vector):
         return square(tree)
     parts = [tidy(expanded(each)) for each in value]
-    return total(square(tree_of(each)) for each in parts if each != 0)
+    return total(square(tree_of(part)) for part in parts if part != 0)
 
 
 def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
@@ -316,8 +316,8 @@ def _uncertain(scene: Scene, x: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
     A factor that is linear in the unknown has a root, which is written down and rejected.
     """
     factors = sp.Mul.make_args(factored(x))
-    kept = [each for each in factors if not proved_sign(scene.model.ground, each)]
-    kept += [each for each in factors if each not in kept and _single(each, symbol)]
+    kept = [factor for factor in factors if not proved_sign(scene.model.ground, factor)]
+    kept += [factor for factor in factors if factor not in kept and _single(factor, symbol)]
     return expanded(sp.Mul(*kept))
 
 
@@ -341,7 +341,7 @@ def rearranged(scene: Scene, number: int, relation: Relation) -> int | None:
 
 
 def _background(scene: Scene, number: int) -> tuple[Ref, ...]:
-    names = {each.name for each in residual(scene, number).free_symbols}
+    names = {symbol.name for symbol in residual(scene, number).free_symbols}
     return background(scene, names)
 
 

@@ -78,7 +78,7 @@ def _of_all(sides: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]) -> tuple[sp.
     """The same of several unknowns: the letters before the ratios of angles."""
     found: list[sp.Expr] = []
     for symbol in symbols:
-        if not any(symbol in each.free_symbols for each in sides):
+        if not any(symbol in side.free_symbols for side in sides):
             continue
         own = _generators(sides, symbol)
         if own is None:
@@ -90,18 +90,18 @@ def _of_all(sides: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]) -> tuple[sp.
 def _generators(sides: Sequence[sp.Expr], symbol: sp.Symbol) -> tuple[sp.Expr, ...] | None:
     """In what the sides are polynomials: the unknown, or its sine and cosine, or its tangent."""
     functions = {f for each in sides for f in each.atoms(sp.Function) if symbol in f.free_symbols}
-    bare = [each.xreplace(dict.fromkeys(functions, sp.Dummy())) for each in sides]
+    bare = [side.xreplace(dict.fromkeys(functions, sp.Dummy())) for side in sides]
     inside = any(symbol in each.free_symbols for each in bare)
     roots = {p for each in sides for p in each.atoms(sp.Pow) if not p.exp.is_Integer}
-    if any(symbol in each.free_symbols for each in roots):
+    if any(symbol in root.free_symbols for root in roots):
         return None
     if not functions:
         return (symbol,) if inside else None
     if inside or any(not isinstance(f, _TRIGONOMETRIC) or f.args != (symbol,) for f in functions):
         return None
-    if all(isinstance(each, sp.tan) for each in functions):
+    if all(isinstance(function, sp.tan) for function in functions):
         return (sp.tan(symbol),)
-    if any(isinstance(each, sp.tan) for each in functions):
+    if any(isinstance(function, sp.tan) for function in functions):
         return None
     return sp.sin(symbol), sp.cos(symbol)
 
@@ -114,7 +114,7 @@ def _without_common(
     sides: tuple[sp.Expr, ...], generators: tuple[sp.Expr, ...]
 ) -> Polynomials | None:
     """Both sides as polynomials without denominators, and without letters common to all terms."""
-    whole = [sp.fraction(one_fraction(each)) for each in sides]
+    whole = [sp.fraction(one_fraction(side)) for side in sides]
     below = sp.lcm(*(each[1] for each in whole))
     if any(isinstance(x, sp.Float) for each in sides for x in each.atoms(sp.Float)):
         return None
@@ -131,11 +131,11 @@ def _without_common(
     common = _common(coefficients)
     left, right = (
         sp.Poly.from_dict(
-            {m: expanded(cancelled(c / common)) for m, c in each.terms()}
+            {m: expanded(cancelled(c / common)) for m, c in polynomial.terms()}
             or {(0,) * len(generators): 0},
             *generators,
         )
-        for each in polynomials
+        for polynomial in polynomials
     )
     return left, right
 
@@ -147,7 +147,7 @@ def _common(coefficients: Sequence[sp.Expr]) -> sp.Expr:
     powers = [term.as_powers_dict() for term in terms]
     for base in powers[0]:
         if base.is_Symbol and base.is_positive:
-            common *= base ** min(each.get(base, 0) for each in powers)
+            common *= base ** min(power.get(base, 0) for power in powers)
     root = sp.sqrt(1)
     first = [p for p in sp.Mul.make_args(terms[0]) if p.is_Pow and p.exp == sp.S.Half]
     for each in first:
@@ -174,7 +174,8 @@ def _in_tangents(polynomials: Polynomials) -> Polynomials:
     """Forms of one degree in sine and cosine, divided by the power of the cosine."""
     t = sp.Dummy("t")
     left, right = (
-        sp.Poly.from_dict({(m[0],): c for m, c in each.terms()}, t) for each in polynomials
+        sp.Poly.from_dict({(m[0],): c for m, c in polynomial.terms()}, t)
+        for polynomial in polynomials
     )
     return left, right
 
@@ -191,7 +192,7 @@ def _sides(
     scene: Scene, polynomials: Polynomials, generators: tuple[sp.Expr, ...]
 ) -> tuple[Expression, Expression]:
     """The sides as trees; of a sum that is zero, what is negative stands on the other side."""
-    left, right = ([(m, c) for m, c in each.terms() if c != 0] for each in polynomials)
+    left, right = ([(m, c) for m, c in polynomial.terms() if c != 0] for polynomial in polynomials)
     alone = [scene.model.sign(each[0][1]) for each in (left, right) if len(each) == 1]
     worth = sp.sympify(polynomials[0].as_expr(), strict=True).xreplace(dict(scene.model.final))
     if sum(alone) < 0 or (not alone and scene.model.sign(scene.model.in_data(worth)) < 0):
@@ -217,7 +218,7 @@ def _tree(terms: Sequence[Term], generators: tuple[sp.Expr, ...]) -> Expression:
     """A polynomial: from its highest power in letters of angles, from its lowest in others."""
     if len(generators) == 1:
         terms = sorted(terms, key=lambda each: each[0])
-    own = [_term(each, generators) for each in terms]
+    own = [_term(term, generators) for term in terms]
     first = next((n for n, each in enumerate(own) if not isinstance(each, Negate)), 0)
     if own:
         own.insert(0, own.pop(first))
@@ -225,13 +226,13 @@ def _tree(terms: Sequence[Term], generators: tuple[sp.Expr, ...]) -> Expression:
 
 
 def _descending(terms: Sequence[Term], generators: tuple[sp.Expr, ...]) -> Expression:
-    return _total(_term(each, generators) for each in terms)
+    return _total(_term(term, generators) for term in terms)
 
 
 def _term(term: Term, generators: tuple[sp.Expr, ...]) -> Expression:
     """A coefficient with its powers; a letter stands before the ratios of another angle."""
     powers, coefficient = term
-    if coefficient.has(*_TRIGONOMETRIC) and all(each.is_Symbol for each in generators):
+    if coefficient.has(*_TRIGONOMETRIC) and all(generator.is_Symbol for generator in generators):
         whole = coefficient * sp.Mul(*(g**n for g, n in zip(generators, powers, strict=True)))
         return tree_of(tidy(whole))
     sum_of_roots = coefficient.is_number and coefficient.is_Add
@@ -241,8 +242,8 @@ def _term(term: Term, generators: tuple[sp.Expr, ...]) -> Expression:
 
 def _total(terms: Iterable[Expression]) -> Expression:
     whole: Expression = number(0)
-    for each in terms:
-        whole = each if is_zero(whole) else _added(whole, each)
+    for term in terms:
+        whole = term if is_zero(whole) else _added(whole, term)
     return whole
 
 
@@ -283,29 +284,29 @@ def _terms(tree: Expression) -> Iterator[Expression]:
 
 
 def _has(tree: Expression, name: str) -> bool:
-    return any(isinstance(each, Letter) and each.name == name for each in walk(tree))
+    return any(isinstance(node, Letter) and node.name == name for node in walk(tree))
 
 
 def _brackets(term: Expression, name: str) -> int:
     """The sums in a product or a power that hold the unknown, or roots of numbers and letters."""
     return sum(
-        isinstance(each, Binary)
-        and each.op in ("+", "-")
-        and (_has(each, name) or (_has(term, name) and _is_no_number(each)))
-        for each in walk(term)
+        isinstance(node, Binary)
+        and node.op in ("+", "-")
+        and (_has(node, name) or (_has(term, name) and _is_no_number(node)))
+        for node in walk(term)
     )
 
 
 def _is_no_number(tree: Expression) -> bool:
     """Whether a sum is more than a number of times the same letter."""
-    names = {each.name for each in walk(tree) if isinstance(each, Letter)}
-    return len(names) > 1 or any(isinstance(each, Apply) for each in walk(tree))
+    names = {node.name for node in walk(tree) if isinstance(node, Letter)}
+    return len(names) > 1 or any(isinstance(node, Apply) for node in walk(tree))
 
 
 def _stands_below(term: Expression, name: str) -> bool:
     return any(
-        isinstance(each, Binary) and each.op == "/" and _has(each.right, name)
-        for each in walk(term)
+        isinstance(node, Binary) and node.op == "/" and _has(node.right, name)
+        for node in walk(term)
     )
 
 

@@ -81,7 +81,7 @@ class Comparison:
     @staticmethod
     def _is_plain(values: Sequence[sp.Expr]) -> bool:
         """Whether which is the greater is seen at once: one is zero, or they are like terms."""
-        if any(each == 0 for each in values):
+        if any(value == 0 for value in values):
             return True
         return bool(cancelled(values[0] / values[1]).is_number)
 
@@ -132,7 +132,9 @@ class Comparison:
                 value = sense * source.value
                 own = sp.sympify(0 if known is None else known.value, strict=True)
                 symbol = own if own.is_Symbol else -own
-                if symbol not in {each.symbol for each in scene.model.components.values()}:
+                if symbol not in {
+                    component.symbol for component in scene.model.components.values()
+                }:
                     tree = quantity if sense == 1 else side
                     refs = (*source.whole, *frame.refs, *self.claims.conditions.axis_named(axis))
                     return tree, tuple(dict.fromkeys(refs)), value

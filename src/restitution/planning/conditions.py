@@ -194,17 +194,17 @@ class Conditions:
         """The lines of the components and the quantities in an inequality."""
         refs: list[Ref] = []
         for side in (link.left, link.right):
-            for each in walk(side):
-                match each:
+            for node in walk(side):
+                match node:
                     case Quantity("along" | "across" | "dot"):
-                        for velocity in each.arguments:
+                        for velocity in node.arguments:
                             refs += self._components_of(velocity)
                             refs += self.axis_named(velocity)
-                        refs += self.worths.axes(each)
+                        refs += self.worths.axes(node)
                     case Quantity("velocity"):
                         continue
                     case Quantity(kind) if kind not in ("mass", "line_of_centres"):
-                        refs.append(self.worths.quantity(each))
+                        refs.append(self.worths.quantity(node))
         return together(refs)
 
     def axis_named(self, tree: Expression) -> tuple[Ref, ...]:
@@ -216,10 +216,10 @@ class Conditions:
 
     def _components_of(self, tree: Expression) -> list[Ref]:
         refs: list[Ref] = []
-        for each in walk(tree):
-            match each:
+        for node in walk(tree):
+            match node:
                 case Quantity("velocity", (Name(),), int()):
-                    body, stage = body_and_stage(self.scene, each)
+                    body, stage = body_and_stage(self.scene, node)
                     frame = frame_after(self.scene, body, stage)
                     for kind in ("along", "across"):
                         refs += self._with_letter(kind, body, stage, frame)
@@ -255,7 +255,7 @@ class Conditions:
             if values[1] == 0 and self._stands_turned(pool, values[0]):
                 # As it stands above: the sense turns, and not the terms.
                 way, values[0] = FLIPPED[way], tidy(-values[0])
-            trees = [tree_of(each) for each in values]
+            trees = [tree_of(value) for value in values]
             first = Relation(((Link(trees[0], way, trees[1]),),))
             if first != relation:
                 line = self.judge.write(put, pool, first)
@@ -322,7 +322,7 @@ class Conditions:
         return fact is not None and any(
             isinstance(step, Given)
             and step.place == fact.place
-            and any(isinstance(each, Meets) for each in step.relations)
+            and any(isinstance(relation, Meets) for relation in step.relations)
             for _, step in self.scene.problem.steps()
         )
 

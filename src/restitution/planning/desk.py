@@ -174,7 +174,7 @@ class Desk:
         self._scopes |= scopes_of(self.facts)
         # A line may rest on what another part is given in the same words; a fact is cited at home.
         self._own: dict[Ref, Scope] = {
-            each.id: None if each.part is None else frozenset({each.part}) for each in self.facts
+            fact.id: None if fact.part is None else frozenset({fact.part}) for fact in self.facts
         }
 
     # --- lines ----------------------------------------------------------------------------------
@@ -244,7 +244,7 @@ class Desk:
     def _homes(self, ref: Ref) -> frozenset[str | None]:
         """The parts whose own facts a line rests on, or that of a fact."""
         under = self.under(ref) if isinstance(ref, int) else {ref}
-        return frozenset(each.part for each in self.facts if each.id in under)
+        return frozenset(fact.part for fact in self.facts if fact.id in under)
 
     def reword(self, number: int, value: Expression) -> None:
         """Writes the value at the end of a line, and of its items, in another form."""
@@ -302,7 +302,7 @@ class Desk:
 
     def new_note(self, item: str, kind: NoteKind, reason: str = "", **rest: Any) -> Note:
         """A note on the item that is next, with these fields."""
-        items = {*(each.item for each in self.ends), *(each.item for each in self.notes)}
+        items = {*(end.item for end in self.ends), *(note.item for note in self.notes)}
         return Note(item, kind, len(items - {item}), self.part, reason, **rest)
 
     def note(self, item: str, kind: NoteKind, reason: str = "", **rest: Any) -> None:

@@ -32,9 +32,9 @@ def distance(scene: Scene, asked: Quantity) -> Source:
         together_ = _distance_since_contact(scene, asked)
         if together_ is not None:
             return together_
-    ends = [_end(scene, each, asked.stage) for each in asked.arguments]
-    refs = together(*(each.refs for each in ends))
-    (a, b) = (each.value for each in ends)
+    ends = [_end(scene, argument, asked.stage) for argument in asked.arguments]
+    refs = together(*(end.refs for end in ends))
+    (a, b) = (end.value for end in ends)
     return _write_distance(scene, asked, None, refs, [tidy(x) for x in a], [tidy(x) for x in b])
 
 
@@ -97,7 +97,7 @@ def _signs(scene: Scene, gap: sp.Expr) -> tuple[Ref, ...]:
                 time_tree(number),
                 *(duration_tree(number, n) for n in range(1, number)),
             )
-            known = (scene.desk.known(each) for each in trees)
+            known = (scene.desk.known(tree) for tree in trees)
             time = next((each for each in known if each is not None), None)
             if time is not None and not time.value.is_Add and time.value.has(letter):
                 refs += time.refs
@@ -107,13 +107,13 @@ def _signs(scene: Scene, gap: sp.Expr) -> tuple[Ref, ...]:
 
 def _orders(scene: Scene, gap: sp.Expr) -> Iterator[Ref]:
     """The facts that tell of a difference in a value which of the two is the greater."""
-    factors = [each for each in sp.Mul.make_args(factored(gap)) if each.is_Add]
+    factors = [factor for factor in sp.Mul.make_args(factored(gap)) if factor.is_Add]
     for fact in scene.desk.facts:
         if fact.kind != "range" or not scene.desk.holds(fact.id) or len(fact.relation.options) > 1:
             continue
         for own in fact.relation.only:
             difference_ = expanded(scene.scalar(own.left) - scene.scalar(own.right))
-            if any(expanded(each**2 - difference_**2) == 0 for each in factors):
+            if any(expanded(factor**2 - difference_**2) == 0 for factor in factors):
                 yield fact.id
 
 
@@ -158,9 +158,9 @@ def _distance_since_contact(scene: Scene, asked: Quantity) -> Source | None:
     None where they met others in between.
     """
     assert isinstance(asked.stage, AtTime)
-    names = [each.name for each in asked.arguments if isinstance(each, Name)]
+    names = [argument.name for argument in asked.arguments if isinstance(argument, Name)]
     pieces = {
-        piece(scene, each, asked.stage.time) for each in names if each in scene.model.story.spheres
+        piece(scene, name, asked.stage.time) for name in names if name in scene.model.story.spheres
     }
     if len(names) != 2 or len(pieces) != 1:
         return None
@@ -174,9 +174,9 @@ def _distance_since_contact(scene: Scene, asked: Quantity) -> Source | None:
     flight, length, more = time_since(scene, asked.stage.time, met, early)
     names = list(scene.bodies(met))
     apart = separation_known(scene, frame)
-    across = [in_direction(scene, "across", each, met, frame) for each in names]
+    across = [in_direction(scene, "across", name, met, frame) for name in names]
     if apart is None:
-        along = [in_direction(scene, "along", each, met, frame) for each in names]
+        along = [in_direction(scene, "along", name, met, frame) for name in names]
     else:
         along = [Source(sp.Integer(0)), apart]
     a, b = ([x, y] for x, y in zip(along, across, strict=True))

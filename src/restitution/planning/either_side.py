@@ -43,7 +43,7 @@ def on_one_side(
 
     None where they are not.
     """
-    facts = tuple(each for each in desk.facts if desk.holds(each.id))
+    facts = tuple(fact for fact in desk.facts if desk.holds(fact.id))
     numbers = on_either_side(Derivation(facts, (), (), desk.events))
     if len(models) < 2 or len(numbers) != 1:
         return ()
@@ -70,10 +70,10 @@ def on_one_side(
 def _is_turned(facts: Sequence[Fact], body: str) -> bool:
     """Whether a speed and a deflection of a sphere are given."""
     given = {
-        each.relation.only[0].left
-        for each in facts
-        if each.kind == "given" and len(each.relation.options) == 1
-        if each.relation.only[0].sign == "="
+        fact.relation.only[0].left
+        for fact in facts
+        if fact.kind == "given" and len(fact.relation.options) == 1
+        if fact.relation.only[0].sign == "="
     }
     kinds = {
         each.kind for each in given if isinstance(each, Quantity) and Name(body) in each.arguments
@@ -190,9 +190,9 @@ def _has_a_side(scene: Scene, link: Link) -> bool:
 def _meant(scene: Scene, subject: Expression) -> Expression:
     """What a letter of the working stands for."""
     if isinstance(subject, Letter):
-        for each in scene.desk.lines:
-            if isinstance(each.relation, Meaning) and each.relation.letter == subject.name:
-                return each.relation.quantity
+        for line in scene.desk.lines:
+            if isinstance(line.relation, Meaning) and line.relation.letter == subject.name:
+                return line.relation.quantity
     return subject
 
 

@@ -109,7 +109,7 @@ def _is_of_both(tree: Expression) -> bool:
 def _angle_sum(scene: Scene, asked: Binary) -> tuple[int, Any]:
     """A sum of angles of the motion, each of which is a line; with its decimal."""
     quantities = [each for each in outermost(asked) if isinstance(each, Quantity)]
-    lines = [angle_line(scene, each) for each in quantities]
+    lines = [angle_line(scene, quantity) for quantity in quantities]
     values: dict[Expression, Expression] = {
         each: scene.desk.last_link(line).right for each, line in zip(quantities, lines, strict=True)
     }
@@ -187,8 +187,8 @@ def outermost(tree: Expression) -> list[Expression]:
         elif isinstance(node, Apply) and node.argument in ratios:
             yield node
         else:
-            for each in children(node):
-                yield from found(each)
+            for child in children(node):
+                yield from found(child)
 
     return list(dict.fromkeys(found(tree)))
 
@@ -224,7 +224,7 @@ def _datum(scene: Scene, node: Quantity) -> Source:
 
 
 def _angle_tree(scene: Scene, source: Source) -> Expression:
-    (line,) = (each for each in source.refs if isinstance(each, int))
+    (line,) = (ref for ref in source.refs if isinstance(ref, int))
     return scene.desk.last_link(line).right
 
 

@@ -37,10 +37,10 @@ def _sizes(
     if minus:
         last, first = first, last
     sizes = [difference(tree_of(last), tree_of(first))]
-    for each in paces:
-        back = scene.model.sign(scene.model.in_data(each)) < 0
+    for pace in paces:
+        back = scene.model.sign(scene.model.in_data(pace)) < 0
         minus ^= back
-        sizes.append(tree_of(-each if back else each))
+        sizes.append(tree_of(-pace if back else pace))
     return sizes, minus
 
 
@@ -61,7 +61,7 @@ def _is_plainly_not_zero(scene: Scene, factor: sp.Expr) -> bool:
         role = roles.get(letter.name)
         if role is None or role.kind != "positive":
             return False
-    return len({sp.sign(each.as_coeff_Mul()[0]) for each in terms}) == 1
+    return len({sp.sign(term.as_coeff_Mul()[0]) for term in terms}) == 1
 
 
 def time_quotient(

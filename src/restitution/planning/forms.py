@@ -50,17 +50,17 @@ def neat(value: Any) -> Any:
     """A value in its usual form, in which ratios of 2θ and ½θ are not written by those of θ."""
     own = sp.sympify(value, strict=True)
     multiples = {
-        each.args[0]
-        for each in own.atoms(sp.sin, sp.cos, sp.tan)
-        if not each.args[0].is_Symbol and len(each.args[0].free_symbols) == 1
+        atom.args[0]
+        for atom in own.atoms(sp.sin, sp.cos, sp.tan)
+        if not atom.args[0].is_Symbol and len(atom.args[0].free_symbols) == 1
     }
     if not multiples:
         return tidy(own)
-    names = {each: sp.Dummy("angle", positive=True) for each in multiples}
+    names = {multiple: sp.Dummy("angle", positive=True) for multiple in multiples}
     functions = {
-        each: type(each)(names[each.args[0]])
-        for each in own.atoms(sp.sin, sp.cos, sp.tan)
-        if each.args[0] in names
+        atom: type(atom)(names[atom.args[0]])
+        for atom in own.atoms(sp.sin, sp.cos, sp.tan)
+        if atom.args[0] in names
     }
     back = {dummy: angle for angle, dummy in names.items()}
     return tidy(own.xreplace(functions)).xreplace(back)
@@ -82,7 +82,7 @@ def _tree_of(own: sp.Expr, angle: bool, as_it_is: bool) -> Expression:
     if own.has(sp.zoo, sp.nan):
         raise UnwrittenError(own)
     own = own if as_it_is else neat(own)
-    names = {_parted(each.name): each.name for each in own.free_symbols}
+    names = {_parted(symbol.name): symbol.name for symbol in own.free_symbols}
     return _from_layout(lay.from_sympy(own, degrees=angle), names)
 
 
@@ -115,7 +115,7 @@ def _from_layout(layout: Any, names: dict[tuple[str, str], str]) -> Expression:
         case lay.Sum(terms):
             return _sum_of([(sign, of(each)) for sign, each in terms])
         case lay.Product(factors):
-            return product(*(of(each) for each in factors))
+            return product(*(of(factor) for factor in factors))
         case lay.Fraction(above, below):
             return Binary("/", of(above), of(below))
         case lay.Root(inside, 2):
@@ -187,15 +187,15 @@ def factors(tree: Expression) -> list[Expression]:
 def total(terms: Iterable[Expression]) -> Expression:
     """Terms added up: zeros are left out, what is negative is subtracted."""
     own: Expression | None = None
-    for each in terms:
-        if is_zero(each):
+    for term in terms:
+        if is_zero(term):
             continue
         if own is None:
-            own = each
-        elif isinstance(each, Negate):
-            own = Binary("-", own, each.operand)
+            own = term
+        elif isinstance(term, Negate):
+            own = Binary("-", own, term.operand)
         else:
-            own = Binary("+", own, each)
+            own = Binary("+", own, term)
     return ZERO if own is None else own
 
 
@@ -338,7 +338,9 @@ def reordered(a: Expression, b: Expression) -> bool:
     match a, b:
         case Binary("/", above, below), Binary("/", other, divisor) if below == divisor:
             return reordered(above, other)
-    terms, others = ([_factors(each) for each in _signed_terms(tree)] for tree in (a, b))
+    terms, others = (
+        [_factors(signed_term) for signed_term in _signed_terms(tree)] for tree in (a, b)
+    )
     return len(terms) > 1 and sorted(terms) == sorted(others)
 
 

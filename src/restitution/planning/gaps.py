@@ -44,9 +44,9 @@ def is_plain(scene: Scene, line: int, relation: Relation) -> bool:
         ratio = sp.factor(sp.together(value / own))
         if any(known[s.name].kind == "positive" for s in ratio.free_symbols if s.name in known):
             return False
-        if any(len(each.free_symbols) > 1 for each in sp.Mul.make_args(ratio)):
+        if any(len(factor.free_symbols) > 1 for factor in sp.Mul.make_args(ratio)):
             return False
-        if any(_has_root(each) for each in sp.Mul.make_args(ratio)):
+        if any(_has_root(factor) for factor in sp.Mul.make_args(ratio)):
             return False
     return True
 
@@ -126,26 +126,26 @@ def _forms(gap: sp.Expr) -> Iterator[sp.Expr]:
     whole = sp.together(gap)
     angles = sorted({f.args[0] for f in whole.atoms(sp.sin, sp.cos)}, key=str)
     forms = [whole]
-    for each in angles:
+    for angle in angles:
         forms += [
-            sp.expand(form).subs(kind(each) ** 2, 1 - other(each) ** 2)
+            sp.expand(form).subs(kind(angle) ** 2, 1 - other(angle) ** 2)
             for form in list(forms)
             for kind, other in ((sp.sin, sp.cos), (sp.cos, sp.sin))
         ]
     for form in forms:
         roots = {x for x in form.atoms(sp.Pow) if x.is_number and not x.exp.is_Integer}
         own = sp.factor(form, extension=sorted(roots, key=str)) if roots else sp.factor(form)
-        for each in angles:
+        for angle in angles:
             own = own.replace(
-                lambda x: x.is_Add and sp.expand(x - (1 - sp.sin(each) ** 2)) == 0,  # noqa: B023
-                lambda x: sp.cos(each) ** 2,  # noqa: B023
+                lambda x: x.is_Add and sp.expand(x - (1 - sp.sin(angle) ** 2)) == 0,  # noqa: B023
+                lambda x: sp.cos(angle) ** 2,  # noqa: B023
             )
         yield own
 
 
 def _mixed(x: sp.Expr) -> tuple[int, int]:
     """How many letters stand together in a factor, and how long the whole is."""
-    return max(len(each.free_symbols) for each in sp.Mul.make_args(x)), sp.count_ops(x)
+    return max(len(factor.free_symbols) for factor in sp.Mul.make_args(x)), sp.count_ops(x)
 
 
 def _is_signed(scene: Scene, x: sp.Expr) -> bool:

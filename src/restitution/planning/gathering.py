@@ -63,7 +63,7 @@ class _Gathering:
         self._parts = derivation.asked
         self._items = {each: n for n, each in enumerate(self._parts)}
         self._cases = {n: each.number for each in derivation.cases for n in each.lines}
-        self._bodies = {each.number: each.bodies for each in derivation.events}
+        self._bodies = {event.number: event.bodies for event in derivation.events}
         self._order: list[Line] = []
 
     def whole(self) -> Derivation:
@@ -105,8 +105,8 @@ class _Gathering:
         """Whether the items, and their cases, stand in order already, as they do but for ties."""
         last = len(self._items)
         keys = [
-            (self._items.get(each.item or "", last), self._cases.get(each.number, 0))
-            for each in lines
+            (self._items.get(line.item or "", last), self._cases.get(line.number, 0))
+            for line in lines
         ]
         return keys == sorted(keys)
 
@@ -235,14 +235,14 @@ def numbered_anew(derivation: Derivation, order: list[Line]) -> Derivation:
     return replace(
         derivation,
         lines=tuple(map(renumbered, order)),
-        items=tuple(replace(each, line=numbers[each.line]) for each in derivation.items),
-        notes=tuple(each.renumbered(numbers) for each in derivation.notes),
+        items=tuple(replace(item, line=numbers[item.line]) for item in derivation.items),
+        notes=tuple(note.renumbered(numbers) for note in derivation.notes),
         cases=tuple(
             replace(
-                each,
-                line=numbers[each.line],
-                lines=tuple(numbers[n] for n in each.lines if n in numbers),
+                case,
+                line=numbers[case.line],
+                lines=tuple(numbers[n] for n in case.lines if n in numbers),
             )
-            for each in derivation.cases
+            for case in derivation.cases
         ),
     )

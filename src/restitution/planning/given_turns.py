@@ -158,7 +158,7 @@ def _of_components(
         return None if refs is None else scene.desk.write(move, refs, relation)
     own = formula(scene, side.named)
     relation = chain(Apply("tan", angle), (swept(own.right), None))
-    names = {str(each) for each in sp.sympify(own.value, strict=True).free_symbols}
+    names = {str(symbol) for symbol in sp.sympify(own.value, strict=True).free_symbols}
     refs = scene.judge.enough(
         own.move, (line, meaning, *own.refs), relation, (*axis, *background(scene, names))
     )

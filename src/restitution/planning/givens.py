@@ -175,7 +175,7 @@ def _quoted(scene: Scene, each: GivenEquation, quantity: Quantity) -> int | None
 def _has_root(value: sp.Expr) -> bool:
     """Whether letters stand below a root: then the squares of components are simpler."""
     roots = sp.sympify(value, strict=True).atoms(sp.Pow)
-    return any(each.exp.is_Rational and each.exp.q == 2 and each.free_symbols for each in roots)
+    return any(root.exp.is_Rational and root.exp.q == 2 and root.free_symbols for root in roots)
 
 
 def _quoted_as(scene: Scene, each: GivenEquation, subject: Expression) -> int | None:
@@ -193,7 +193,7 @@ def _quoted_as(scene: Scene, each: GivenEquation, subject: Expression) -> int | 
     tree = each.link.right if not more else tree_of(right)
     tree = tree_of(tidy(sp.tan(right))) if turned else tree
     relation = chain(tree, (tree_of(value), None))
-    lines = [each for each in known.refs if isinstance(each, int)]
+    lines = [ref for ref in known.refs if isinstance(ref, int)]
     names = {name for each in lines for name in letters(scene.desk.last_link(each).right)}
     lets = tuple(f"let {name}" for name in sorted(names) if f"let {name}" in scene.facts)
     premises = scene.judge.enough(
@@ -217,7 +217,7 @@ def _tangent(scene: Scene, each: GivenEquation, own: Formula) -> int:
     left = each.link.right if not refs and not has_angle(each.link.right) else tree_of(value)
     premises = together(each.refs, refs, own.refs)
     relation = chain(left, (swept(own.right), None))
-    components = {each.symbol for each in scene.model.components.values()}
+    components = {component.symbol for component in scene.model.components.values()}
     backwards = any(scene.model.sign(x) < 0 for x in scene.unknown(own.value) & components)
     if own.move.record == "tan-deflection" and (
         backwards or not scene.judge.follows(own.move, premises, relation)
@@ -379,7 +379,7 @@ def _right_angle(scene: Scene, each: GivenEquation, own: Formula) -> int:
 def _of_open_sense(scene: Scene, own: Formula) -> bool:
     """Whether the sense of a component in a tangent is not certain."""
     open_ = scene.unknown(own.value)
-    components = {each.symbol for each in scene.model.components.values()}
+    components = {component.symbol for component in scene.model.components.values()}
     match own.quantity:
         case Quantity("angle", (_, Unit())):
             # Up to 180° the tangent has the sign of what stands below.

@@ -169,7 +169,7 @@ def is_polar(scene: Scene, body: str) -> bool:
     if fact is None:
         return False
     (link,) = fact.relation.only
-    return any(isinstance(each, Polar) for each in walk(link.right))
+    return any(isinstance(node, Polar) for node in walk(link.right))
 
 
 def by_scalar_product(
@@ -211,9 +211,11 @@ def _scalar_product(vector: Vector, direction: Vector) -> Expression:
 def _body(component: Quantity) -> tuple[str, ...]:
     """The body of which a quantity is a component of the velocity."""
     return tuple(
-        each.arguments[0].name
-        for each in component.arguments
-        if isinstance(each, Quantity) and each.arguments and isinstance(each.arguments[0], Name)
+        argument.arguments[0].name
+        for argument in component.arguments
+        if isinstance(argument, Quantity)
+        and argument.arguments
+        and isinstance(argument.arguments[0], Name)
     )
 
 
@@ -273,7 +275,7 @@ def settled(scene: Scene, tree: Expression) -> Source | None:
         settled(scene, Letter(own.name))
         return known
     value, refs = scene.put(known.value)
-    lines = [each for each in known.refs if isinstance(each, int)]
+    lines = [ref for ref in known.refs if isinstance(ref, int)]
     if value == known.value or len(lines) != 1 or _is_plain(known.value, value):
         return known
     (line,) = lines
@@ -328,7 +330,7 @@ def _by_ratio(
         # The angle is a number, and the speed has been found.
         return form if letters(form) and not source.value.free_symbols else None
     ratios = value.atoms(sp.sin, sp.cos)
-    if value.is_Add or len(ratios) != 1 or not any(each.free_symbols for each in ratios):
+    if value.is_Add or len(ratios) != 1 or not any(ratio.free_symbols for ratio in ratios):
         return None
     return None if source.value.has(*ratios) else tree_of(value)
 
@@ -397,7 +399,7 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
     parts = [after(scene, each, body, own) for each in ("along", "across")]
     direction = frame.direction(kind)
     shares = [tidy(own.direction(each).dot(direction)) for each in ("along", "across")]
-    put = [_put(scene, each) for each in parts]
+    put = [_put(scene, part) for part in parts]
     value = tidy(sum(a.value * b for a, b in zip(put, shares, strict=True)))
     functions = ("cos", "sin") if kind == "along" else ("sin", "cos")
     names = [share_by_degrees(b, f) for b, f in zip(shares, functions, strict=True)]
@@ -496,19 +498,19 @@ def blown(scene: Scene, body: str, number: int) -> Source:
         raise NotPlannedError(f"the velocity of {body} after event {number}")
     plain = scene.frame(number)
     parts = [in_direction(scene, each, body, number - 1, plain) for each in ("along", "across")]
-    early = Vector(*(each.value for each in parts))
+    early = Vector(*(part.value for part in parts))
     mass = scene.mass(body)
     right = fact.relation.only[0].right
     impulse, refs = scene.put(scene.value(right))
     late = Vector(*(tidy(u + j / mass.value) for u, j in zip(early, impulse, strict=True)))
     walls = [
-        f"wall {each.name}"
-        for each in walk(right)
-        if isinstance(each, Name) and f"wall {each.name}" in scene.facts
+        f"wall {node.name}"
+        for node in walk(right)
+        if isinstance(node, Name) and f"wall {node.name}" in scene.facts
     ]
     change = difference(velocity, tree_of(early)) if any(early) else velocity
     move = Move("law", "impulse-vector", number, (body,))
-    used = together((fact.id,), walls, refs, mass.refs, *(each.whole for each in parts))
+    used = together((fact.id,), walls, refs, mass.refs, *(part.whole for part in parts))
     change = swept(product(tree_of(mass.value), change))
     if change == velocity:
         # Of a mass of 1 at rest the impulse is the velocity.

@@ -156,8 +156,8 @@ def linear_in(
         mixed = sp.Poly(x, sp.sin(symbol), sp.cos(symbol))
     except sp.PolynomialError:
         return None
-    most = max(sum(each) for each in mixed.monoms())
-    if any((most - sum(each)) % 2 for each in mixed.monoms()):
+    most = max(sum(monom) for monom in mixed.monoms())
+    if any((most - sum(monom)) % 2 for monom in mixed.monoms()):
         return None
     # Each term takes powers of sin² + cos², until all are of one degree.
     put = sum(c * t**a * (1 + t**2) ** ((most - a - b) // 2) for (a, b), c in mixed.terms())

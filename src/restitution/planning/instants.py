@@ -67,8 +67,8 @@ def time_since(
             value, refs = scene.put(scene.scalar(later))
             return tree_of(value), value, refs
     when, refs = scene.put(scene.scalar(time))
-    for each in walk(time):
-        match each:
+    for node in walk(time):
+        match node:
             case Quantity("time", (), int(number)) if number:
                 refs = together(refs, time_of(scene, number).refs)
     tree = difference(tree_of(when), tree_of(early.value))

@@ -66,7 +66,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             known = scene.desk.known(asked)
             if known is None:
                 raise NotPlannedError(f"{letter} is open")
-            (line,) = (each for each in known.refs if isinstance(each, int))
+            (line,) = (ref for ref in known.refs if isinstance(ref, int))
             line = _closed(scene, asked, line, known.value)
             scene.desk.end(name, line, _as_solved(scene, asked, line))
         case _ if placed:
@@ -126,7 +126,7 @@ def _is_letter_of_angle(scene: Scene, asked: Expression) -> bool:
 def _closed_angle(scene: Scene, asked: Expression, line: int, angle: sp.Expr) -> int | None:
     """The line of an angle that is known by its ratio: what is known is put into that first."""
     own = scene.desk.line(line)
-    ratios = [each for each in own.premises if isinstance(each, int)]
+    ratios = [premise for premise in own.premises if isinstance(premise, int)]
     if own.move.id != "inverse" or not isinstance(asked, Letter) or len(ratios) != 1:
         return None
     link = scene.desk.last_link(ratios[0])
@@ -169,7 +169,7 @@ def _ratio(scene: Scene, asked: Apply, kind: str, letter: str, name: str) -> Non
         known = scene.desk.known(asked)
     if known is None:
         raise NotPlannedError(f"{kind} {letter} is open")
-    (line,) = (each for each in known.refs if isinstance(each, int))
+    (line,) = (ref for ref in known.refs if isinstance(ref, int))
     relation = scene.desk.relation(line)
     if len(relation.options) == 1:
         relation = chain(asked, (tree_of(known.value), None))
@@ -184,7 +184,7 @@ def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
         return
     known = scene.desk.known(asked)
     if known is not None:
-        (line,) = (each for each in known.refs if isinstance(each, int))
+        (line,) = (ref for ref in known.refs if isinstance(ref, int))
         line = _closed(scene, asked, line, known.value)
         scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
         return
@@ -221,11 +221,11 @@ def _of_letters(scene: Scene, asked: Expression, name: str) -> None:
     """A ratio of an angle, or another expression of letters: it stands in a line, or is made."""
     known = scene.desk.known(asked)
     if known is not None:
-        (line,) = (each for each in known.refs if isinstance(each, int))
+        (line,) = (ref for ref in known.refs if isinstance(ref, int))
         scene.desk.end(name, line, scene.desk.relation(line))
         return
     value, refs = scene.put(scene.scalar(asked))
-    if scene.unknown(value) or not any(isinstance(each, int) for each in refs):
+    if scene.unknown(value) or not any(isinstance(ref, int) for ref in refs):
         raise NotPlannedError("an expression of letters that are open")
     doubled = _of_double_angle(asked)
     if doubled is not None:
@@ -242,7 +242,7 @@ def _of_letters(scene: Scene, asked: Expression, name: str) -> None:
             scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
             return
     relation = chain(asked, (tree_of(value), None))
-    lines = [each for each in refs if isinstance(each, int)]
+    lines = [ref for ref in refs if isinstance(ref, int)]
     first, *rest = lines
     move = Move("put") if rest else Move("rearrange")
     if rest or len(lines) != len(refs):
@@ -266,7 +266,7 @@ def _of_double_angle(asked: Expression) -> Expression | None:
 
 
 def _ratios_in(tree: Expression) -> set[Apply]:
-    return {each for each in walk(tree) if isinstance(each, Apply)}
+    return {node for node in walk(tree) if isinstance(node, Apply)}
 
 
 def _written(scene: Scene, asked: Quantity) -> int | None:
@@ -281,9 +281,9 @@ def _written(scene: Scene, asked: Quantity) -> int | None:
 
 def _by_its_letter(scene: Scene, asked: Quantity) -> int | None:
     """The line of the letter that the working has for a quantity, with nothing open in it."""
-    for each in scene.desk.lines:
-        if isinstance(each.relation, Meaning) and each.relation.quantity == asked:
-            known = scene.desk.known(Letter(each.relation.letter))
+    for line in scene.desk.lines:
+        if isinstance(line.relation, Meaning) and line.relation.quantity == asked:
+            known = scene.desk.known(Letter(line.relation.letter))
             if known is not None and len(known.refs) == 1 and isinstance(known.refs[0], int):
                 return known.refs[0]
     return None
@@ -294,7 +294,7 @@ def _axis(scene: Scene, number: int, name: str) -> None:
     if (sides := write_sides(scene, number)) is not None:
         scene.desk.end(name, sides, scene.desk.relation(sides))
         return
-    lines = [each for each in scene.frame(number).refs if isinstance(each, int)]
+    lines = [ref for ref in scene.frame(number).refs if isinstance(ref, int)]
     line = lines[0] if lines else write_axis(scene, number)
     scene.desk.end(name, line, scene.desk.relation(line))
 
@@ -322,7 +322,7 @@ def _in_a_frame(scene: Scene, asked: Expression) -> Expression:
 def _is_named(scene: Scene, asked: Quantity) -> bool:
     """Whether a component that is asked is one for which the working has a letter."""
     known = scene.desk.known(asked)
-    letters = {each.symbol for each in scene.model.components.values()}
+    letters = {component.symbol for component in scene.model.components.values()}
     return known is not None and known.value in letters
 
 
@@ -335,7 +335,7 @@ def _letter(scene: Scene, asked: Expression, letter: sp.Symbol, name: str) -> No
     if not scene.model.identically_zero(scene.scalar(asked) - letter):
         # The axis of a working points as it was typed, the line of centres to the second sphere.
         raise NotPlannedError("a component against the line of centres")
-    (line,) = (each for each in known.refs if isinstance(each, int))
+    (line,) = (ref for ref in known.refs if isinstance(ref, int))
     relation = _as_solved(scene, tree, line)
     if len(relation.options) > 1:
         raise NotPlannedError("an answer that is one of several")
@@ -411,7 +411,7 @@ def _determine_letters(scene: Scene, solver: Solver) -> bool:
 
 def _determine_velocities(scene: Scene, solver: Solver, asked: Expression) -> None:
     """The components of which an angle is made, where it is the same whatever they are."""
-    letters = {each.symbol for each in scene.model.components.values()}
+    letters = {component.symbol for component in scene.model.components.values()}
     for angle in walk(asked):
         if isinstance(angle, Letter | Quantity) and is_angle(scene, angle):
             velocities = _velocities_of(scene, quantity_of(scene, angle))
@@ -423,9 +423,9 @@ def _determine_velocities(scene: Scene, solver: Solver, asked: Expression) -> No
 def _velocities_of(scene: Scene, angle: Quantity) -> Iterator[Vector]:
     match angle:
         case Quantity("angle", arguments):
-            for each in arguments:
-                if isinstance(each, Quantity) and each.kind == "velocity":
-                    yield scene.vector(each)
+            for argument in arguments:
+                if isinstance(argument, Quantity) and argument.kind == "velocity":
+                    yield scene.vector(argument)
         case Quantity("deflection" | "direction", (Name(body),), int(stage)):
             yield scene.velocity(body, stage)
 

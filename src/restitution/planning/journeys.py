@@ -43,7 +43,7 @@ def goals(scene: Scene, asked: Expression) -> list[sp.Expr]:
             return [without_walls(scene, sp.sympify(x, strict=True)) for v in both for x in v]
     value = scene.value(asked)
     parts = list(value) if isinstance(value, Vector) else [value]
-    return [without_walls(scene, sp.sympify(each, strict=True)) for each in parts]
+    return [without_walls(scene, sp.sympify(part, strict=True)) for part in parts]
 
 
 def write(scene: Scene, asked: Expression) -> tuple[int, Any]:
@@ -56,7 +56,7 @@ def write(scene: Scene, asked: Expression) -> tuple[int, Any]:
             source = time_of(scene, number)
         case Quantity("along", (Quantity("position", (Name(body),), int(stage)), Unit(axis))):
             source = coordinate(scene, body, stage, axis)
-            if not any(isinstance(each, int) for each in source.refs):
+            if not any(isinstance(ref, int) for ref in source.refs):
                 source = coordinate_moved(scene, body, stage, axis)
         case Quantity("position", (Name(body),), int(stage)):
             source = place(scene, body, stage)
@@ -69,7 +69,7 @@ def write(scene: Scene, asked: Expression) -> tuple[int, Any]:
         case _:
             raise NotPlannedError("no plan for a place of that kind")
     _check(scene, asked, source.value)
-    lines = [each for each in source.refs if isinstance(each, int)]
+    lines = [ref for ref in source.refs if isinstance(ref, int)]
     if not lines:
         raise NotPlannedError("what is asked is given")
     if len(lines) > 1:
@@ -84,7 +84,7 @@ def _check(scene: Scene, asked: Expression, value: Any) -> None:
     own, in_data = scene.value(asked), scene.model.in_data
     pairs = zip(own, value, strict=True) if isinstance(value, Vector) else [(own, value)]
     gaps = [sized(scene, in_data(a)) - sized(scene, in_data(b)) for a, b in pairs]
-    if not all(scene.model.identically_zero(each) for each in gaps):
+    if not all(scene.model.identically_zero(gap) for gap in gaps):
         raise NotPlannedError("another piece of the path than the lines say")
 
 

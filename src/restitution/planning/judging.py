@@ -32,7 +32,7 @@ class Judge:
     _known: dict[str, Known | None] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.facts = {each.id: each for each in self.desk.facts}
+        self.facts = {fact.id: fact for fact in self.desk.facts}
 
     # --- reading --------------------------------------------------------------------------------
 
@@ -113,7 +113,7 @@ class Judge:
         certain = {each for each in sure if not self._is_spare(each)}
         if not self._right(move, refs, relation):
             return None
-        doubted = [each for each in reversed(refs) if each not in certain]
+        doubted = [ref for ref in reversed(refs) if ref not in certain]
         own = self._trial().needed(move, refs, relation, doubted, self._right)
         if move.id in _BY_ORACLE and self._compared(own) > MOST_COMPARED:
             return None
@@ -148,8 +148,8 @@ class Judge:
 
     def standing(self, relation: Relation) -> int | None:
         """The line in force that says a relation, if there is one."""
-        lines = (each for each in self.desk.lines if each.relation == relation)
-        return next((each.number for each in lines if self.desk.holds(each.number)), None)
+        lines = (line for line in self.desk.lines if line.relation == relation)
+        return next((line.number for line in lines if self.desk.holds(line.number)), None)
 
     def _compared(self, refs: Sequence[Ref]) -> int:
         return sum(
@@ -218,7 +218,7 @@ def _of_angle(
         return (f"acute: {name}",)
     signs = ["<=" if each else "<" for each in closed]
     ends = [sp.deg(each) for each in (low, high)]
-    if not all(each.is_Rational for each in ends):
+    if not all(end.is_Rational for end in ends):
         return ()
     return (f"{ends[0]}° {signs[0]} {name} {signs[1]} {ends[1]}°",)
 

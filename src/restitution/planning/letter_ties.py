@@ -164,7 +164,7 @@ class Ties:
             scene.free.add(symbol)
         known = scene.desk.known(Letter(symbol.name))
         lines = () if known is None else known.refs
-        return next((each for each in lines if isinstance(each, int)), None)
+        return next((line for line in lines if isinstance(line, int)), None)
 
     def _neat(self, line: int) -> int:
         """The equation without common factors, where it stands as one that is zero."""
@@ -238,7 +238,7 @@ class Ties:
     def _slope(self, x: sp.Expr, symbol: sp.Symbol) -> int | None:
         """Whether an expression grows with a letter, or falls; None where that is open."""
         above, below = sp.fraction(factored(one_fraction(sp.diff(x, symbol))))
-        odd = [each for each in sp.Mul.make_args(below) if not each.as_base_exp()[1].is_even]
+        odd = [factor for factor in sp.Mul.make_args(below) if not factor.as_base_exp()[1].is_even]
         return certain(self.scene, above / sp.Mul(*odd))
 
     def put_in(self, line: int, gone: sp.Symbol, sign: Sign) -> Link | None:

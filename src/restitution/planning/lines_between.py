@@ -52,21 +52,23 @@ def has_angle(tree: Expression) -> bool:
     """Whether degrees, or the angle of a ratio, stand in an expression."""
     inverse = ("arcsin", "arccos", "arctan")
     return any(
-        isinstance(each, Degrees) or (isinstance(each, Apply) and each.function in inverse)
-        for each in walk(tree)
+        isinstance(node, Degrees) or (isinstance(node, Apply) and node.function in inverse)
+        for node in walk(tree)
     )
 
 
 def angle_of_lines(scene: Scene, quantity: Quantity) -> Formula:
     """The cosine of the angle between two directions, by their scalar product."""
-    sources = [_source(scene, each) for each in quantity.arguments]
-    a, b = (each.value for each in sources)
+    sources = [_source(scene, argument) for argument in quantity.arguments]
+    a, b = (source.value for source in sources)
     right, value = cosine_of([(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)], a, b)
     if any(map(is_line, quantity.arguments)) and scene.model.sign(value) < 0:
         b = -b
         pairs = [(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)]
         right, value = cosine_of(pairs, a, b)
-    moving = [body_and_stage(scene, each) for each in quantity.arguments if is_moving(each)]
+    moving = [
+        body_and_stage(scene, argument) for argument in quantity.arguments if is_moving(argument)
+    ]
     event = max((stage for _, stage in moving), default=0) or None
     move = Move("define", "scalar-angle", event, tuple(dict.fromkeys(body for body, _ in moving)))
     return Formula(move, cosine, quantity, right, value, together(*(e.whole for e in sources)))

@@ -34,7 +34,7 @@ def write_by_momentum(scene: Scene, velocity: Quantity) -> bool:
         return False  # it moves off along the line of centres
     if _component_is_wanted(scene, body, stage):
         return False
-    (other,) = (each for each in scene.spheres(stage) if each != body)
+    (other,) = (sphere for sphere in scene.spheres(stage) if sphere != body)
     after = _as_vector(scene, other, stage) or _by_impulse(scene, other, stage)
     before = [_as_vector(scene, each, stage - 1) for each in scene.bodies(stage)]
     if after is None or None in before:
@@ -101,7 +101,7 @@ def _as_vector(scene: Scene, body: str, stage: int) -> Source | None:
     last = scene.last_event(body, stage)
     if not last:
         (link,) = scene.facts[f"velocity {body}"].relation.only
-        if any(isinstance(each, Polar) for each in walk(link.right)):
+        if any(isinstance(node, Polar) for node in walk(link.right)):
             return None
         return scene.initial(body)
     known = scene.desk.known(Quantity("velocity", (Name(body),), last))

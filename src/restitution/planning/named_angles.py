@@ -48,9 +48,9 @@ def letter_known(scene: Scene, asked: Quantity) -> tuple[str, Ref] | None:
             right = fact.relation.only[0].right
             assert isinstance(right, Letter)
             return right.name, fact.id
-    for each in scene.desk.lines:
-        if isinstance(each.relation, Meaning) and each.relation.quantity == asked:
-            return each.relation.letter, each.number
+    for line in scene.desk.lines:
+        if isinstance(line.relation, Meaning) and line.relation.quantity == asked:
+            return line.relation.letter, line.number
     letter = free_letter(scene, asked.kind)
     return letter, scene.desk.write(Move("let"), (), Meaning(letter, asked))
 
@@ -64,8 +64,8 @@ def free_letter(scene: Scene, kind: str) -> str:
 
 def letters_taken(scene: Scene) -> set[str]:
     """The letters that a new one must not be."""
-    own = {each.relation.letter for each in scene.desk.lines if isinstance(each.relation, Meaning)}
-    symbols = {each.symbol.name for each in scene.model.components.values()}
+    own = {line.relation.letter for line in scene.desk.lines if isinstance(line.relation, Meaning)}
+    symbols = {component.symbol.name for component in scene.model.components.values()}
     return own | symbols | set(scene.model.unknowns.roles)
 
 

@@ -72,15 +72,17 @@ def write_open_lines(scene: Scene) -> None:
 def _by_a_ray(scene: Scene, number: int) -> bool:
     """Whether a velocity whose direction is given leads to the line: its lines are written."""
     spheres = scene.spheres(number)
-    if any(scene.last_event(each, number - 1) for each in spheres):
+    if any(scene.last_event(sphere, number - 1) for sphere in spheres):
         return False
-    early = {each: scene.initial(each) for each in spheres}
+    early = {sphere: scene.initial(sphere) for sphere in spheres}
     e = scene.coefficient(number)
-    masses = {each: scene.mass(each) for each in spheres} if len(spheres) > 1 else {}
+    masses = {sphere: scene.mass(sphere) for sphere in spheres} if len(spheres) > 1 else {}
     values = [*(x for each in early.values() for x in each.value), e.value]
-    if any(scene.unknown(x) for x in (*values, *(each.value for each in masses.values()))):
+    if any(scene.unknown(x) for x in (*values, *(mass.value for mass in masses.values()))):
         return False
-    ray = next((own for each in spheres if (own := _ray(scene, each, number)) is not None), None)
+    ray = next(
+        (own for sphere in spheres if (own := _ray(scene, sphere, number)) is not None), None
+    )
     if ray is None:
         return False
     symbol, line = _written_ray(scene, number, ray)
@@ -178,9 +180,9 @@ def _by_momentum(
             velocity = _tree(late[body])
         sides[1].append(product(tree_of(masses[each].value), velocity))
     refs = together(
-        *(each.refs for each in masses.values()), *(e.refs for e in early.values()), (lines[body],)
+        *(mass.refs for mass in masses.values()), *(e.refs for e in early.values()), (lines[body],)
     )
-    left, right = (swept(total(each)) for each in sides)
+    left, right = (swept(total(side)) for side in sides)
     move = Move("law", "momentum-vector", number, scene.bodies(number))
     line = scene.desk.write(move, refs, chain(left, (right, None)))
     rest = whole - late[body] * masses[body].value

@@ -84,7 +84,7 @@ class Solver:
         self.scene = scene
         self.laws = [*self._laws(), *self._across()]
         self.givens = {each.fact.id: each for each in scene.given}
-        self.paths = {each.candidate.id: each for each in paths.paths(scene)}
+        self.paths = {path.candidate.id: path for path in paths.paths(scene)}
         self.rounds = {each.candidate.id: each for each in rounds.rounds(scene)}
         self.used: set[str] = set()
         # Components of which the laws are written, and which nothing has asked for yet.
@@ -156,7 +156,7 @@ class Solver:
         self.goals = goals
         self._express_waiting(goals)
         write_blows(self.scene)
-        if not any(self.scene.unknown(self._by_separation(each)) for each in goals):
+        if not any(self.scene.unknown(self._by_separation(goal)) for goal in goals):
             return
         scene = self.scene
         first: NotPlannedError | None = None
@@ -210,7 +210,7 @@ class Solver:
             # Where a goal is greatest or least in what is open, no gradient tells of that.
             self.determine(sorted(rest & self._letters.keys(), key=str))
             return
-        if rest & {each.symbol for each in scene.model.components.values()}:
+        if rest & {component.symbol for component in scene.model.components.values()}:
             raise NotPlannedError(f"{rest} are open")
 
     def _widened(self, left: list[Candidate]) -> bool:
@@ -251,15 +251,15 @@ class Solver:
         candidates = [
             Candidate(own.id, own.cost, tuple(scene.with_values(each)[0] for each in own.residuals))
             for own in (
-                *(each.candidate for each in self.laws),
+                *(law.candidate for law in self.laws),
                 *(self._of_given(each) for each in scene.given),
-                *(each.candidate for each in self.paths.values()),
+                *(path.candidate for path in self.paths.values()),
                 *(each.candidate for each in self.rounds.values()),
                 *self._shown(),
             )
             if own.id not in self.used and not self._holds(own)
         ]
-        put = [scene.with_values(each)[0] for each in goals]
+        put = [scene.with_values(goal)[0] for goal in goals]
         unknowns = frozenset(
             s for each in candidates for x in each.residuals for s in scene.unknown(x)
         ) | frozenset(s for x in put for s in scene.unknown(x))
@@ -352,7 +352,7 @@ class Solver:
         asked = frozenset(symbol for each in goals for symbol in self.scene.unknown(each))
         lines = [self._line(each) for each in left]
         try:
-            solve_together(self.scene, [each for each in lines if each is not None], asked)
+            solve_together(self.scene, [line for line in lines if line is not None], asked)
         except NotPlannedError as error:
             self.reasons.append(error)
             return None
@@ -379,17 +379,20 @@ class Solver:
         above = sp.fraction(one_fraction(put))[0]
         factors = [base for base, _ in factor_powers(above)]
         zero = [
-            each for each in factors if self.scene.model.sign(self.scene.model.in_data(each)) == 0
+            factor
+            for factor in factors
+            if self.scene.model.sign(self.scene.model.in_data(factor)) == 0
         ]
         return frozenset(s for each in zero or [put] for s in self.scene.unknown(each))
 
     def _law(self, own: Candidate) -> Law | None:
-        return next((each for each in self.laws if each.candidate.id == own.id), None)
+        return next((law for law in self.laws if law.candidate.id == own.id), None)
 
     @property
     def _letters(self) -> dict[sp.Symbol, tuple[int, str]]:
         return {
-            each.symbol: (each.number, each.body) for each in self.scene.model.components.values()
+            component.symbol: (component.number, component.body)
+            for component in self.scene.model.components.values()
         }
 
     def _velocity_given(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
@@ -640,8 +643,8 @@ class Solver:
         assert isinstance(velocity.stage, int)
         event = self.scene.last_event(body.name, velocity.stage)
         if written_law(self.scene, "momentum", event) is None:
-            for each in self.scene.spheres(event):
-                self._take_components(each, event)
+            for sphere in self.scene.spheres(event):
+                self._take_components(sphere, event)
 
     def _take_all_components(self) -> None:
         """The components of velocities that are lines are known from now on."""
@@ -917,7 +920,7 @@ class Solver:
 
     def _wanted_later(self, symbol: sp.Symbol) -> tuple[bool, str]:
         """What is not asked comes first: it is left out, or put in."""
-        asked = any(symbol in each.free_symbols for each in self.goals)
+        asked = any(symbol in goal.free_symbols for goal in self.goals)
         return asked, symbol.name
 
     def _law_line(self, law: Law) -> int:

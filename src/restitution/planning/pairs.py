@@ -32,7 +32,7 @@ Unknowns = tuple[sp.Symbol, sp.Symbol]
 
 def close_two(scene: Scene, lines: Pair, unknowns: Unknowns) -> None:
     """Solves two lines for the two unknowns in them. Raises NotPlannedError for other shapes."""
-    first, second = (multiplied_out(scene, with_known(scene, each), *unknowns) for each in lines)
+    first, second = (multiplied_out(scene, with_known(scene, line), *unknowns) for line in lines)
     for x, y in permutations(unknowns):
         for shape in SHAPES:
             for a, b in ((first, second), (second, first)):
@@ -41,7 +41,7 @@ def close_two(scene: Scene, lines: Pair, unknowns: Unknowns) -> None:
                         return
                 except (sp.PolynomialError, NotPlannedError):
                     continue
-    names = ", ".join(str(each) for each in unknowns)
+    names = ", ".join(str(unknown) for unknown in unknowns)
     raise NotPlannedError(f"no way from lines {first} and {second} to {names}")
 
 
@@ -69,12 +69,12 @@ def _linear(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     """One unknown is left out of two linear equations; then the other follows from one of them."""
     x, y = unknowns
     rows = [_above(scene, each) for each in lines]
-    if any(inside_functions(each) & set(unknowns) for each in rows):
+    if any(inside_functions(row) & set(unknowns) for row in rows):
         return False
-    polys = [sp.Poly(each, x, y) for each in rows]
-    if any(each.total_degree() != 1 for each in polys):
+    polys = [sp.Poly(row, x, y) for row in rows]
+    if any(poly.total_degree() != 1 for poly in polys):
         return False
-    if any(set(each.gens) & each.free_symbols_in_domain for each in polys):
+    if any(set(poly.gens) & poly.free_symbols_in_domain for poly in polys):
         return False
     (a, b), (c, d) = ([p.coeff_monomial(g) for g in (x, y)] for p in polys)
     e, f = (p.coeff_monomial(1) for p in polys)
@@ -141,10 +141,10 @@ def _polar(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
 def _parted(scene: Scene, lines: Pair, v: sp.Symbol, theta: sp.Symbol) -> Pair:
     """Two lines in V cos θ and V sin θ, each with both, as one for each of them."""
     ratios = sp.cos(theta), sp.sin(theta)
-    polys = [sp.Poly(_above(scene, each), v, *ratios) for each in lines]
+    polys = [sp.Poly(_above(scene, line), v, *ratios) for line in lines]
     places = [(1, 1, 0), (1, 0, 1)]
-    plain = all(set(each.monoms()) <= {*places, (0, 0, 0)} for each in polys)
-    if not plain or any(each.free_symbols_in_domain & {v, theta} for each in polys):
+    plain = all(set(poly.monoms()) <= {*places, (0, 0, 0)} for poly in polys)
+    if not plain or any(poly.free_symbols_in_domain & {v, theta} for poly in polys):
         return lines
     (a, b), (c, d) = ([p.as_expr().coeff(v).coeff(r) for r in ratios] for p in polys)
     if 0 in (a, b, c, d):
@@ -194,8 +194,8 @@ def _expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
 def _ratio_expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     """A sine, cosine or tangent that stands alone and linearly in one equation."""
     x, _ = unknowns
-    own, other = (_above(scene, each) for each in lines)
-    functions = {each for each in own.atoms(sp.sin, sp.cos, sp.tan) if each.args == (x,)}
+    own, other = (_above(scene, line) for line in lines)
+    functions = {atom for atom in own.atoms(sp.sin, sp.cos, sp.tan) if atom.args == (x,)}
     if len(functions) != 1:
         return False
     (ratio,) = functions
@@ -211,7 +211,7 @@ def _square_expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     """A square of sine or cosine, by sin² + cos² = 1 from one equation, put into the other."""
     x, _ = unknowns
     s, c = sp.sin(x), sp.cos(x)
-    own, other = (sp.Poly(_above(scene, each), s, c) for each in lines)
+    own, other = (sp.Poly(_above(scene, line), s, c) for line in lines)
     if set(own.monoms()) - {(2, 0), (0, 2), (0, 0)}:
         return False
     if any(x in poly.free_symbols_in_domain for poly in (own, other)):

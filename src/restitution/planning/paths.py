@@ -190,7 +190,7 @@ def write_path(scene: Scene, path: Path) -> int:
         last = value_of_coordinate(scene, body, number, axis)
         when = scene.model.happening(since).time if since else sp.Integer(0)
         values = [without_walls(scene, each) for each in (pace, first, last, when)]
-        if pace == 0 or any(scene.unknown(each) for each in values):
+        if pace == 0 or any(scene.unknown(value) for value in values):
             continue
         ends = [coordinate(scene, body, each, other) for each in (since, number)]
         if standing(scene, time_tree(number)) is None:
@@ -199,7 +199,7 @@ def write_path(scene: Scene, path: Path) -> int:
         speed = velocity(scene, body, since, other)
         return scene.desk.write(
             Move("define", "straight-line", number, (body,)),
-            together(*(each.refs for each in ends), speed.refs, timed),
+            together(*(end.refs for end in ends), speed.refs, timed),
             chain(
                 swept(difference(tree_of(ends[1].value), tree_of(ends[0].value))),
                 (swept(product(tree_of(speed.value), flight)), None),

@@ -53,5 +53,5 @@ def is_duration(tree: Expression) -> bool:
 def is_about_times(own: Link) -> bool:
     """Whether an equation is one between times, and perhaps letters."""
     nodes = [each for side in (own.left, own.right) for each in walk(side)]
-    kinds = {each.kind for each in nodes if isinstance(each, Quantity)}
+    kinds = {node.kind for node in nodes if isinstance(node, Quantity)}
     return kinds == {"time"}

@@ -297,10 +297,10 @@ def place(scene: Scene, body: str, stage: int) -> Source:
     if all(coordinate_given(scene, body, stage, axis) is None for axis in AXES):
         return place_moved(scene, body, stage)
     parts = [coordinate(scene, body, stage, axis) for axis in AXES]
-    value = Vector(*(each.value for each in parts))
+    value = Vector(*(part.value for part in parts))
     number = scene.desk.write(
         Move("define", "assemble", stage or None, (body,)),
-        together(*(each.refs for each in parts)),
+        together(*(part.refs for part in parts)),
         chain(quantity, (tree_of(value), None)),
     )
     return scene.desk.know(quantity, value, (number,))
@@ -314,13 +314,13 @@ def velocity_then(scene: Scene, body: str, stage: int) -> Source:
 
 def _open_line(scene: Scene, body: str, stage: int) -> int | None:
     """The line that says where a body is by a time that is not yet known."""
-    for each in scene.desk.lines:
-        if each.move == Move("define", "straight-line", stage, (body,)) and scene.desk.holds(
-            each.number
+    for line in scene.desk.lines:
+        if line.move == Move("define", "straight-line", stage, (body,)) and scene.desk.holds(
+            line.number
         ):
-            (own, *_) = scene.desk.relation(each.number).only
+            (own, *_) = scene.desk.relation(line.number).only
             if own.left == place_tree(body, stage) and time_tree(stage) in set(walk(own.right)):
-                return each.number
+                return line.number
     return None
 
 
@@ -507,7 +507,7 @@ def _by_degrees(scene: Scene, body: str, since: int, axis: Axis) -> Expression |
 
 def _angles_in(tree: Expression) -> set[Expression]:
     """The angles in degrees that a tree has."""
-    return {each for each in walk(tree) if isinstance(each, Degrees)}
+    return {node for node in walk(tree) if isinstance(node, Degrees)}
 
 
 def _leg_to_circle(scene: Scene, body: str, number: int) -> tuple[int, Source]:

@@ -113,7 +113,7 @@ def _require_plain(solution: Solution) -> None:
     problem = solution.problem
     if len(events_of(problem)) > _MOST_EVENTS:
         raise NotPlannedError("a story of many events")
-    if sum(len(each.items) for each in solution.parts.values()) > _MOST_ITEMS:
+    if sum(len(part.items) for part in solution.parts.values()) > _MOST_ITEMS:
         raise NotPlannedError("a question of many items")
     for tree in trees(problem):
         nodes = list(walk(tree))
@@ -133,19 +133,19 @@ def _is_plain_power(node: Binary) -> bool:
 
 def _require_closed(desk: Desk, name: str) -> None:
     """Refuses an item whose answer holds a letter that only the working knows."""
-    own = {each.relation.letter for each in desk.lines if isinstance(each.relation, Meaning)}
-    for each in desk.ends:
-        if each.item != name or each.shown:
+    own = {line.relation.letter for line in desk.lines if isinstance(line.relation, Meaning)}
+    for end in desk.ends:
+        if end.item != name or end.shown:
             continue  # what is shown of two bodies may be said in the letters of both
-        for links in each.answer.options:
+        for links in end.answer.options:
             if any(own & letters(link.right) for link in links):
-                raise NotPlannedError(f"{each.item} is open")
+                raise NotPlannedError(f"{end.item} is open")
 
 
 def pruned(derivation: Derivation) -> Derivation:
     """The same working without lines on which no item rests, numbered anew."""
     lines = {each.number: each for each in derivation.lines}
-    pending = [each.line for each in derivation.items] + [e.line for e in derivation.cases]
+    pending = [item.line for item in derivation.items] + [e.line for e in derivation.cases]
     pending += [line for each in derivation.notes for line in each.lines]
     kept: set[int] = set()
     while pending:
@@ -161,7 +161,7 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
     if not part.items:
         return desk
     desk.part, desk.apart = part.part.label, len(part.branches) > 1
-    if not part.branches or all(isinstance(each.error, MissingError) for each in part.items):
+    if not part.branches or all(isinstance(item.error, MissingError) for item in part.items):
         for index, each in enumerate(part.items, 1):
             if each.error is None:
                 raise NotPlannedError("no solution")
@@ -198,7 +198,7 @@ def _drafts(
     """Each solution of a part on a desk of its own."""
     problem = solution.problem
     protected = protected_letters(part.part)
-    models = [model(problem, part.part, each, part.roles, protected) for each in part.branches]
+    models = [model(problem, part.part, branch, part.roles, protected) for branch in part.branches]
     drafts = []
     one_side = on_one_side(solution, part, models, desk)
     models = list(one_side) or models
@@ -302,12 +302,12 @@ def _require_found(scene: Scene, asked: Expression) -> None:
 def _require_form(scene: Scene, result: ItemResult) -> None:
     """Refuses a place or a length whose ratios of angles are not those of the answer."""
     end = scene.desk.ends[-1]
-    values = {each.value for each in result.answers}
+    values = {answer.value for answer in result.answers}
     if len(values) != 1 or len(end.answer.options) != 1 or result.kind != "value":
         return
     (value,) = values
-    kinds = {each.function for each in walk(end.answer.only[0].right) if isinstance(each, Apply)}
-    told = {type(each).__name__ for each in value.atoms(*_RATIOS)}
+    kinds = {node.function for node in walk(end.answer.only[0].right) if isinstance(node, Apply)}
+    told = {type(atom).__name__ for atom in value.atoms(*_RATIOS)}
     if "tan" in kinds and told == {"sin", "cos"}:
         _end_in(scene, end, value)
     elif kinds & _NAMES != told:

@@ -30,9 +30,9 @@ def background(scene: Scene, names: Iterable[str]) -> tuple[Ref, ...]:
 def not_negative(scene: Scene, size: sp.Expr) -> tuple[Ref, ...]:
     """What has to be known for the root of a square to be this, beyond what is silent."""
     odd = [
-        each
-        for each in sp.Mul.make_args(size)
-        if not (each.is_Pow and (each.exp.is_even or each.exp == sp.Rational(1, 2)))
+        factor
+        for factor in sp.Mul.make_args(size)
+        if not (factor.is_Pow and (factor.exp.is_even or factor.exp == sp.Rational(1, 2)))
     ]
     return nonzero(scene, sp.Mul(*odd), alone=True)
 
@@ -55,8 +55,8 @@ def nonzero(scene: Scene, factor: sp.Expr, *, alone: bool = False) -> tuple[Ref,
 def sign_known(scene: Scene, value: sp.Expr) -> tuple[Ref, ...]:
     """What has to be known of letters for the sign of a product, beyond what is silent."""
     refs: list[Ref] = []
-    for each in sp.Mul.make_args(factored(value)):
-        base, power = each.as_base_exp()
+    for factor in sp.Mul.make_args(factored(value)):
+        base, power = factor.as_base_exp()
         if power.is_even:
             continue
         for function in base.atoms(sp.sin, sp.cos):

@@ -97,7 +97,7 @@ def known_vector(scene: Scene, body: str, stage: int) -> Source | None:
     if stage in scene.model.frames:
         if not scene.frame(stage).is_slanted:
             return None
-        both = {each: _told(scene, each, stage) for each in scene.spheres(stage)}
+        both = {sphere: _told(scene, sphere, stage) for sphere in scene.spheres(stage)}
         # By momentum as vectors the second velocity has no components: then both are vectors.
         vectors = [own for own in both.values() if own and not _by_components(scene, own)]
         return both[body] if vectors else None
@@ -266,7 +266,7 @@ def known_speed(scene: Scene, body: str, stage: int) -> Source | None:
 def _bridge(frame: Frame, components: Iterable[Source]) -> tuple[Ref, ...]:
     """The axis, where one component is named by it and the other by **i** or **j**."""
     mixed = isinstance(frame.along, Quantity) and frame.across is not None
-    return frame.refs if mixed and not any(each.axis for each in components) else ()
+    return frame.refs if mixed and not any(component.axis for component in components) else ()
 
 
 def _initial_square(scene: Scene, body: str) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
@@ -291,7 +291,7 @@ def _speed(scene: Scene, quantity: Quantity) -> Formula:
     tree, value, refs = squares(scene, body, stage)
     move = Move("define", "speed", stage or None, (body,))
     size = tidy(sp.sqrt(tidy(expanded(value))))
-    if len({each.args for each in value.atoms(sp.sin, sp.cos)}) > 1:
+    if len({atom.args for atom in value.atoms(sp.sin, sp.cos)}) > 1:
         # Products of ratios of several angles are longer multiplied out.
         size = min(size, _with_factor_outside(value), key=lambda each: each.count_ops())
     return Formula(move, _itself, quantity, Apply("sqrt", tree), size, refs)
@@ -300,10 +300,10 @@ def _speed(scene: Scene, quantity: Quantity) -> Formula:
 def _with_factor_outside(square_: sp.Expr) -> sp.Expr:
     """The root of a sum of squares, with the positive letters outside that all of them have."""
     terms = sp.Add.make_args(square_)
-    powers = [sp.Mul(*sp.Mul.make_args(each)).as_powers_dict() for each in terms]
+    powers = [sp.Mul(*sp.Mul.make_args(term)).as_powers_dict() for term in terms]
     common = [s for s in powers[0] if s.is_Symbol and s.is_positive]
-    shared = sp.Mul(*(s ** (min(each[s] for each in powers) // 2) for s in common))
-    return shared * sp.sqrt(sp.Add(*(each / shared**2 for each in terms)))
+    shared = sp.Mul(*(s ** (min(power[s] for power in powers) // 2) for s in common))
+    return shared * sp.sqrt(sp.Add(*(term / shared**2 for term in terms)))
 
 
 def _component(scene: Scene, quantity: Quantity) -> Formula:
@@ -326,9 +326,9 @@ def _component(scene: Scene, quantity: Quantity) -> Formula:
     right = total(product(tree_of(a.value), tree_of(b)) for a, b in used)
     value = tidy(sum(a.value * b for a, b in used))
     walls = (
-        f"wall {each.name}"
-        for each in walk(direction)
-        if isinstance(each, Name) and f"wall {each.name}" in scene.facts
+        f"wall {node.name}"
+        for node in walk(direction)
+        if isinstance(node, Name) and f"wall {node.name}" in scene.facts
     )
     refs = together(*(a.refs for a, _ in used), frame.unit_free, walls, axis)
     return Formula(
@@ -408,7 +408,7 @@ def _angle(scene: Scene, quantity: Quantity) -> Formula:
     # Of what moves along the line the other component does not matter.
     sources = (above,) if is_zero(trees[0]) else (above, below)
     names = together(frame.names_axis("along"), frame.names_axis("across"))
-    refs = together(*(each.whole for each in sources), names, walls)
+    refs = together(*(source.whole for source in sources), names, walls)
     return Formula(
         Move("define", "tan", frame.number, (body,)),
         tangent,
@@ -432,7 +432,7 @@ def _angle_between(scene: Scene, quantity: Quantity) -> Formula:
 
     Raises NotPlannedError where they belong to no impact, or it is open which leads the other.
     """
-    pair = [body_and_stage(scene, each) for each in quantity.arguments]
+    pair = [body_and_stage(scene, argument) for argument in quantity.arguments]
     (first, late), (second, other) = pair
     event = max(late, other)
     together_ = late == other and event in scene.model.frames and first != second
@@ -503,8 +503,8 @@ def _product(scene: Scene, quantity: Quantity) -> Formula:
     bodies: list[str] = []
     late = 0
     for argument in quantity.arguments:
-        for each in walk(argument):
-            match each:
+        for node in walk(argument):
+            match node:
                 case Quantity("velocity", (Name(body),), int(stage)):
                     last = scene.last_event(body, stage)
                     refs += _as_a_line(scene, body, last).refs
@@ -667,13 +667,13 @@ def _impulse(scene: Scene, quantity: Quantity) -> Formula:
     frame = scene.frame(event)
     spheres = scene.spheres(event)
     body = spheres[0]
-    for each in spheres[1:]:
-        if in_direction(scene, "along", each, event - 1, frame).value == 0:
-            body = each
+    for sphere in spheres[1:]:
+        if in_direction(scene, "along", sphere, event - 1, frame).value == 0:
+            body = sphere
     if scene.unknown(scene.mass(body).value):
         # A mass that is known leaves one unknown less.
         body = next((own for own in spheres if not scene.unknown(scene.mass(own).value)), body)
-    closed = [each for each in spheres if not _is_open(scene, each, event)]
+    closed = [sphere for sphere in spheres if not _is_open(scene, sphere, event)]
     if closed and body not in closed:
         body = closed[0]
     return impulse_on(scene, quantity, body, event)
@@ -774,7 +774,7 @@ def _half(mass: Expression, squares: Expression) -> Expression:
 
 def _energy(scene: Scene, quantity: Quantity) -> Formula:
     assert isinstance(quantity.stage, int)
-    names = [each.name for each in quantity.arguments if isinstance(each, Name)]
+    names = [argument.name for argument in quantity.arguments if isinstance(argument, Name)]
     bodies = names or list(scene.model.story.spheres)
     terms, values, refs = [], [], []
     for body in bodies:
@@ -849,9 +849,9 @@ def energy_change(scene: Scene, asked: Expression) -> Formula | None:
     ends = [in_direction(scene, "along", body, k, frame) for k in (event, event - 1)]
     ends = ends if late > early else ends[::-1]
     mass = scene.mass(body)
-    squared = difference(*(square(tree_of(each.value)) for each in ends))
+    squared = difference(*(square(tree_of(end.value)) for end in ends))
     value = mass.value * (ends[0].value ** 2 - ends[1].value ** 2) / 2
-    refs = together(frame.names_axis("along"), mass.refs, *(each.whole for each in ends))
+    refs = together(frame.names_axis("along"), mass.refs, *(end.whole for end in ends))
     move = Move("define", "energy-change", event, (body,))
     right = _half(tree_of(mass.value), squared)
     return Formula(move, _itself, asked, right, tidy(expanded(value)), refs)
@@ -1050,8 +1050,8 @@ def _has_roots_of_letters(tree: Expression) -> bool:
     """Whether a root of letters stands in it, below the root of the whole if it is one."""
     inside = tree.argument if isinstance(tree, Apply) else tree
     return any(
-        isinstance(each, Apply) and each.function == "sqrt" and letters(each.argument)
-        for each in walk(inside)
+        isinstance(node, Apply) and node.function == "sqrt" and letters(node.argument)
+        for node in walk(inside)
     )
 
 
@@ -1067,9 +1067,9 @@ def _before_root(value: sp.Expr) -> sp.Expr:
     """The factors of a value that are not roots."""
     return sp.Mul(
         *(
-            each
-            for each in sp.Mul.make_args(value)
-            if not (each.is_Pow and each.exp.is_Rational and each.exp.q == 2)
+            factor
+            for factor in sp.Mul.make_args(value)
+            if not (factor.is_Pow and factor.exp.is_Rational and factor.exp.q == 2)
         )
     )
 
@@ -1082,7 +1082,7 @@ def _by_pythagoras(scene: Scene, own: Formula) -> bool:
     except StatementError:
         return False
     ratios = right.atoms(sp.sin, sp.cos) | value.atoms(sp.sin, sp.cos, sp.tan)
-    angles = {each.args[0] for each in ratios}
+    angles = {ratio.args[0] for ratio in ratios}
     if len(ratios) == len(angles):
         return False
     put: dict[sp.Basic, sp.Expr] = {}

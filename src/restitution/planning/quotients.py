@@ -102,14 +102,14 @@ def write_quotient(claims: Claims, line: int, symbol: sp.Symbol, end: Link) -> B
 
 def _letter_for(scene: Scene, tree: Expression) -> str:
     """The letter that stands for a tree already, or a free one."""
-    for each in scene.desk.lines:
-        if isinstance(each.relation, Meaning) and each.relation.quantity == tree:
-            return each.relation.letter
+    for line in scene.desk.lines:
+        if isinstance(line.relation, Meaning) and line.relation.quantity == tree:
+            return line.relation.letter
     taken = set(roles(scene.problem)) | {
-        each.relation.letter for each in scene.desk.lines if isinstance(each.relation, Meaning)
+        line.relation.letter for line in scene.desk.lines if isinstance(line.relation, Meaning)
     }
-    names = {each.name for each in scene.problem.spheres}
-    names |= {each.name for each in scene.problem.walls}
+    names = {sphere.name for sphere in scene.problem.spheres}
+    names |= {wall.name for wall in scene.problem.walls}
     return next(each for each in "SQNKHFG" if each not in taken | names)
 
 

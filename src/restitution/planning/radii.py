@@ -17,8 +17,8 @@ def is_by_places(scene: Scene, number: int) -> bool:
     """Whether the places at an impact are what gives its line of centres."""
     fact = scene.facts.get(f"axis {number}")
     return fact is not None and any(
-        isinstance(each, Quantity) and each.kind == "position"
-        for each in walk(fact.relation.only[0].right)
+        isinstance(node, Quantity) and node.kind == "position"
+        for node in walk(fact.relation.only[0].right)
     )
 
 
@@ -30,7 +30,7 @@ def frame_by_places(scene: Scene, number: int, told: Told) -> Frame:
     def write() -> tuple[Ref, ...]:
         if struck(scene, number) is not None:
             return (write_centres(scene, number),)
-        places = [spot(scene, each, number).refs for each in scene.spheres(number)]
+        places = [spot(scene, sphere, number).refs for sphere in scene.spheres(number)]
         whole, _ = whole_direction(n)
         line = scene.desk.write(
             Move("put"),

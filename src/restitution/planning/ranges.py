@@ -43,7 +43,7 @@ def relation_of(asked: Expression, result: ItemResult) -> Relation:
     answer = result.distinct[0]
     own = answer.value
     parts = own.args if isinstance(own, sp.Union) else (own,)
-    if not all(isinstance(each, sp.Interval) for each in parts):
+    if not all(isinstance(part, sp.Interval) for part in parts):
         raise NotPlannedError("a range of single values")
     ordered = sorted(parts, key=lambda each: each.start)
     return Relation(tuple(_links_of(asked, each, answer.angle) for each in ordered))

@@ -43,8 +43,8 @@ def _functions(scene: Scene, own: sp.Expr, symbol: sp.Symbol) -> set[sp.Expr] | 
     role = scene.model.unknowns.roles.get(symbol.name)
     if role is None or role.kind != "angle":
         return None
-    functions = {each for each in own.atoms(sp.Function) if symbol in each.free_symbols}
-    bare = own.subs({each: sp.Dummy() for each in functions})
+    functions = {atom for atom in own.atoms(sp.Function) if symbol in atom.free_symbols}
+    bare = own.subs({function: sp.Dummy() for function in functions})
     if not functions or symbol in bare.free_symbols:
         return None
     return functions
@@ -66,15 +66,15 @@ def ratio(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     """An angle that stands in one ratio, or in its sine and cosine of one degree."""
     own = residual(scene, line)
     functions = _functions(scene, own, symbol)
-    if functions is None or any(each.args != (symbol,) for each in functions):
+    if functions is None or any(function.args != (symbol,) for function in functions):
         return None
-    found = {type(each) for each in functions}
+    found = {type(function) for function in functions}
     if len(found) == 1:
         (kind,) = found
         return _by_one(scene, line, numerator(own), kind, symbol)
     above = numerator(_in_sines(own, symbol))
     mixed = sp.Poly(above, sp.sin(symbol), sp.cos(symbol))
-    degrees = {sum(each) for each in mixed.monoms()}
+    degrees = {sum(monom) for monom in mixed.monoms()}
     if len(degrees) != 1:
         return None
     return _by_one(scene, line, _over_cosines(above, symbol), sp.tan, symbol)
@@ -123,7 +123,7 @@ def _by_one(scene: Scene, line: int, above: sp.Expr, kind: Any, symbol: sp.Symbo
     subject = Apply(kind.__name__, Letter(symbol.name))
     generator = kind(symbol)
     poly = sp.Poly(above, generator)
-    if any(symbol in each.free_symbols for each in poly.coeffs()):
+    if any(symbol in coeff.free_symbols for coeff in poly.coeffs()):
         return None
     if poly.degree() == 1:
         value = tidy(-poly.nth(0) / poly.nth(1))
@@ -143,14 +143,14 @@ def _by_one(scene: Scene, line: int, above: sp.Expr, kind: Any, symbol: sp.Symbo
 
 
 def _background(scene: Scene, line: int) -> tuple[Any, ...]:
-    return background(scene, {each.name for each in residual(scene, line).free_symbols})
+    return background(scene, {symbol.name for symbol in residual(scene, line).free_symbols})
 
 
 def even(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     """Squares of sine and cosine beside numbers: sin² + cos² = 1 leaves one of them."""
     own = residual(scene, line)
     functions = _functions(scene, own, symbol)
-    if functions is None or any(each.args != (symbol,) for each in functions):
+    if functions is None or any(function.args != (symbol,) for function in functions):
         return None
     s, c = sp.sin(symbol), sp.cos(symbol)
     mixed = sp.Poly(numerator(_in_sines(own, symbol)), s, c)
@@ -256,7 +256,7 @@ def divided_angle(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     functions = _functions(scene, own, symbol)
     if functions is None:
         return None
-    factors = {each.args[0] / symbol for each in functions}
+    factors = {function.args[0] / symbol for function in functions}
     if not all(each.is_Rational for each in factors) or len(factors) != 2:
         return None
     small, large = sorted(factors)
@@ -328,7 +328,7 @@ def _by_double(
     second = scene.desk.write(Move("cancel"), (first, *meaning, known), cancelled)
     value = tidy(sp.tan(small * scene.final(symbol)))
     others = [Link(subject, "=", tree_of(each)) for each in (value, -value)]
-    alternatives = Relation(tuple((each,) for each in others))
+    alternatives = Relation(tuple((other,) for other in others))
     third = scene.desk.write(Move("roots"), (second,), alternatives)
     only = Relation(((others[0],),))
     last = scene.desk.write(Move("reject"), (third, *meaning, known), only)
@@ -359,7 +359,7 @@ def _write_double(
 def _free_letter(scene: Scene) -> str:
     """A letter that stands for nothing yet: t where it is free."""
     taken = set(scene.model.unknowns.roles) | {
-        each.symbol.name for each in scene.model.components.values()
+        component.symbol.name for component in scene.model.components.values()
     }
     for line in scene.desk.lines:
         if isinstance(line.relation, Meaning):
@@ -434,7 +434,7 @@ def inverse(scene: Scene, line: int, symbol: sp.Symbol, sides: Sequence[int] = (
     if known.startswith("acute"):
         written = scene.desk.write(move, (line, known), relation)
         return known_as(scene, symbol, value, written)
-    for more in ((), *((each,) for each in sides)):
+    for more in ((), *((side,) for side in sides)):
         if scene.judge.follows(move, (line, known, *more), relation):
             written = scene.desk.write(move, (line, known, *more), relation)
             break

@@ -76,7 +76,7 @@ def _impossible(
     for name, bound in letters.items():
         solver.determine([scene.model.unknowns.letter(name)])
         known = scene.desk.known(Letter(name))
-        lines = [] if known is None else [each for each in known.refs if isinstance(each, int)]
+        lines = [] if known is None else [ref for ref in known.refs if isinstance(ref, int)]
         if len(lines) == 1 and len(scene.desk.relation(lines[0]).options) == 1:
             return lines[0], bound
     for number in range(1, scene.events + 1):

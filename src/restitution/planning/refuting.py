@@ -186,8 +186,8 @@ class _Refutation:
         note = desk.new_note(self.name, "refuted", claim=claim)
         note = replace(note, premises=self._premises(note, lines, numbers))
         scales = [each for each, value in numbers.items() if value == 1 and self._is_scale(each)]
-        for each in scales:
-            fewer = {other: value for other, value in numbers.items() if other != each}
+        for scale in scales:
+            fewer = {other: value for other, value in numbers.items() if other != scale}
             if self._excluded(self._at(note, fewer)):
                 numbers = fewer
         if isinstance(self.item.relation, Meets):
@@ -200,8 +200,8 @@ class _Refutation:
 
     def _ratios(self, trees: Sequence[Expression], numbers: Mapping[str, sp.Expr]) -> Iterator[str]:
         """The letters without a number on which the ratio of two velocities depends."""
-        values = [self._value(each, numbers) for each in trees]
-        if len(values) == 2 and all(isinstance(each, Vector) for each in values):
+        values = [self._value(tree, numbers) for tree in trees]
+        if len(values) == 2 and all(isinstance(value, Vector) for value in values):
             for one, other in zip(*values, strict=True):
                 if one != 0 != other:
                     free = tidy(one / other).free_symbols
@@ -341,7 +341,9 @@ class _Refutation:
 
     def _there(self, value: Any, numbers: Mapping[str, sp.Expr]) -> sp.Expr:
         own = self._in_data(value)
-        put = {each: numbers[each.name] for each in own.free_symbols if each.name in numbers}
+        put = {
+            symbol: numbers[symbol.name] for symbol in own.free_symbols if symbol.name in numbers
+        }
         return _plain(own.xreplace(put))
 
     def _number(self, tree: Expression) -> float | None:

@@ -88,10 +88,10 @@ def _speed_on_a_chord(scene: Scene, body: str, since: int) -> Source:
         return Source(own, together(known.refs, used))
     parts = [after(scene, kind, body, scene.frame(since)) for kind in ("along", "across")]
     values, refs = [], []
-    for each in parts:
-        value, used = scene.put(each.value)
+    for part in parts:
+        value, used = scene.put(part.value)
         values.append(value)
-        refs += [*each.whole, *used]
+        refs += [*part.whole, *used]
     if values[1] == 0:
         return Source(-values[0], together(refs))
     squares = total(square(tree_of(each)) for each in values)
@@ -170,7 +170,7 @@ def time_of_touching(scene: Scene, number: int, ways: Sequence[Way]) -> Source:
         raise NotPlannedError("a time of a contact that is open")
     other = tidy(2 * begin.value + both - when)
     roots = Relation(tuple((Link(t, "=", tree_of(each)),) for each in (when, other)))
-    letters = {each.name for each in (when - other).free_symbols}
+    letters = {symbol.name for symbol in (when - other).free_symbols}
     premises = scene.judge.enough(Move("roots"), (fact,), roots, background(scene, letters))
     if premises is None:
         raise NotPlannedError("the times of a contact")

@@ -40,29 +40,30 @@ def by_roots(
     factors = [(base, power) for base, power in factor_powers(above) if base.has(generator)]
     polynomials = [sp.Poly(base, generator) for base, _ in factors]
     if not factors or any(
-        each.degree() > 2 or symbol in (c for x in each.coeffs() for c in x.free_symbols)
-        for each in polynomials
+        polynomial.degree() > 2
+        or symbol in (c for x in polynomial.coeffs() for c in x.free_symbols)
+        for polynomial in polynomials
     ):
         return None
     roots: list[sp.Expr] = []
-    for each in polynomials:
-        roots += _real_roots(scene, each)
+    for polynomial in polynomials:
+        roots += _real_roots(scene, polynomial)
     roots = list(dict.fromkeys(roots))
-    kept = [each for each in roots if is_reached(scene, each, generator, symbol)]
+    kept = [root for root in roots if is_reached(scene, root, generator, symbol)]
     wanted = [each for each in kept if is_value(scene.model, each, generator, symbol)]
     if len(wanted) != 1:
         return None
     (value,) = wanted
     kept.sort(key=lambda each: _first_reached(scene, each, generator, symbol))
-    roots = [*kept, *(each for each in roots if each not in kept)]
-    dropped = [each for each in roots if each not in kept]
+    roots = [*kept, *(root for root in roots if root not in kept)]
+    dropped = [root for root in roots if root not in kept]
     whole = expanded(sp.Mul(*(base**power for base, power in factors)))
     if generator != symbol or not (
         is_square_of_sum(scene, number, symbol) or is_product_of_sums(scene, number, symbol)
     ):
         number = _in_standard_form(scene, number, whole, generator, subject)
         number = _in_factors(scene, number, [base for base, _ in factors], generator, subject)
-    alternatives = Relation(tuple(_option(subject, each) for each in roots))
+    alternatives = Relation(tuple(_option(subject, root) for root in roots))
     names = {each.name for each in above.free_symbols}
     refs = scene.judge.enough(Move("roots"), (number,), alternatives, background(scene, names))
     if refs is None:
@@ -73,7 +74,7 @@ def by_roots(
     if len(kept) > 1:
         scene.desk.splits += ((line, kept.index(value)),)
         scene.others = tuple(
-            each for each in scene.others if is_value(each, value, generator, symbol)
+            other for other in scene.others if is_value(other, value, generator, symbol)
         )
     if generator == symbol:
         return known_as(scene, symbol, value, line)
@@ -145,7 +146,7 @@ def _in_standard_form(
     if scene.desk.relation(number) == relation:
         return number
     move = Move("rearrange")
-    names_ = {each.name for each in residual(scene, number).free_symbols}
+    names_ = {symbol.name for symbol in residual(scene, number).free_symbols}
     refs = scene.judge.enough(move, (number,), relation, background(scene, names_))
     return number if refs is None else scene.desk.write(move, refs, relation)
 
@@ -165,15 +166,15 @@ def _in_factors(
     subject: Expression,
 ) -> int:
     """A quadratic as the product of two linear factors, where it is one."""
-    if len(factors) != 2 or any(sp.Poly(each, generator).degree() != 1 for each in factors):
+    if len(factors) != 2 or any(sp.Poly(factor, generator).degree() != 1 for factor in factors):
         return number
     if scene.desk.last_link(number).right != ZERO:
         return number
-    plain = [_plain(scene, each, generator) for each in factors]
+    plain = [_plain(scene, factor, generator) for factor in factors]
     plain.sort(key=lambda each: (each.nth(0) != 0, each.LC() == 1, str(each.nth(0))))
     trees = [_polynomial_tree(each, subject) for each in plain]
     relation = Relation(((Link(product(*trees), "=", ZERO),),))
-    names = {each.name for each in residual(scene, number).free_symbols}
+    names = {symbol.name for symbol in residual(scene, number).free_symbols}
     refs = scene.judge.enough(Move("rearrange"), (number,), relation, background(scene, names))
     return number if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
 
@@ -259,12 +260,12 @@ def _by_one_law(
     scene: Scene, laws: tuple[Ref, ...], rest: Sequence[Ref]
 ) -> Iterable[tuple[Ref, ...]]:
     """The same of one law, where it holds no other component: the later one first."""
-    components = {each.symbol for each in scene.model.components.values()}
+    components = {component.symbol for component in scene.model.components.values()}
     for law in reversed(laws):
         letters = residual(scene, law).free_symbols  # type: ignore[arg-type]
         if len(letters & components) > 1:
             continue
-        names = {each.name for each in letters}
+        names = {letter.name for letter in letters}
         own = [each for each in rest if any(name in str(each).split() for name in names)]
         yield (law,)
         for sign in (">= 0", "<= 1"):
@@ -287,7 +288,7 @@ def _by_laws(laws: tuple[Ref, ...], rest: Sequence[Ref]) -> Iterable[tuple[Ref, 
 
 
 def _is_component(scene: Scene, symbol: sp.Symbol) -> bool:
-    return any(each.symbol == symbol for each in scene.model.components.values())
+    return any(component.symbol == symbol for component in scene.model.components.values())
 
 
 def _laws(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
@@ -306,9 +307,9 @@ def _laws(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
 def written_law(scene: Scene, record: str, number: int) -> int | None:
     """The line of a law of an impact, where it stands already."""
     move = Move("law", record, number, scene.bodies(number))
-    for each in scene.desk.lines:
-        if each.move == move and scene.desk.holds(each.number):
-            return each.number
+    for line in scene.desk.lines:
+        if line.move == move and scene.desk.holds(line.number):
+            return line.number
     return None
 
 
@@ -316,8 +317,8 @@ def _values(scene: Scene, laws: Sequence[Ref]) -> tuple[Ref, ...]:
     """The lines that give values of letters in laws."""
     found: list[Ref] = []
     for line in laws:
-        for each in residual(scene, line).free_symbols:  # type: ignore[arg-type]
-            known = scene.desk.known(Letter(each.name))
+        for symbol in residual(scene, line).free_symbols:  # type: ignore[arg-type]
+            known = scene.desk.known(Letter(symbol.name))
             if known is not None:
                 found += known.refs
     return tuple(dict.fromkeys(found))
@@ -338,10 +339,10 @@ def senses(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
             for each in walk(side)
         ]
         about = any(
-            isinstance(each, Quantity)
-            and each.kind in ("velocity", "direction", "along", "across")
-            and any(Name(body) in walk(each) for body in bodies)
-            for each in nodes
+            isinstance(node, Quantity)
+            and node.kind in ("velocity", "direction", "along", "across")
+            and any(Name(body) in walk(node) for body in bodies)
+            for node in nodes
         )
         ordered = any(
             link.sign in ("<", "<=", ">", ">=", "!=")

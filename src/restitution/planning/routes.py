@@ -80,11 +80,11 @@ def _dual(x: sp.Expr, point: Point) -> _Dual:
         return point[x], {x: 1.0}
     if not x.args or not symbols_in(x):
         return float(x), {}
-    parts = [_dual(each, point) for each in x.args]
+    parts = [_dual(argument, point) for argument in x.args]
     if x.is_Add:
-        return sum(each[0] for each in parts), _weighted((1.0, each[1]) for each in parts)
+        return sum(part[0] for part in parts), _weighted((1.0, part[1]) for part in parts)
     if x.is_Mul:
-        values = [each[0] for each in parts]
+        values = [part[0] for part in parts]
         terms = []
         for n, (_, slopes) in enumerate(parts):
             others = math.prod(values[:n] + values[n + 1 :])
@@ -135,7 +135,7 @@ class Routes:
     def __post_init__(self) -> None:
         self.symbols = sorted(self.unknowns, key=lambda each: each.name)
         self.rows = [
-            [[self.row(each, point) for each in own.residuals] for point in self.points]
+            [[self.row(residual, point) for residual in own.residuals] for point in self.points]
             for own in self.candidates
         ]
 
@@ -148,7 +148,10 @@ class Routes:
             slopes = gradient(x, point)
         except (ArithmeticError, KeyError, ValueError, TypeError):
             return [math.nan] * len(self.symbols)
-        return [slopes.get(each, 0.0) * (abs(point.get(each, 0.0)) or 1.0) for each in self.symbols]
+        return [
+            slopes.get(symbol, 0.0) * (abs(point.get(symbol, 0.0)) or 1.0)
+            for symbol in self.symbols
+        ]
 
     def cheapest(self, goals: Sequence[sp.Expr], most: int = 3) -> list[tuple[Candidate, ...]]:
         """The cheapest sets that determine all goals, the cheapest first; none if none does."""
@@ -179,7 +182,7 @@ class Routes:
 
     def _wanted(self, goals: Sequence[sp.Expr]) -> list[list[list[float]]]:
         """The gradients of goals, point by point."""
-        return [[self.row(each, point) for each in goals] for point in self.points]
+        return [[self.row(goal, point) for goal in goals] for point in self.points]
 
     def _beside_the_solution(self) -> None:
         """Takes gradients beside the solution: at a double root those at it tell nothing."""

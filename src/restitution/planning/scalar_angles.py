@@ -100,14 +100,14 @@ def _product(scene: Scene, pair: tuple[Moving, Moving]) -> int | None:
             for body, stage in pair
             for kind in ("along", "across")
         ]
-        refs = together(*(each.whole for each in sources))
+        refs = together(*(source.whole for source in sources))
         refs = together(refs, frame.names_axis("along"), frame.names_axis("across"))
         extra = frame.refs
         components = [[each.value for each in own] for own in (sources[:2], sources[2:])]
     else:
         vectors: list[Source] = [whole_velocity(scene, *each) for each in pair]
-        refs = together(*(each.whole for each in vectors))
-        components = [list(each.value) for each in vectors]
+        refs = together(*(vector.whole for vector in vectors))
+        components = [list(vector.value) for vector in vectors]
     (a, b), (c, d) = components
     tree = total((product(tree_of(a), tree_of(c)), product(tree_of(b), tree_of(d))))
     value = tidy(sp.expand(a * c + b * d))

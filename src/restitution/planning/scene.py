@@ -94,7 +94,7 @@ class Scene:
     @cached_property
     def facts(self) -> dict[str, Fact]:
         """The facts of the question by id."""
-        return {each.id: each for each in self.desk.facts}
+        return {fact.id: fact for fact in self.desk.facts}
 
     @cached_property
     def judge(self) -> Judge:
@@ -156,7 +156,7 @@ class Scene:
 
     def spheres(self, number: int) -> tuple[str, ...]:
         """The spheres in an event."""
-        return tuple(each for each in self.bodies(number) if each in self.model.story.spheres)
+        return tuple(body for body in self.bodies(number) if body in self.model.story.spheres)
 
     def last_event(self, body: str, stage: int) -> int:
         """The latest event of a body up to a stage that changed its velocity; 0 without one."""
@@ -380,7 +380,7 @@ class Scene:
     def given(self) -> tuple[GivenEquation, ...]:
         """The given equations in force, but for ratios of angles in numbers."""
         found: list[GivenEquation] = []
-        ratios = {each.id for each in self.ratio_facts.values()}
+        ratios = {ratio_fact.id for ratio_fact in self.ratio_facts.values()}
         for fact in self.desk.facts:
             if fact.kind != "given" or fact.id in ratios or not self.desk.holds(fact.id):
                 continue
@@ -395,7 +395,7 @@ class Scene:
         """The facts that let letters of a link stand for something."""
         names = [each.name for side in (link.left, link.right) for each in _letters_of(side)]
         return tuple(
-            f"let {each}" for each in dict.fromkeys(names) if self._stands_for(each, names)
+            f"let {name}" for name in dict.fromkeys(names) if self._stands_for(name, names)
         )
 
     def _stands_for(self, name: str, names: Sequence[str]) -> bool:
@@ -496,9 +496,9 @@ class Scene:
         fact = self.facts[name]
         (link,) = fact.relation.only
         walls = [
-            f"wall {each.name}"
-            for each in walk(link.right)
-            if isinstance(each, Name) and f"wall {each.name}" in self.facts
+            f"wall {node.name}"
+            for node in walk(link.right)
+            if isinstance(node, Name) and f"wall {node.name}" in self.facts
         ]
         velocity = self.velocity(body, 0)
         if isinstance(link.right, Polar):
@@ -514,9 +514,9 @@ class Scene:
         forms = [sign * size * f(angle) for f in (sp.cos, sp.sin) for sign in (1, -1)]
 
         def of(component: sp.Expr) -> sp.Expr:
-            for each in forms:
-                if self.model.identically_zero(sp.expand_trig(each) - component):
-                    return each
+            for form in forms:
+                if self.model.identically_zero(sp.expand_trig(form) - component):
+                    return form
             return component
 
         return Vector(*(of(sp.sympify(each, strict=True)) for each in velocity))
@@ -538,4 +538,4 @@ def _ratios_and_letters(x: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[sp.Symbo
 
 
 def _letters_of(tree: Expression) -> Iterable[Letter]:
-    return (each for each in walk(tree) if isinstance(each, Letter))
+    return (node for node in walk(tree) if isinstance(node, Letter))

@@ -31,7 +31,7 @@ def with_separation(scene: Scene, frame: Frame, value: sp.Expr) -> sp.Expr:
     apart = separation_known(scene, frame)
     if apart is None:
         return value
-    first, second = (component_letter(scene, each, frame) for each in scene.bodies(frame.number))
+    first, second = (component_letter(scene, body, frame) for body in scene.bodies(frame.number))
     return value.xreplace({second: first + apart.value}).expand()
 
 
@@ -39,11 +39,11 @@ def write_separation(scene: Scene, frame: Frame) -> None:
     """The law of restitution alone: the speed of separation from that of approach."""
     e = scene.coefficient(frame.number)
     bodies = scene.bodies(frame.number)
-    u, x = (before(scene, "along", each, frame) for each in bodies)
-    letters = [after(scene, "along", each, frame) for each in bodies]
+    u, x = (before(scene, "along", body, frame) for body in bodies)
+    letters = [after(scene, "along", body, frame) for body in bodies]
     value = tidy(e.value * (u.value - x.value))
     number = restitution(scene, frame)
-    refs = together((number,), *(each.refs for each in letters))
+    refs = together((number,), *(letter.refs for letter in letters))
     scene.desk.know(_separation_tree(scene, frame), value, refs)
 
 

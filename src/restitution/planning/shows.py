@@ -263,8 +263,8 @@ def _first_meeting(claims: Claims, relation: Meets, now: int) -> tuple[int, Rela
     """That a sphere will hit a wall, or will not: the sense of its component towards it."""
     scene = claims.scene
     names = [each.name for each in (relation.first, relation.second)]
-    walls = [each for each in names if each in scene.model.story.walls]
-    spheres = [each for each in names if each not in walls]
+    walls = [name for name in names if name in scene.model.story.walls]
+    spheres = [name for name in names if name not in walls]
     if len(walls) != 1 or len(spheres) != 1 or relation.again:
         raise NotPlannedError("a first meeting of two spheres")
     (body,) = spheres
@@ -311,7 +311,7 @@ def _tied(
         claims.solver.determine(list(own))
         for kind in ("along", "across"):
             refs += claims.worths.component(kind, body, stage, frame).whole
-    refs += [f"wall {each.name}" for each in scene.problem.walls]
+    refs += [f"wall {wall.name}" for wall in scene.problem.walls]
     move = Move("define", record, frame.number, tuple(dict.fromkeys(b for b, _ in moving)))
     for pool in (refs, [*frame.refs, *refs]):
         told = together(r for r in pool if claims.worths.exists(r))
@@ -369,7 +369,7 @@ class _Equation:
             if line is not None:
                 return line
         quantities = list(dict.fromkeys(_quantities(left, right)))
-        subjects = [each for each in quantities if each in set(walk(left))]
+        subjects = [quantity for quantity in quantities if quantity in set(walk(left))]
         if len(quantities) == 1 and len(subjects) == 1:
             line = self._of_one(quantities[0])
             if line is not None:
@@ -454,7 +454,7 @@ class _Equation:
         inside = {
             name for each in lets.values() for name in letters(each.relation.only[0].left)
         } | {name for each in lets.values() for name in letters(each.relation.only[0].right)}
-        return (*(each.id for each in lets.values()), *self.judge.known(names | inside))
+        return (*(let.id for let in lets.values()), *self.judge.known(names | inside))
 
     def _between_letters(self) -> list[Ref]:
         """The given equations between letters."""
@@ -567,11 +567,11 @@ class _Equation:
         scene, claims = self.scene, self.claims
         lines: list[int] = []
         facts: list[Ref] = []
-        for each in quantities:
-            if claims.worths.is_data(each):
-                facts += claims.worths.data_of(each)
+        for quantity in quantities:
+            if claims.worths.is_data(quantity):
+                facts += claims.worths.data_of(quantity)
                 continue
-            lines.append(claims.worths.quantity(each))
+            lines.append(claims.worths.quantity(quantity))
         known = self._known(letters(self.link.left) | letters(self.link.right))
         if len(lines) == 2 and isinstance(self.link.left, Binary) and self.link.left.op == "/":
             line = self._by_pair(Move("divide"), lines, known)

@@ -62,7 +62,7 @@ def _of_one_square(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     root = tidy(sp.root(value, power))
     if scene.model.sign(scene_value(scene, base).xreplace(dict(scene.model.final))) < 0:
         root = -root
-    plain = all(_is_plain(each) for each in root.atoms(sp.Pow))
+    plain = all(_is_plain(atom) for atom in root.atoms(sp.Pow))
     if symbol in value.free_symbols or root.atoms(sp.Abs) or not plain:
         return None
     squared = Relation(((Link(whole, "=", tree_of(value)),),))
@@ -91,11 +91,11 @@ def is_product_of_sums(scene: Scene, number: int, symbol: sp.Symbol) -> bool:
     """Whether a line says that a product of sums with the unknown is zero: so are its roots."""
     match scene.desk.last_link(number):
         case Link(left, "=", right) if is_zero(right):
-            factors = [each for each in _factors(left) if symbol.name in letters(each)]
-            values = [sp.sympify(scene_value(scene, each), strict=True) for each in factors]
+            factors = [factor for factor in _factors(left) if symbol.name in letters(factor)]
+            values = [sp.sympify(scene_value(scene, factor), strict=True) for factor in factors]
             return len(factors) > 1 and all(
-                each.is_polynomial(symbol) and sp.Poly(each, symbol).degree() == 1
-                for each in values
+                value.is_polynomial(symbol) and sp.Poly(value, symbol).degree() == 1
+                for value in values
             )
     return False
 
@@ -117,11 +117,11 @@ def _factors(tree: Expression) -> Iterator[Expression]:
 def _sums(tree: Expression, name: str) -> Iterator[Expression]:
     """The smallest sums in which a letter stands."""
     if not (isinstance(tree, Binary) and tree.op in ("+", "-")):
-        for each in children(tree):
-            yield from _sums(each, name)
+        for child in children(tree):
+            yield from _sums(child, name)
         return
     terms = list(_terms(tree))
-    inside = [list(_sums(each, name)) for each in terms]
+    inside = [list(_sums(term, name)) for term in terms]
     if any(name in letters(a) and not b for a, b in zip(terms, inside, strict=True)):
         yield tree
     else:
@@ -181,7 +181,7 @@ def _replace(tree: Expression, other: Expression) -> Callable[[Expression], Expr
 
 
 def _write(scene: Scene, number: int, relation: Relation) -> int | None:
-    names = {each.name for each in residual(scene, number).free_symbols}
+    names = {symbol.name for symbol in residual(scene, number).free_symbols}
     for move in (Move("rearrange"), Move("cancel")):
         refs = scene.judge.enough(move, (number,), relation, background(scene, names))
         if refs is not None:

@@ -56,7 +56,7 @@ def write_speeds(worths: Worths, fact: Fact, link: Link, sign: Sign, x: sp.Expr)
     if not rooted:
         worths.back(mark)
         return None
-    names = set().union(*(letters(each) for each in trees))
+    names = set().union(*(letters(tree) for tree in trees))
     known = worths.judge.known(names & set(worths.scene.model.unknowns.roles))
     first = Relation(((Link(trees[0], link.sign, trees[1]),),))
     number = worths.judge.write((Move("compare"),), [fact.id, *lines, *known], first)
@@ -73,10 +73,10 @@ def square_and_solve(
     own = worths.scene.desk.last_link(line)
     values = [worths.value(each) for each in (own.left, own.right)]
     roots = [p for each in values for p in each.atoms(sp.Pow) if p.exp == sp.Rational(1, 2)]
-    if not any(each.base.free_symbols for each in roots):
+    if not any(root.base.free_symbols for root in roots):
         return None
     mark = worths.mark()
-    trees = [tree_of(tidy(each**2)) for each in values]
+    trees = [tree_of(tidy(value**2)) for value in values]
     squared = Relation(((Link(trees[0], own.sign, trees[1]),),))
     number = worths.judge.write((Move("compare"),), [line, *known], squared)
     solved = None if number is None else solve_squares(worths, number, sign, x, known)
@@ -112,8 +112,8 @@ def solve_squares(
             steps = []  # nothing was multiplied
         if solved is not None:
             steps += _second_degree(own, left - right)
-        for each in steps:
-            number = judge.write(_SOLVING[:2], pool, Relation(((each,),)))
+        for step in steps:
+            number = judge.write(_SOLVING[:2], pool, Relation(((step,),)))
             if number is None:
                 break
             pool = [number, *known]
@@ -192,10 +192,10 @@ def _without_denominators(worths: Worths, own: Link) -> tuple[sp.Expr, sp.Expr] 
     None where sines and cosines stand in them, or more than one letter is left.
     """
     sides = [one_fraction(worths.value(each)) for each in (own.left, own.right)]
-    if any(each.has(sp.sin, sp.cos, sp.tan) for each in sides):
+    if any(side.has(sp.sin, sp.cos, sp.tan) for side in sides):
         return None
-    common = sp.lcm([sp.fraction(each)[1] for each in sides])
-    above = [expanded(cancelled(each * common)) for each in sides]
+    common = sp.lcm([sp.fraction(side)[1] for side in sides])
+    above = [expanded(cancelled(side * common)) for side in sides]
     shared = sp.gcd(*above)
     left, right = (expanded(cancelled(each / shared)) for each in above)
     if len(left.free_symbols | right.free_symbols) != 1:

@@ -55,12 +55,12 @@ def _values(scene: Scene, model: Model, unknowns: Sequence[sp.Symbol]) -> tuple[
     roles = scene.model.unknowns.roles
     return tuple(
         Link(
-            Letter(each.name),
+            Letter(unknown.name),
             "=",
             tree_of(
-                model.final[each],
-                angle=each.name in roles and roles[each.name].kind == "angle",
+                model.final[unknown],
+                angle=unknown.name in roles and roles[unknown.name].kind == "angle",
             ),
         )
-        for each in unknowns
+        for unknown in unknowns
     )

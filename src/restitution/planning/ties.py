@@ -186,9 +186,9 @@ def _across_a_frame(
 def _direction(scene: Scene, tree: Expression) -> tuple[Vector, tuple[Ref, ...]]:
     """A direction in the plane as a vector, of whole numbers where that is so, and its facts."""
     refs = tuple(
-        f"wall {each.name}"
-        for each in walk(tree)
-        if isinstance(each, Name) and f"wall {each.name}" in scene.facts
+        f"wall {node.name}"
+        for node in walk(tree)
+        if isinstance(node, Name) and f"wall {node.name}" in scene.facts
     )
     if isinstance(tree, Unit):
         return Vector(*(sp.Integer(tree.axis == axis) for axis in "ij")), refs

@@ -133,7 +133,7 @@ def write_turn_tangent(scene: Scene, turn: Turn, subject: Expression) -> int | N
     mark = scene.desk.mark()
     terms, found = terms_of(scene, turn), None
     if terms is not None:
-        relation = chain(subject, (turn.made_of(*(each.angle for each in terms)), None))
+        relation = chain(subject, (turn.made_of(*(term.angle for term in terms)), None))
         number = made_of_angles(scene, turn, relation, ())
         if number is not None:
             found = by_tangents(scene, number, turn.form, terms, Apply("tan", subject))
@@ -212,15 +212,15 @@ def by_tangents(
     if refs is None:
         return None
     number = scene.desk.write(Move("identity", "sum-of-angles"), refs, relation)
-    if given is None and all(_tangent(each) == each.tangent for each in terms):
+    if given is None and all(_tangent(term) == term.tangent for term in terms):
         return number
-    tangents = [each.tangent for each in terms]
+    tangents = [term.tangent for term in terms]
     both = scene.scalar(product(*tangents))
     both_tree = tree_of(tidy(both)) if both.free_symbols else None
     put = swept(_tangent_of(form, tangents[0], tangents[1], both_tree))
     final = tree_of(tidy(scene.scalar(put)))
     relation = chain(turned if given is None else given[0], (put, None), (final, "rearrange"))
-    sources = together(*(each.refs for each in terms), () if given is None else given[1])
+    sources = together(*(term.refs for term in terms), () if given is None else given[1])
     refs = scene.judge.enough(Move("put"), (number, *sources), relation, known)
     return None if refs is None else scene.desk.write(Move("put"), refs, relation)
 

@@ -125,9 +125,9 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
 
 def _by_its_letter(scene: Scene, asked: Quantity) -> Source | None:
     """An angle for which the working has a letter that is known."""
-    for each in scene.desk.lines:
-        if isinstance(each.relation, Meaning) and each.relation.quantity == asked:
-            return scene.desk.known(Letter(each.relation.letter))
+    for line in scene.desk.lines:
+        if isinstance(line.relation, Meaning) and line.relation.quantity == asked:
+            return scene.desk.known(Letter(line.relation.letter))
     return None
 
 
@@ -157,14 +157,14 @@ def _by_a_known_ratio(scene: Scene, asked: Quantity) -> Ratio | None:
     letter, _ = named
     for function in ("cos", "tan"):
         tree = Apply(function, Letter(letter))
-        for each in reversed(scene.desk.lines):
-            if isinstance(each.relation, Meaning) or len(each.relation.options) != 1:
+        for line in reversed(scene.desk.lines):
+            if isinstance(line.relation, Meaning) or len(line.relation.options) != 1:
                 continue
-            if scene.desk.holds(each.number) and each.relation.only[0].left == tree:
-                value = tidy(scene.scalar(scene.desk.last_link(each.number).right))
+            if scene.desk.holds(line.number) and line.relation.only[0].left == tree:
+                value = tidy(scene.scalar(scene.desk.last_link(line.number).right))
                 if not value.free_symbols:
                     extent = _RANGES["deflection"].format(letter)
-                    return Ratio(each.number, letter, function, value, extent)
+                    return Ratio(line.number, letter, function, value, extent)
     return None
 
 
@@ -369,7 +369,7 @@ def _across_the_centres(
         return None
     right = Binary("+" if sign > 0 else "-", angle, Degrees(Fraction(90)))
     relation, move = chain(asked, (right, None)), Move("define", "parallel", stage, (body,))
-    pool = together(*(each.whole for each in parts), scene.frame(stage).refs)
+    pool = together(*(part.whole for part in parts), scene.frame(stage).refs)
     premises = scene.judge.needed(move, [*pool, *nonzero(scene, parts[1].value)], relation)
     return None if premises is None else scene.desk.write(move, premises, relation)
 
@@ -426,7 +426,7 @@ def _degrees(angle: sp.Expr, value: sp.Expr) -> Expression:
 
 def _between(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int:
     """The angle between two velocities, by their tangents or their scalar product."""
-    pair = [body_and_stage(scene, each) for each in asked.arguments]
+    pair = [body_and_stage(scene, argument) for argument in asked.arguments]
     in_numbers = all(_is_vector_in_numbers(scene, body) for body, _ in pair)
     turned = _by_turn(scene, asked, wanted) if wanted != "cos" and not in_numbers else None
     if turned is None and wanted == "tan":
@@ -484,7 +484,7 @@ def _by_scalar(
 
     ``sizes`` are those of the vectors, where they are known too.
     """
-    a, b = (each.value for each in sources)
+    a, b = (source.value for source in sources)
     pairs = [(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)]
     right, value = cosine_of(pairs, a, b, sizes)
     if is_long(right):
@@ -494,7 +494,7 @@ def _by_scalar(
         if own is not None:
             return own
     letter, meaning = letter_of(scene, asked)
-    refs = together((meaning,), *(each.whole for each in sources))
+    refs = together((meaning,), *(source.whole for source in sources))
     line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
     return Ratio(line, letter, "cos", value, _RANGES["deflection"].format(letter))
 
@@ -682,7 +682,7 @@ def _left_along_the_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | N
     else:
         own, refs = tree_of(told.value, angle=True), told.refs
     sides = [in_direction(scene, "across", body.name, frame.number - n, frame) for n in (0, 1)]
-    pool = together(refs, late.whole, *(each.whole for each in sides), frame.refs)
+    pool = together(refs, late.whole, *(side.whole for side in sides), frame.refs)
     move, relation = (
         Move("define", "difference", frame.number, (body.name,)),
         chain(asked, (own, None)),

@@ -143,17 +143,17 @@ def _from_a_unit(
     assert isinstance(body, Name)
     given = scene.facts.get(f"velocity {body.name}")
     seen: list[Direction] = []
-    for each in sides:
+    for side in sides:
         angle: Expression | None = None
         match given.relation.only[0].right if given is not None else None:
-            case Polar(_, told, origin, None) if not each.velocity.stage:
+            case Polar(_, told, origin, None) if not side.velocity.stage:
                 if (origin or Unit("i")) == unit:
                     angle = told
-        if angle is None and not each.velocity.stage:
-            onward = scene.scalar(Quantity("along", (each.velocity, unit)))
+        if angle is None and not side.velocity.stage:
+            onward = scene.scalar(Quantity("along", (side.velocity, unit)))
             if scene.model.decide(onward, ">=", 0):
                 angle = _angle_of_data(scene, body.name, frame)
-        own = replace(each, angle=None, named=Quantity("angle", (each.velocity, unit)), told=())
+        own = replace(side, angle=None, named=Quantity("angle", (side.velocity, unit)), told=())
         seen.append(own if angle is None else _told(scene, own, body.name, angle))
     fall = tidy(sp.expand(sides[0].along.value - sides[1].along.value))
     sign = scene.model.sign(fall)
@@ -231,11 +231,11 @@ def _by_its_direction(
     axis = scene.facts.get(f"axis {frame.number}")
     if known is None or axis is None or axis.relation.only[0].right not in (_I, Negate(_I)):
         return None
-    lines = [each for each in known.refs if isinstance(each, int)]
+    lines = [ref for ref in known.refs if isinstance(ref, int)]
     meanings = [
-        each.number
-        for each in scene.desk.lines
-        if isinstance(each.relation, Meaning) and each.relation.quantity == direction
+        line.number
+        for line in scene.desk.lines
+        if isinstance(line.relation, Meaning) and line.relation.quantity == direction
     ]
     if known.value.free_symbols or len(lines) != 1 or not meanings:
         return None

@@ -29,7 +29,7 @@ def write_unfinished(
     scene: Scene, solver: Solver, item: Item | Show, result: ItemResult, now: int, name: str
 ) -> None:
     """Writes what an item speaks of, as far as there is a plan, and notes its answer."""
-    trees = [staged(scene.problem, each, now) for each in _trees(item)]
+    trees = [staged(scene.problem, tree, now) for tree in _trees(item)]
     premises: list[int] = []
     # Of several solutions only the equations are the same.
     for ways in (_equations,) if scene.others else (_values, _components, _equations):
@@ -61,11 +61,11 @@ def _tried(scene: Scene, solver: Solver, write: Way) -> list[int]:
 
 def require_followed(scene: Scene, lines: Iterable[Line]) -> None:
     """Raises NotPlannedError for a line that does not follow by its move."""
-    for each in lines:
-        if isinstance(each.relation, Meaning):
+    for line in lines:
+        if isinstance(line.relation, Meaning):
             continue
-        if not scene.judge.follows(each.move, each.premises, each.relation):
-            raise NotPlannedError(f"line {each.number} does not follow")
+        if not scene.judge.follows(line.move, line.premises, line.relation):
+            raise NotPlannedError(f"line {line.number} does not follow")
 
 
 def note_unwritten(
@@ -105,7 +105,7 @@ def answer_of(problem: Problem, item: Item | Show, result: ItemResult, now: int)
             case Value(expression):
                 asked = staged(problem, expression, now)
                 trees = [tree_of(each.value, angle=each.angle) for each in result.distinct]
-                return Relation(tuple((Link(asked, "=", each),) for each in trees))
+                return Relation(tuple((Link(asked, "=", tree),) for tree in trees))
     except UNPLANNED:
         pass
     return None
@@ -152,9 +152,9 @@ def _goals(scene: Scene, solver: Solver, tree: Expression) -> Iterator[int]:
 
 
 def _lines(scene: Scene, refs: Iterable[Ref]) -> Iterator[int]:
-    for each in refs:
-        if isinstance(each, int) and not isinstance(scene.desk.line(each).relation, Meaning):
-            yield each
+    for ref in refs:
+        if isinstance(ref, int) and not isinstance(scene.desk.line(ref).relation, Meaning):
+            yield ref
 
 
 def _equations(scene: Scene, solver: Solver, trees: Sequence[Expression]) -> Iterator[Way]:

@@ -89,7 +89,7 @@ def _size_and_angle(scene: Scene, lines: list[int], open_: Vector) -> None:
         raise NotPlannedError("an impulse with several letters that are open")
     (size,), (angle,) = sizes, angles
     rights = [scene.desk.last_link(each).right for each in lines]
-    squared = total(square(each) for each in rights)
+    squared = total(square(right) for right in rights)
     line = scene.desk.write(
         Move("square-add"), lines, chain(square(Letter(size.name)), (squared, None))
     )

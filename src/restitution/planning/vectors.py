@@ -57,8 +57,8 @@ def turned_velocity(
     """A velocity by its size and by how far, and to which side, it is turned from **i**."""
     quantities = [Quantity(kind, (Name(body),), number) for kind in ("speed", "deflection")]
     found = [
-        next((e for e in scene.given if e.link.sign == "=" and e.link.left == each), None)
-        for each in quantities
+        next((e for e in scene.given if e.link.sign == "=" and e.link.left == quantity), None)
+        for quantity in quantities
     ]
     fact = scene.facts.get(f"velocity {body}")
     fast, turned = found
@@ -125,11 +125,11 @@ def common_velocity(given: GivenEquation) -> tuple[str, str, int] | None:
 def _started(scene: Scene, tree: Expression) -> tuple[Ref, ...]:
     """The velocities at the start of which a tree speaks."""
     return tuple(
-        f"velocity {each.arguments[0].name}"
-        for each in walk(tree)
-        if isinstance(each, Quantity)
-        and each.kind == "velocity"
-        and each.stage == 0
-        and isinstance(each.arguments[0], Name)
-        and f"velocity {each.arguments[0].name}" in scene.facts
+        f"velocity {node.arguments[0].name}"
+        for node in walk(tree)
+        if isinstance(node, Quantity)
+        and node.kind == "velocity"
+        and node.stage == 0
+        and isinstance(node.arguments[0], Name)
+        and f"velocity {node.arguments[0].name}" in scene.facts
     )

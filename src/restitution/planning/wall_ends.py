@@ -80,10 +80,10 @@ def _without_denominator(
     if not below.free_symbols or certain(worths.scene, below) != 1:
         return None
     sides = [factored(each) for each in (low * below, above, high * below)]
-    common = sp.gcd_terms(sp.gcd_list([sp.expand(each) for each in sides]))
+    common = sp.gcd_terms(sp.gcd_list([sp.expand(side) for side in sides]))
     if certain(worths.scene, common) != 1:
         return None
-    trees = [tree_of(factored(cancelled(each / common))) for each in sides]
+    trees = [tree_of(factored(cancelled(side / common))) for side in sides]
     return Relation(((Link(trees[0], "<", trees[1]), Link(trees[1], "<", trees[2])),))
 
 

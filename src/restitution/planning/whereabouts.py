@@ -39,7 +39,7 @@ def velocity(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
     """The component of a velocity along an axis, after so many events."""
     source = along_axis(scene, body, stage, axis)
     own = source_of(scene, source.value, source.whole)
-    letters_ = {each.symbol for each in scene.model.components.values()}
+    letters_ = {component.symbol for component in scene.model.components.values()}
     if letters_ & own.value.free_symbols:
         raise NotPlannedError(f"the velocity of {body} after event {stage} is open")
     return own

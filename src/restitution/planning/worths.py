@@ -115,45 +115,45 @@ class Worths:
     def meant(self, tree: Expression) -> Expression:
         """What a letter that the working introduces stands for; any other tree itself."""
         if isinstance(tree, Letter):
-            for each in self.scene.desk.lines:
-                if isinstance(each.relation, Meaning) and each.relation.letter == tree.name:
-                    return each.relation.quantity
+            for line in self.scene.desk.lines:
+                if isinstance(line.relation, Meaning) and line.relation.letter == tree.name:
+                    return line.relation.quantity
         return tree
 
     @staticmethod
     def _extent(name: str, angle: Quantity) -> str:
         """What is known of an angle of the motion, as a premise says it."""
         lined = angle.kind == "angle" and any(
-            isinstance(each, Name)
-            or (isinstance(each, Quantity) and each.kind == "line_of_centres")
-            for each in angle.arguments
+            isinstance(argument, Name)
+            or (isinstance(argument, Quantity) and argument.kind == "line_of_centres")
+            for argument in angle.arguments
         )
         return f"0° <= {name} <= {90 if lined else 180}°"
 
     def is_lettered(self, angle: Quantity) -> bool:
         """Whether a letter stands for an angle of the motion."""
-        named = (each.relation for each in self.scene.desk.lines)
+        named = (line.relation for line in self.scene.desk.lines)
         return any(isinstance(each, Meaning) and each.quantity == angle for each in named)
 
     def letter_for(self, angle: Quantity) -> tuple[str, int]:
         """The letter that stands for an angle of the motion, and the line that introduces it."""
         desk = self.scene.desk
         taken = set(roles(self.scene.problem))
-        for each in desk.lines:
-            if isinstance(each.relation, Meaning):
-                if each.relation.quantity == angle:
-                    return each.relation.letter, each.number
-                taken.add(each.relation.letter)
+        for line in desk.lines:
+            if isinstance(line.relation, Meaning):
+                if line.relation.quantity == angle:
+                    return line.relation.letter, line.number
+                taken.add(line.relation.letter)
         name = next(each for each in _ANGLES[angle.kind] if each not in taken)
         return name, desk.write(Move("let"), (), Meaning(name, angle))
 
     def axes(self, tree: Expression) -> tuple[Ref, ...]:
         """The lines of centres of the impacts in which a quantity is known."""
         refs: list[Ref] = []
-        for each in walk(tree):
-            match each:
+        for node in walk(tree):
+            match node:
                 case Quantity("velocity" | "speed" | "energy", (Name(),), int()):
-                    velocity = replace(each, kind="velocity")
+                    velocity = replace(node, kind="velocity")
                     body, stage = body_and_stage(self.scene, velocity)
                     refs += frame_after(self.scene, body, stage).refs
         return together(refs)
@@ -164,7 +164,7 @@ class Worths:
         parts: Iterable[Any] = value if isinstance(value, Vector) else (value,)
         if hasattr(value, "measure"):
             parts = (value.y / value.x,)
-        self.solver.determine([sp.sympify(each, strict=True) for each in parts])
+        self.solver.determine([sp.sympify(part, strict=True) for part in parts])
 
     def component(self, kind: str, body: str, stage: int, frame: Frame) -> Source:
         """A component, with what it rests on."""
@@ -201,22 +201,22 @@ class Worths:
         desk = self.scene.desk
         return next(
             (
-                each.number
-                for each in reversed(desk.lines)
-                if isinstance(each.relation, Relation)
-                and len(each.relation.options) == 1
-                and each.relation.only[0].sign == "="
-                and each.relation.only[0].left == tangent
-                and desk.holds(each.number)
+                line.number
+                for line in reversed(desk.lines)
+                if isinstance(line.relation, Relation)
+                and len(line.relation.options) == 1
+                and line.relation.only[0].sign == "="
+                and line.relation.only[0].left == tangent
+                and desk.holds(line.number)
             ),
             None,
         )
 
     def angle_by_letter(self, angle: Quantity) -> int | None:
         """The line that tells the tangent of the letter for an angle, if there is one."""
-        for each in self.scene.desk.lines:
-            if isinstance(each.relation, Meaning) and each.relation.quantity == angle:
-                return self._tangent(Apply("tan", Letter(each.relation.letter)))
+        for line in self.scene.desk.lines:
+            if isinstance(line.relation, Meaning) and line.relation.quantity == angle:
+                return self._tangent(Apply("tan", Letter(line.relation.letter)))
         return None
 
     def _of_letter(self, angle: Quantity) -> int | None:
@@ -338,8 +338,8 @@ class Worths:
             case Binary("*" | "+" | "-", _, _) if has_quantity(tree):
                 mark = self.mark()
                 try:
-                    for each in self.quantities(tree):
-                        self.determine(each)
+                    for quantity in self.quantities(tree):
+                        self.determine(quantity)
                     return write_expression(self.scene, tree)[0]
                 except NotPlannedError:
                     self.back(mark)
@@ -358,7 +358,7 @@ class Worths:
         line = self.judge.write((move,), [*refs, *self.judge.known(names)], relation)
         if line is not None:
             return line
-        values = [self.scene.desk.last_link(each).right for each in refs]
+        values = [self.scene.desk.last_link(ref).right for ref in refs]
         if move.id != "divide":
             return None
         middle = Relation(((Link(tree, "=", Binary("/", *values)),),))
@@ -393,8 +393,8 @@ class Worths:
             case Quantity(kind) if kind not in ("mass", "line_of_centres"):
                 yield tree
             case _:
-                for each in children(tree):
-                    yield from self.quantities(each)
+                for child in children(tree):
+                    yield from self.quantities(child)
 
     def known_in(self, x: sp.Expr) -> tuple[Ref, ...]:
         names = {s.name for s in x.free_symbols}

@@ -50,7 +50,7 @@ class Demand:
 def formula_of(need: Condition | AnyOf) -> Formula:
     """A condition as a formula."""
     if isinstance(need, AnyOf):
-        return Some(tuple(formula_of(each) for each in need.options))
+        return Some(tuple(formula_of(option) for option in need.options))
     return Relation(sp.sympify(need.value, strict=True), need.relation)
 
 
@@ -138,7 +138,7 @@ class Admission:
 
     def _clash(self, demands: Sequence[Demand]) -> bool:
         """Whether it is proved that no values of the letters satisfy these demands together."""
-        facts = (*dict.fromkeys(each.formula for each in demands), *self.assumed)
+        facts = (*dict.fromkeys(demand.formula for demand in demands), *self.assumed)
         return Oracle(self.roles, facts).possible.answer == "refuted"
 
 
@@ -225,11 +225,11 @@ def _outside(name: str, role: Role) -> tuple[str, str]:
 def demands_for(needs: Sequence[Requirement]) -> tuple[list[Demand], list[sp.Expr]]:
     """The conditions among some requirements as demands, and the values that must vanish."""
     demands = [
-        Demand(formula_of(each), each.reason, each.kind)
-        for each in needs
-        if not isinstance(each, Equation)
+        Demand(formula_of(need), need.reason, need.kind)
+        for need in needs
+        if not isinstance(need, Equation)
     ]
     equations = [
-        sp.sympify(each.value, strict=True) for each in needs if isinstance(each, Equation)
+        sp.sympify(need.value, strict=True) for need in needs if isinstance(need, Equation)
     ]
-    return demands, [each for each in equations if each != 0]
+    return demands, [equation for equation in equations if equation != 0]

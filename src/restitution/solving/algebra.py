@@ -113,7 +113,7 @@ def solve_system(
         try:
             return list(
                 _solved(
-                    tuple(sp.sympify(each, strict=True) for each in equations),
+                    tuple(sp.sympify(equation, strict=True) for equation in equations),
                     tuple(unknowns),
                     angles,
                     acute,
@@ -136,7 +136,7 @@ def _solved(
     known = Known(roles, _positive(roles, frozenset(unknowns)))
 
     sought = list(unknowns)
-    current = [_without_bars(each, known) for each in equations]
+    current = [_without_bars(equation, known) for equation in equations]
     generators: list[sp.Symbol] = []
     pairs: dict[sp.Symbol, tuple[sp.Symbol, sp.Symbol]] = {}
     tangents: dict[sp.Symbol, sp.Symbol] = {}
@@ -161,13 +161,13 @@ def _solved(
     everything = set(sought) | {x for pair in pairs.values() for x in pair}
     polynomials = [_polynomial(each, everything) for each in current]
     for symbol, (c, s) in pairs.items():
-        if any(each.has(symbol) for each in polynomials):
+        if any(polynomial.has(symbol) for polynomial in polynomials):
             raise UnsupportedError(
                 f"the angle {symbol.name} stands both as itself and under a sine"
             )
         if scale[symbol] == 1 and symbol in acute:
             t = sp.Symbol(f"tan_{symbol.name}", positive=True)
-            rewritten = [_by_tangent(each, c, s, t) for each in polynomials]
+            rewritten = [_by_tangent(polynomial, c, s, t) for polynomial in polynomials]
             if all(each is not None for each in rewritten):
                 polynomials = [each for each in rewritten if each is not None]
                 tangents[symbol] = t
@@ -240,8 +240,8 @@ def _angle_of(c: sp.Expr, s: sp.Expr) -> sp.Expr:
 def _denominator(equations: Sequence[sp.Expr], symbol: sp.Symbol) -> int:
     """The least q such that every sine and cosine is of a whole multiple of symbol/q."""
     q = 1
-    for each in equations:
-        for node in each.atoms(sp.sin, sp.cos, sp.tan, sp.cot):
+    for equation in equations:
+        for node in equation.atoms(sp.sin, sp.cos, sp.tan, sp.cot):
             coefficient = sp.expand(node.args[0]).coeff(symbol)
             if coefficient.is_Rational and coefficient != 0:
                 q = int(sp.ilcm(q, coefficient.q))
@@ -343,7 +343,7 @@ def _rational(x: sp.Expr, unknowns: set[sp.Symbol], depth: int = 6) -> list[sp.E
 
 
 def _hasrational_below(x: sp.Expr) -> bool:
-    return any(each.is_number and not each.exp.is_Integer for each in x.atoms(sp.Pow))
+    return any(atom.is_number and not atom.exp.is_Integer for atom in x.atoms(sp.Pow))
 
 
 def _by_tangent(x: sp.Expr, c: sp.Symbol, s: sp.Symbol, t: sp.Symbol) -> sp.Expr | None:
@@ -351,7 +351,7 @@ def _by_tangent(x: sp.Expr, c: sp.Symbol, s: sp.Symbol, t: sp.Symbol) -> sp.Expr
     if not x.has(c, s):
         return x
     if x.is_Mul:
-        parts = [_by_tangent(each, c, s, t) for each in x.args if each.is_Add]
+        parts = [_by_tangent(argument, c, s, t) for argument in x.args if argument.is_Add]
         rest = _by_tangent_of_sum(sp.Mul(*[f for f in x.args if not f.is_Add]), c, s, t)
         whole = [each for each in (rest, *parts) if each is not None]
         return sp.Mul(*whole) if len(whole) > len(parts) else None
@@ -430,7 +430,7 @@ def _reduce(
     if kind == "square":
         a, _, b = coefficients(equation, x)
         square = neat(-b / a)
-        mapped = [numerator(_even(each, x, square)) for each in others]
+        mapped = [numerator(_even(other, x, square)) for other in others]
         results = []
         for values, more in _reduce(mapped, left, assignment, known):
             value = neat(square.xreplace(values))
@@ -483,7 +483,7 @@ def _substitute(
     if value.is_number and not _admissible(value, x):
         return []
     put = {x: value}
-    mapped = [numerator(each.xreplace(put)) if each.has(x) else each for each in others]
+    mapped = [numerator(other.xreplace(put)) if other.has(x) else other for other in others]
     results = []
     for values, rest in _reduce(mapped, left, assignment, known):
         own = value.xreplace(values) if value.free_symbols else value
@@ -650,8 +650,8 @@ def _by_resultant(
     assignment: Assignment,
     known: Known,
 ) -> list[tuple[Assignment, list[sp.Expr]]]:
-    with_x = [each for each in others if each.has(x)]
-    without = [each for each in others if not each.has(x)]
+    with_x = [other for other in others if other.has(x)]
+    without = [other for other in others if not other.has(x)]
     if not with_x:
         # The only equation that holds x: the rest is solved first, then x from it.
         results = []
@@ -668,12 +668,12 @@ def _by_resultant(
     results = []
     for values, rest in _reduce(without, left, assignment, known):
         candidates = [numerator(each.xreplace(values)) for each in (equation, *with_x)]
-        candidates = [each for each in candidates if each.has(x)] or candidates
+        candidates = [candidate for candidate in candidates if candidate.has(x)] or candidates
         simplest = min(candidates, key=lambda e: degree(e, x) if e.has(x) else 99)
         if not simplest.has(x):
             continue
         for value in roots(simplest, x):
-            if all(known.zero(each.xreplace({x: value})) for each in candidates):
+            if all(known.zero(candidate.xreplace({x: value})) for candidate in candidates):
                 results.append(({**values, x: neat(value)}, rest))
     return results
 
@@ -745,7 +745,7 @@ def _roots_of(equation: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
             values += [size, -size] if size != 0 else [size]
         return values
     if equation.free_symbols != {x}:
-        if any(each != 0 for each in parts[1:-1]):
+        if any(part != 0 for part in parts[1:-1]):
             raise UnsupportedError(
                 f"an equation of degree {top} with letters has no usable exact solution"
             )
@@ -779,8 +779,8 @@ def _of_binomial(a: sp.Expr, b: sp.Expr, power: int) -> list[sp.Expr]:
 def _may_be_root(parts: Sequence[sp.Expr], value: sp.Expr) -> bool:
     """Whether a polynomial is not told from zero by 20 digits at a number."""
     x, total, size = value.evalf(20), sp.Float(0, 20), sp.Float(0, 20)
-    for each in parts:
-        c = each.evalf(20)
+    for part in parts:
+        c = part.evalf(20)
         total, size = total * x + c, size * abs(x) + abs(c)
     return bool(abs(total) <= size * sp.Float("1e-12"))
 
@@ -788,8 +788,8 @@ def _may_be_root(parts: Sequence[sp.Expr], value: sp.Expr) -> bool:
 def _is_root(parts: Sequence[sp.Expr], value: sp.Expr) -> bool:
     """Whether a root of the norm is one of a polynomial, and not of a conjugate of it."""
     x, total = at(value, {}), Enclosed.of(0)
-    for each in parts:
-        total = total * x + at(each, {})
+    for part in parts:
+        total = total * x + at(part, {})
     return not total.sign
 
 

@@ -79,7 +79,7 @@ def _clause(problem: Problem, fact: Fact) -> str:
 
 def _possible(setting: Setting, facts: Sequence[Fact]) -> bool | None:
     """Whether some values satisfy these facts alone; None where that is too hard to tell."""
-    kept = {(id(each.given), id(each.relation)) for each in facts}
+    kept = {(id(fact.given), id(fact.relation)) for fact in facts}
     inside = {id(given) for given, _ in setting.facts}
 
     def part_with(part: Part) -> Part:

@@ -93,7 +93,9 @@ def without_impossible(
 
     Raises ImpossibleError where there is none.
     """
-    kept = [each for each in branches if not any(_rests(each, setting, t, now) for t in trees)]
+    kept = [
+        branch for branch in branches if not any(_rests(branch, setting, t, now) for t in trees)
+    ]
     if branches and not kept:
         named = {name for tree in trees for name in letters(tree)}
         wrong = impossible_coefficients(branches[0])

@@ -34,7 +34,7 @@ _NOTHING = Fraction(0)
 
 def has_cosines(x: sp.Expr) -> bool:
     """Whether a sine or cosine of a number of degrees stands in an expression."""
-    return any(_turn(each) is not None for each in x.atoms(sp.sin, sp.cos))
+    return any(_turn(atom) is not None for atom in x.atoms(sp.sin, sp.cos))
 
 
 @remembered(512)
@@ -73,7 +73,7 @@ def without_cosines(x: sp.Expr, symbol: sp.Symbol) -> sp.Expr | None:
         return None
     cosine = sp.Dummy("c")
     try:
-        split = [circle.split(each) for each in parts]
+        split = [circle.split(part) for part in parts]
     except _OtherError:
         return None
     whole = sp.Integer(0)
@@ -93,10 +93,10 @@ def without_cosines(x: sp.Expr, symbol: sp.Symbol) -> sp.Expr | None:
 def _half_turns(numbers: Iterable[sp.Expr]) -> int:
     """The least n for which π/n measures all angles, and those by which surds are cosines."""
     atoms = [each for x in numbers for each in x.atoms(sp.sin, sp.cos)]
-    turns = [_turn(each) for each in atoms]
+    turns = [_turn(atom) for atom in atoms]
     roots = {p.base for x in numbers for p in x.atoms(sp.Pow) if p.exp.is_Rational}
     known = [q for p, q in _SURDS.items() if any(r.is_Integer and r % p == 0 for r in roots)]
-    return math.lcm(2, *known, *[each.denominator for each in turns if each is not None])
+    return math.lcm(2, *known, *[turn.denominator for turn in turns if turn is not None])
 
 
 def _of_cosine(order: int, cosine: sp.Symbol) -> sp.Poly:

@@ -148,7 +148,7 @@ def _best(
     if not winners:
         return None
     first = winners[0]
-    if any(each[0] != first[0] for each in winners[1:]):
+    if any(winner[0] != first[0] for winner in winners[1:]):
         raise UnsupportedError("where the extremum lies depends on the values of the data")
     return first
 

@@ -43,7 +43,7 @@ def requirements(
     Raises ImpossibleError where it clashes with a story that is impossible by itself.
     """
     requirements_ = _requirements(relation, story, now, place)
-    if story.fault is not None and any(_never(each) for each in requirements_):
+    if story.fault is not None and any(_never(requirement) for requirement in requirements_):
         raise story.fault
     return requirements_
 
@@ -208,8 +208,8 @@ def _meets(relation: Meets, story: Story, now: int) -> list[Requirement]:
             return _met_by_places(relation, story, now, reason, refused)
         conditions = [_approach(story, event, one, other, now)]
     if relation.happens:
-        return [Condition(each, ">", reason, "fact") for each in conditions]
-    options = tuple(Condition(-each, ">=", refused, "fact") for each in conditions)
+        return [Condition(condition, ">", reason, "fact") for condition in conditions]
+    options = tuple(Condition(-condition, ">=", refused, "fact") for condition in conditions)
     return [options[0] if len(options) == 1 else AnyOf(options, refused, "fact")]
 
 
@@ -250,12 +250,12 @@ def _placed(story: Story, event: Happening, now: int) -> bool:
     """Whether the places of the two spheres of an event are known from it on."""
     if story.implied or any(story.place(name, now) is None for name in event.bodies):
         return False
-    for each in story.happenings[event.number : now]:
-        if not set(each.bodies) & set(event.bodies):
+    for happening in story.happenings[event.number : now]:
+        if not set(happening.bodies) & set(event.bodies):
             continue
-        if isinstance(each.step, Kick):
+        if isinstance(happening.step, Kick):
             return False
-        for name in each.bodies:
+        for name in happening.bodies:
             wall, sphere = story.walls.get(name), story.spheres.get(name)
             if wall is not None and not wall.shape.is_placed:
                 return False

@@ -62,7 +62,7 @@ def open_in(value: Any, samples: Samples) -> list[str]:
     This costs little beside a textbook form, which nobody would read.
     """
     sides = [value.x, value.y] if isinstance(value, Angle | Vector) else [value]
-    sides = [sp.sympify(each, strict=True) for each in sides]
+    sides = [sp.sympify(side, strict=True) for side in sides]
     present = sorted(
         (s for s in set().union(*(x.free_symbols for x in sides)) if s.name.startswith("_")),
         key=lambda s: s.name,
@@ -70,7 +70,7 @@ def open_in(value: Any, samples: Samples) -> list[str]:
     angles = []
     for symbol in present:
         other = sp.Symbol(f"{symbol.name}_besides", real=True)
-        there = [each.xreplace({symbol: other}) for each in sides]
+        there = [side.xreplace({symbol: other}) for side in sides]
         if isinstance(value, Angle):
             differences = [sides[0] * there[1] - sides[1] * there[0]]
         else:
@@ -80,7 +80,7 @@ def open_in(value: Any, samples: Samples) -> list[str]:
             if here is None:
                 continue
             moved = {**point, other.name: here + (abs(here) or 1) / 1024}
-            if any(sign_at(each, [moved]) for each in differences):
+            if any(sign_at(difference, [moved]) for difference in differences):
                 angles.append(symbol.name)
                 break
     return angles
@@ -214,8 +214,8 @@ def _arc(y: sp.Expr, x: sp.Expr, sy: int | None) -> sp.Expr:
 
 def _has_root(x: sp.Expr) -> bool:
     return any(
-        isinstance(each, sp.Pow) and not each.exp.is_Integer and each.free_symbols
-        for each in x.atoms(sp.Pow)
+        isinstance(atom, sp.Pow) and not atom.exp.is_Integer and atom.free_symbols
+        for atom in x.atoms(sp.Pow)
     )
 
 
@@ -233,7 +233,7 @@ def _turned(x: sp.Expr, y: sp.Expr, samples: Samples) -> Iterator[sp.Expr]:
 
 
 def _angles_in(x: sp.Expr) -> list[sp.Symbol]:
-    angles = {each.args[0] for each in x.atoms(sp.sin, sp.cos, sp.tan) if each.args[0].is_Symbol}
+    angles = {atom.args[0] for atom in x.atoms(sp.sin, sp.cos, sp.tan) if atom.args[0].is_Symbol}
     return sorted(angles, key=lambda letter: letter.name)
 
 
@@ -285,7 +285,7 @@ def along_and_across(value: Vector, line: Vector, samples: Samples) -> sp.Expr:
     parts = [neat(each / length) for each in (value.dot(line), value.cross(line))]
     # √6 − √2 e as √2 (√3 − e): the root goes outside.
     scale, parts = min(
-        ((s, [tidy(each * sp.sqrt(s)) for each in parts]) for s in (1, 2, 3)),
+        ((s, [tidy(part * sp.sqrt(s)) for part in parts]) for s in (1, 2, 3)),
         key=lambda pair: sum(exact.cost(each) for each in pair[1]),
     )
     return plain(root((parts[0] ** 2 + parts[1] ** 2) / scale), samples)

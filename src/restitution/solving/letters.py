@@ -330,9 +330,9 @@ def _measured(problem: Problem) -> dict[str, Role]:
             role = TO_180
         elif tree.kind == "angle":
             sharp = any(
-                _name(each) in walls
-                or (isinstance(each, Quantity) and each.kind == "line_of_centres")
-                for each in tree.arguments
+                _name(argument) in walls
+                or (isinstance(argument, Quantity) and argument.kind == "line_of_centres")
+                for argument in tree.arguments
             )
             role = Role("angle", sp.Integer(0), sp.pi / 2, (True, True)) if sharp else TO_180
         else:

@@ -57,7 +57,7 @@ def _has_sums_inside(x: sp.Expr) -> bool:
 def _reduced(x: sp.Expr) -> sp.Expr:
     """A quotient with cos²θ = 1 − sin²θ used throughout, where that is shorter."""
     above, below = sp.fraction(x)
-    for angle in sorted({each.args[0] for each in x.atoms(sp.sin)}, key=sp.default_sort_key):
+    for angle in sorted({atom.args[0] for atom in x.atoms(sp.sin)}, key=sp.default_sort_key):
         above, below = (without_cos_squared(each, angle) for each in (above, below))
     if below == 0:
         return x

@@ -52,9 +52,9 @@ def _otherwise(x: sp.Basic, values: Mapping[str, Any]) -> Enclosed:
                 return at(value, values)
         raise UndefinedError("no case holds")
     if x.is_Add:
-        return sum((at(each, values) for each in x.args), FIELD.zero)
+        return sum((at(argument, values) for argument in x.args), FIELD.zero)
     if x.is_Mul:
-        return math.prod((at(each, values) for each in x.args), start=Enclosed.of(1))
+        return math.prod((at(argument, values) for argument in x.args), start=Enclosed.of(1))
     if x.is_Pow:
         return at(x.base, values) ** at(x.exp, values)
     value = sp.N(

@@ -337,7 +337,7 @@ class Setting:
         ``open_story`` is the story told with ``letters_``, ``wanted`` its requirements: nothing
         new is told where no values have been added to those of the letters.
         """
-        long = any(sp.count_ops(each) > UNWIELDY for each in assignment.values.values())
+        long = any(sp.count_ops(value) > UNWIELDY for value in assignment.values.values())
         if long or by_nested_roots(assignment.values):
             return self._tried(assignment, letters_)
         told = Letters(self.roles, assignment.values, assignment.angles)
@@ -725,8 +725,8 @@ class Outcome:
             and own.unknown & self.deciding == setting.unknown & self.deciding
             and (own.protected | own.spared) & among == (setting.protected | setting.spared) & among
             and all(
-                _to_fix(setting, each.present, each.chosen) == each.letter
-                for each in self.decisions
+                _to_fix(setting, decision.present, decision.chosen) == decision.letter
+                for decision in self.decisions
             )
         )
 
@@ -1087,7 +1087,7 @@ def _solve_equations(
     conditions: Sequence[Condition | AnyOf] = (),
 ) -> list[Found]:
     """Solutions for hidden unknowns, for letters asked for, and for letters the facts fix."""
-    values = [each for each in equations if each != 0]
+    values = [equation for equation in equations if equation != 0]
     known = letters_.all_roles()
     chosen = setting.unknown - set(letters_.values)
     for _ in range(8):

@@ -130,11 +130,11 @@ class Field:
         if known is not None:
             return known, ring.one
         if x.is_Add:
-            return self._sum([self.fraction(each) for each in x.args])
+            return self._sum([self.fraction(argument) for argument in x.args])
         if x.is_Mul:
             above = below = ring.one
-            for each in x.args:
-                a, b = self.fraction(each)
+            for argument in x.args:
+                a, b = self.fraction(argument)
                 above, below = self.times(above, a), self.times(below, b)
             return above, below
         if x.is_Pow and x.exp.is_Rational:
@@ -333,8 +333,8 @@ class _Atoms:
             return
         self._seen.add(x)
         if x.is_Add or x.is_Mul:
-            for each in x.args:
-                self.visit(each)
+            for argument in x.args:
+                self.visit(argument)
         elif x.is_Pow and x.exp.is_Integer:
             self.visit(x.base)
         elif x.is_Pow and x.exp.is_Rational:
@@ -396,7 +396,7 @@ def _opened(x: sp.Expr) -> sp.Expr:
     """With all that stands under roots multiplied out, so that the same root is the same."""
     if x.is_Atom or not x.has(sp.Pow, sp.Abs):
         return x
-    arguments = [_opened(each) for each in x.args]
+    arguments = [_opened(argument) for argument in x.args]
     if isinstance(x, sp.Abs) or (x.is_Pow and x.exp.is_Rational and not x.exp.is_Integer):
         if arguments[0].is_Add or arguments[0].is_Mul:
             field = Field([arguments[0]])
@@ -446,7 +446,7 @@ def coefficients(x: sp.Expr, symbol: sp.Symbol) -> tuple[sp.Expr, ...]:
     Raises PolynomialError for what is no polynomial in it.
     """
     field = Field([x], [symbol])
-    return tuple(field.expression(each) for each in _coefficients(field, x, symbol))
+    return tuple(field.expression(coefficient) for coefficient in _coefficients(field, x, symbol))
 
 
 def _coefficients(field: Field, x: sp.Expr, symbol: sp.Symbol) -> list[Element]:

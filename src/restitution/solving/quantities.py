@@ -106,7 +106,9 @@ def quantity(story: Story, tree: Quantity, now: int) -> Value:
             return energy_lost(story, event_of(story, tree, now))
         case "total_energy_lost":
             upto = stage_number(story, tree, now, None)
-            return _add(story, (energy_lost(story, each) for each in story.happenings[:upto]))
+            return _add(
+                story, (energy_lost(story, happening) for happening in story.happenings[:upto])
+            )
         case "momentum":
             names = [_sphere(story, tree, body)] if arguments else list(story.spheres)
             stage = stage_number(story, tree, now, body)
@@ -128,7 +130,7 @@ def quantity(story: Story, tree: Quantity, now: int) -> Value:
             name = _sphere(story, tree, body)
             return _position_at(story, name, tree, now)
         case "distance":
-            one, other = (point_of(story, each, tree, now) for each in arguments)
+            one, other = (point_of(story, argument, tree, now) for argument in arguments)
             return story.size(one - other)
         case "dot":
             return evaluator.vector(arguments[0]).dot(evaluator.vector(arguments[1]))
@@ -258,7 +260,7 @@ def _position_when(story: Story, name: str, t: Scalar, now: int, later: bool) ->
 
     ``later`` tells that this is the piece after all events told so far.
     """
-    places = [each for each in story.tracks[name].places if each[0] <= now]
+    places = [place for place in story.tracks[name].places if place[0] <= now]
     if not places or any(where is None for _, where, _ in places):
         return _missing_place(story, name)
     chosen = places[-1] if later else places[0]

@@ -259,7 +259,9 @@ def _restricted(outcome: Outcome) -> set[str]:
     for given, _ in setting.facts:
         for relation in given.relations:
             if isinstance(relation, Compare) and set(relation.operators) != {"="}:
-                names |= {each.name for each in relation.operands if isinstance(each, Letter)}
+                names |= {
+                    operand.name for operand in relation.operands if isinstance(operand, Letter)
+                }
     return names
 
 
@@ -580,8 +582,8 @@ def _approached(x: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool) -> s
     if point in (sp.oo, -sp.oo):
         return None
     if x.is_Add or (x.is_Mul and x.args[0].is_number and not x.args[0].has(symbol)):
-        parts = [_approached(each, symbol, point, below) for each in x.args]
-        if all(each is not None and each.is_finite is not False for each in parts):
+        parts = [_approached(argument, symbol, point, below) for argument in x.args]
+        if all(part is not None and part.is_finite is not False for part in parts):
             return x.func(*parts)
     if isinstance(x, sp.atan):
         inner = _approached(x.args[0], symbol, point, below)

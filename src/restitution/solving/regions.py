@@ -129,8 +129,8 @@ class Region:
                 }:
                     atoms.append(symbol - bound)
         unique: list[sp.Expr] = []
-        for each in atoms:
-            for part in deciding(each):
+        for atom in atoms:
+            for part in deciding(atom):
                 for factor in _essential(part):
                     if factor not in unique:
                         unique.append(factor)
@@ -162,7 +162,7 @@ class Region:
                 return None  # it would be proved on what nobody has proved
             parts = [d.formula for d in demands]
             if self.only is None and trial.admission is not None:
-                parts += [Relation(each, "=") for each in trial.admission.equations]
+                parts += [Relation(equation, "=") for equation in trial.admission.equations]
             cases.append(joined(dict.fromkeys(parts)))
         return cases[0] if len(cases) == 1 else Some(tuple(cases))
 
@@ -533,7 +533,7 @@ def deciding(x: sp.Expr) -> tuple[sp.Expr, ...]:
             parts.append(sp.together(node.base).as_numer_denom()[0])
         elif isinstance(node, sp.Abs):
             parts.append(sp.together(node.args[0]).as_numer_denom()[0])
-    return tuple(each for each in parts if each.free_symbols)
+    return tuple(part for part in parts if part.free_symbols)
 
 
 @lru_cache(maxsize=1024)

@@ -232,8 +232,8 @@ def _matters(claim: Any, formula: Formula) -> set[str]:
     names: set[str] = set()
     for tree in trees_of_relation(claim):
         names |= letters(tree)
-    for each in relations(formula):
-        names |= _deciding(each.value)
+    for relation in relations(formula):
+        names |= _deciding(relation.value)
     return names
 
 
@@ -266,7 +266,7 @@ def _leading(tree: Any) -> Fraction:
     from restitution.expression.evaluate import evaluate
 
     value = sp.sympify(evaluate(tree, lambda name: sp.Symbol(name, positive=True)), strict=True)
-    if any(isinstance(each, Degrees) for each in walk(tree)):
+    if any(isinstance(node, Degrees) for node in walk(tree)):
         value = value * 180 / sp.pi  # an angle is printed in degrees
     coefficient, _ = value.as_coeff_Mul()
     if not coefficient.is_Rational or coefficient == 0:
@@ -295,7 +295,7 @@ def _show_found(worker: _Worker, step: Show, now: int, line: int | None) -> Item
         return _compared(step, line, result, same_value(claimed, value, roles))
     assert isinstance(subject, Range)
     claimed = claimed_set(step.relation, subject, evaluator)
-    (first, *more) = [each.value for each in result.answers]
+    (first, *more) = [answer.value for answer in result.answers]
     ok = same_set(claimed, first, roles)
     if more:  # its form depends on the data: one without max and min is not that of all
         ok = None if claimed.has(sp.Max, sp.Min) else False

@@ -121,7 +121,7 @@ def _solved(problem: Problem) -> Solution:
     for part in asking or problem.parts[-1:]:
         worker = _Worker(Desk(problem, part, carried))
         parts[part.label] = worker.solve()
-        warnings += [each for each in worker.warnings if each not in warnings]
+        warnings += [warning for warning in worker.warnings if warning not in warnings]
         warnings += _met_again(parts[part.label], relations)
         relations |= _under_own_facts(parts[part.label])
         carried = carried | worker.asked_of_all()
@@ -364,7 +364,7 @@ class _Worker:
                 story = outcome.setting.tell(Numbers(values))
             except (UndefinedError, KeyError, ImpossibleError):
                 continue
-            wrong = [each for each in story.happenings if outside(each)]
+            wrong = [happening for happening in story.happenings if outside(happening)]
             implied = set(trial.found.values)
             if not all(made_of(h.step) <= implied for h in wrong):
                 continue  # a letter that is data: the facts about it clash
@@ -618,7 +618,7 @@ class _Worker:
             parts = value if isinstance(value, tuple) else (value,)
             if any(s.name.startswith("_") for p in parts for s in p.free_symbols):
                 continue
-            if any(each.has(sp.nan, sp.zoo) for each in parts):
+            if any(part.has(sp.nan, sp.zoo) for part in parts):
                 continue
             answer = _answer(0, value, kind, angle, item.percentage)
             if not any(answer.exact == each.exact for each in rejected):
@@ -652,7 +652,7 @@ def _needed(item: Value, branch: Branch, names: Iterable[str]) -> MissingError:
     """What to say of an item that rests on what is left open."""
     phrases = dict.fromkeys(_phrase(branch, name) for name in names)
     called = _called(item)
-    own = next((each for each in phrases if each.startswith(called)), None)
+    own = next((phrase for phrase in phrases if phrase.startswith(called)), None)
     if own is not None:
         return missing.is_open(own)
     return missing.needs(called, phrases)

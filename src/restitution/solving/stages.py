@@ -53,9 +53,9 @@ def solve_in_stages(
     if not any(symbol.name.startswith("_c_") for symbol in unknowns):
         return solve_system(equations, unknowns, angles, acute, roles)
     values = tuple(
-        sp.sympify(each.value, strict=True)
-        for each in conditions
-        if isinstance(each, Condition) and each.relation in (">", ">=")
+        sp.sympify(condition.value, strict=True)
+        for condition in conditions
+        if isinstance(condition, Condition) and condition.relation in (">", ">=")
     )
     ranked = sorted(unknowns, key=_rank)
     return _staged(list(equations), ranked, _System(angles, acute, roles, values))
@@ -71,7 +71,7 @@ def _rank(symbol: sp.Symbol) -> int:
 def _staged(
     equations: list[sp.Expr], unknowns: Sequence[sp.Symbol], system: _System
 ) -> list[Found]:
-    current = [_without_signs(each) for each in equations]
+    current = [_without_signs(equation) for equation in equations]
     current = [each for each in current if each != 0]
     free = set(unknowns)
     group = _smallest([frozenset(each.free_symbols & free) for each in current])
@@ -89,7 +89,7 @@ def _staged(
     results: list[Found] = []
     for one in assignments:
         put = _replacing(one, block)
-        if any(has_roots(each) for each in one.values.values()) and rest:
+        if any(has_roots(value) for value in one.values.values()) and rest:
             # Roots of roots grow by being worked out: they are put in when all is solved.
             put_in_later = _later(one, block, put, rest, left, system)
             if put_in_later is not None:
@@ -99,7 +99,7 @@ def _staged(
             system.angles,
             system.acute,
             system.roles,
-            tuple(_put(each, put) for each in system.conditions),
+            tuple(_put(condition, put) for condition in system.conditions),
         )
         for further in _staged([_put(each, put) for each in rest], left, narrowed):
             results.append(
@@ -129,7 +129,7 @@ def _later(
         values = {name: _put(each, put) for name, each in further.values.items()}
         pairs = {name: (_put(c, put), _put(s, put)) for name, (c, s) in further.angles.items()}
         leftover = tuple(_put(each, put) for each in further.leftover)
-        if any(each.has(sp.zoo, sp.nan, sp.oo) for each in values.values()):
+        if any(value.has(sp.zoo, sp.nan, sp.oo) for value in values.values()):
             return None
         if any(x.name in values and _is_negative(values[x.name]) for x in system.acute):
             continue  # as a negative tangent of an acute angle is left out where it is a number
@@ -139,7 +139,7 @@ def _later(
 
 def has_roots(x: sp.Expr) -> bool:
     """Whether square roots stand in an expression."""
-    return any(each.exp.is_Rational and not each.exp.is_Integer for each in x.atoms(sp.Pow))
+    return any(atom.exp.is_Rational and not atom.exp.is_Integer for atom in x.atoms(sp.Pow))
 
 
 def by_nested_roots(values: Mapping[str, sp.Expr], start: str = "") -> bool:
@@ -179,7 +179,7 @@ def _without_signs(equation: sp.Expr) -> sp.Expr:
     if above == 0 or not above.free_symbols:
         return above
     terms = sp.Mul.make_args(sp.factor_terms(above))
-    return sp.expand(sp.Mul(*[each for each in terms if not each.is_positive]))
+    return sp.expand(sp.Mul(*[term for term in terms if not term.is_positive]))
 
 
 def _replacing(one: Found, block: Sequence[sp.Symbol]) -> dict[sp.Expr, sp.Expr]:

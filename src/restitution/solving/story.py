@@ -154,8 +154,8 @@ class Story:
         self.field = arithmetic
         self.unknowns = unknowns
         self.spheres: dict[str, Sphere] = {each.name: each for each in problem.spheres}
-        self.walls: dict[str, Wall] = {each.name: each for each in problem.walls}
-        self.points: dict[str, Point] = {each.name: each for each in problem.points}
+        self.walls: dict[str, Wall] = {wall.name: wall for wall in problem.walls}
+        self.points: dict[str, Point] = {point.name: point for point in problem.points}
         self.equations: list[Equation] = []
         self.conditions: list[Condition | AnyOf] = []
         self.happenings: list[Happening] = []
@@ -267,9 +267,9 @@ class Story:
     def _sizes(self) -> None:
         """Radii are positive, and all spheres have one. Raises ImpossibleError for two."""
         told = {
-            each.name: self.read(each.radius, f"the radius of {each.name}")
-            for each in self.problem.spheres
-            if each.radius is not None and not _in_lets(each.radius, self.lets)
+            sphere.name: self.read(sphere.radius, f"the radius of {sphere.name}")
+            for sphere in self.problem.spheres
+            if sphere.radius is not None and not _in_lets(sphere.radius, self.lets)
         }
         for name, radius in told.items():
             what = f"the radius of {name} must be positive"
@@ -394,9 +394,9 @@ class Story:
                 if isinstance(each, Quantity) and isinstance(each.stage, AtTime)
                 for node in walk(each.stage.time)
             ]
-            inside |= {each.name for each in times if isinstance(each, Letter)}
+            inside |= {time.name for time in times if isinstance(time, Letter)}
             if id(tree) not in asked:
-                within = {id(each) for each in times}
+                within = {id(time) for time in times}
                 outside |= {
                     each.name
                     for each in walk(tree)

@@ -97,8 +97,8 @@ def with_condition(
         return answer
     condition = _listed(
         [
-            each.own if each.own is not None and each.letter == letter else each.layout
-            for each in limits
+            limit.own if limit.own is not None and limit.letter == letter else limit.layout
+            for limit in limits
         ]
     )
     layout = Phrase((plain, Phrase((Words("for"), condition))), ", ")
@@ -106,7 +106,7 @@ def with_condition(
         answer,
         layout=layout,
         display=to_text(layout),
-        condition=tuple(each.text for each in limits),
+        condition=tuple(limit.text for limit in limits),
         condition_layout=condition,
     )
 
@@ -116,7 +116,7 @@ def _listed(conditions: Sequence[Layout]) -> Layout:
     *others, last = conditions
     if not others:
         return last
-    split = any(isinstance(each, Phrase) for each in conditions)
+    split = any(isinstance(condition, Phrase) for condition in conditions)
     return Phrase((Phrase(tuple(others), ", "), last), ", and " if split else " and ")
 
 
@@ -210,9 +210,9 @@ def _has_roots(values: sp.Set) -> bool:
 def _plainly(base: Oracle, trial: Trial, demands: Sequence[Demand]) -> Iterator[Limitation]:
     """The inequalities themselves, without those that follow from the others."""
     facts = list(dict.fromkeys(each for d in demands for each in relations(d.formula)))
-    for each in facts:
-        others = [other for other in facts if other != each]
-        if base.decide(each) or base.with_facts(others).decide(each):
+    for fact in facts:
+        others = [other for other in facts if other != fact]
+        if base.decide(fact) or base.with_facts(others).decide(fact):
             facts = others
     yield from _inequalities(base, trial, facts)
 
@@ -252,7 +252,7 @@ def _role(base: Oracle, name: str) -> Role:
 
 
 def _share(name: str, demands: list[Demand]) -> int:
-    return sum(name in letters_of(each.formula) for each in demands)
+    return sum(name in letters_of(demand.formula) for demand in demands)
 
 
 def _region(
@@ -295,7 +295,7 @@ def bounds_of(name: str, values: sp.Set, roles: Mapping[str, Role]) -> Limitatio
 
 def _chains(name: str, values: sp.Set) -> Iterator[str]:
     if isinstance(values, sp.FiniteSet):
-        yield from (f"{name} = {exact.sympy_text(each)}" for each in values.args)
+        yield from (f"{name} = {exact.sympy_text(argument)}" for argument in values.args)
     elif isinstance(values, sp.Union):
         for part in values.args:
             yield from _chains(name, part)

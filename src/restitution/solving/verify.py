@@ -43,7 +43,7 @@ def verify_principles(story: Story) -> None:
             law.change_across_line_of_centres(u1, v1, c),
             law.change_across_line_of_centres(u2, v2, c),
         )
-        if any(each.sign for each in residuals):
+        if any(residual.sign for residual in residuals):
             raise UnsupportedError(
                 f"the solution of event {event.number} failed its check against the principles; "
                 "please report this question"

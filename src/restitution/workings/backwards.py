@@ -28,7 +28,7 @@ def steps_backwards(part: PartSolution) -> tuple[Step, ...]:
     for branch in part.branches:
         if several:
             steps.append(_note(say("backwards.solution", number=branch.number)))
-        steps += [_note(each) for each in _contacts(branch)]
+        steps += [_note(contact) for contact in _contacts(branch)]
     return tuple(steps)
 
 

@@ -96,7 +96,7 @@ class BoldLetters:
 
     def __post_init__(self) -> None:
         events = self.derivation.events
-        self._events = {each.number: each for each in events}
+        self._events = {event.number: event for event in events}
         self._movers = {
             body
             for each in events
@@ -179,13 +179,13 @@ class BoldLetters:
         event = self._events[number]
         if event.wall and not self._is_told_by_the_wall(event.bodies[0]):
             return True
-        return any(self._is_vector(each, number) for each in event.bodies)
+        return any(self._is_vector(body, number) for body in event.bodies)
 
     def _is_told_by_the_wall(self, body: str) -> bool:
         """Whether a velocity at the start is given by its angle with a wall."""
         fact = self.derivation.fact(" ".join(("velocity", body)))
         nodes = () if fact is None else walk(fact.relation.only[-1].right)
-        return any(isinstance(each, Polar) and each.wall is not None for each in nodes)
+        return any(isinstance(node, Polar) and node.wall is not None for node in nodes)
 
     def _is_vector(self, body: str, number: int) -> bool:
         """Whether a body comes to an event with a velocity of two components."""
@@ -197,8 +197,8 @@ class BoldLetters:
         if fact is None:
             return True
         nodes = list(walk(fact.relation.only[-1].right))
-        units = {each.axis for each in nodes if isinstance(each, Unit)}
-        return len(units) == 2 and not any(isinstance(each, Polar) for each in nodes)
+        units = {node.axis for node in nodes if isinstance(node, Unit)}
+        return len(units) == 2 and not any(isinstance(node, Polar) for node in nodes)
 
     def way(self, number: int, kind: str) -> lay.Layout | None:
         """The direction of the line of an event, or across it, as a vector; None without one."""
@@ -304,10 +304,10 @@ def _beside_i(derivation: Derivation, axis: Quantity) -> Vector | None:
     """
     if axis.stage not in on_either_side(derivation):
         return None
-    relations = [each.relation for each in derivation.lines]
-    relations += [each.relation for each in derivation.facts]
-    for each in relations:
-        match each:
+    relations = [line.relation for line in derivation.lines]
+    relations += [fact.relation for fact in derivation.facts]
+    for relation in relations:
+        match relation:
             case Meaning(letter, Quantity("angle", sides), angle="acute") if axis in sides:
                 return _in_numbers(Letter(letter)) if Unit("i") in sides else None
             case Relation(((Link(Quantity("angle", sides), "=", angle),),)) if axis in sides:
@@ -318,11 +318,11 @@ def _beside_i(derivation: Derivation, axis: Quantity) -> Vector | None:
 def _in_numbers(tree: Expression) -> Vector | None:
     """A direction with both components, in numbers or of length 1; None of any other."""
     nodes = list(walk(tree))
-    if all(isinstance(each, Degrees | Number | Letter | Negate | Binary) for each in nodes):
-        return _at(tree) if any(isinstance(each, Degrees | Letter) for each in nodes) else None
-    if not any(isinstance(each, Unit) for each in nodes):
+    if all(isinstance(node, Degrees | Number | Letter | Negate | Binary) for node in nodes):
+        return _at(tree) if any(isinstance(node, Degrees | Letter) for node in nodes) else None
+    if not any(isinstance(node, Unit) for node in nodes):
         return None
-    if any(isinstance(each, Quantity | Polar | Degrees) for each in nodes):
+    if any(isinstance(node, Quantity | Polar | Degrees) for node in nodes):
         return None
     try:
         value = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
@@ -352,8 +352,8 @@ def _of_acute_angles(tree: Expression, open_: Container[str]) -> sp.Expr:
         return sp.Symbol(name, real=True) if name in open_ else sp.Symbol(name, positive=True)
 
     value = sp.sympify(evaluate(tree, symbol), strict=True)
-    ratios = (each for each in value.atoms(sp.sin, sp.cos) if each.free_symbols)
-    return value.subs({each: sp.Dummy(positive=True) for each in ratios})
+    ratios = (atom for atom in value.atoms(sp.sin, sp.cos) if atom.free_symbols)
+    return value.subs({ratio: sp.Dummy(positive=True) for ratio in ratios})
 
 
 def _tree_of_unit(way: Vector) -> Expression:

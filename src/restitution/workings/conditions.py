@@ -49,11 +49,11 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
 def _is_asked(part: PartSolution, answers: Sequence[Answer]) -> bool:
     """Whether a condition is the range of a letter for which the part asks: that item says it."""
     ranges = {
-        each.item.expression.name
-        for each in part.items
-        if isinstance(each.item, Range)
-        and isinstance(each.item.expression, Letter)
-        and each.error is None
+        item.item.expression.name
+        for item in part.items
+        if isinstance(item.item, Range)
+        and isinstance(item.item.expression, Letter)
+        and item.error is None
     }
     told = {each for answer in answers for each in answer.condition}
     return len(told) == 1 and any(name in _names_in(text) for name in ranges for text in told)
@@ -63,7 +63,7 @@ def _is_of_itself(item: ItemResult, answers: Sequence[Answer]) -> bool:
     """Whether a condition is that the letter that is asked has an admissible value."""
     own = item.item.expression if isinstance(item.item, Value) else None
     return isinstance(own, Letter) and any(
-        lay.from_sympy(sp.Symbol(own.name)) in _sides(each.condition_layout) for each in answers
+        lay.from_sympy(sp.Symbol(own.name)) in _sides(answer.condition_layout) for answer in answers
     )
 
 
@@ -147,13 +147,13 @@ def coefficients_that_bind(model: Model, found: Collection[sp.Symbol]) -> list[L
             claim = Claim(gap, ">=" if role.closed[upper] else ">")
             if not _follows(model.ground, claim):
                 bounds[symbol, upper] = claim
-    for each in list(bounds):
-        fewer = {key: claim for key, claim in bounds.items() if key != each}
+    for bound in list(bounds):
+        fewer = {key: claim for key, claim in bounds.items() if key != bound}
         if all(_follows(model.ground.with_facts(fewer.values()), x) for x in model.oracle.facts):
             bounds = fewer
     known = all(symbol in found for symbol, _ in bounds)
     enough = model.ground.with_facts(bounds.values())
-    if not bounds or not known or not all(_follows(enough, each) for each in model.oracle.facts):
+    if not bounds or not known or not all(_follows(enough, fact) for fact in model.oracle.facts):
         return []
     return [_coefficient_range(model, s, bounds) for s in dict.fromkeys(s for s, _ in bounds)]
 

@@ -69,9 +69,9 @@ def explanation_of(
     parts: list[PartExplanation] = []
     for label in dict.fromkeys(derivation.asked.values()):
         steps = writer.part(label)
-        ends = [each for each in derivation.items if each.part == label]
+        ends = [item for item in derivation.items if item.part == label]
         asked = tuple(writer.ends.text(e) for e, part in derivation.asked.items() if part == label)
-        answers = tuple(to_text(writer.naming.relation(each.answer)) for each in ends)
+        answers = tuple(to_text(writer.naming.relation(end.answer)) for end in ends)
         parts.append(PartExplanation(label, asked, steps, answers, derivation))
     return Explanation(problem.title, tuple(parts), problem.warnings, solution)
 
@@ -112,7 +112,7 @@ class _Writer:
 
     def part(self, label: str | None) -> tuple[Step, ...]:
         """The steps of a part."""
-        lines = [each for each in self.derivation.lines if self.ends.part(each) == label]
+        lines = [line for line in self.derivation.lines if self.ends.part(line) == label]
         lines = list(self.angles.in_order(lines))
         self.naming.bold.part = label
         self.before = ()

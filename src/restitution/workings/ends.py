@@ -42,8 +42,8 @@ class Ends:
         self._problem = problem
         self._named: dict[str, Words] | None = None
         self._ends: dict[int, list[ItemEnd]] = {}
-        for each in _ends(derivation):
-            self._ends.setdefault(each.line, []).append(each)
+        for end in _ends(derivation):
+            self._ends.setdefault(end.line, []).append(end)
         self._parts = derivation.asked
         self._places = {
             item: [e for e in self._parts if self._parts[e] == self._parts[item]].index(item)
@@ -119,7 +119,7 @@ class Ends:
     def claims(self, line: Line) -> Iterator[Sentence]:
         """What was to be shown, where a line only says by what it holds."""
         claims = (self._claim(each) for each in self._at(line) if each.shown)
-        yield from dict.fromkeys(each for each in claims if each is not None)
+        yield from dict.fromkeys(claim for claim in claims if claim is not None)
 
     def _claim(self, end: ItemEnd) -> Sentence | None:
         """That bodies will meet, or how two velocities stand to each other that are in a ratio."""
@@ -137,8 +137,8 @@ class Ends:
 
 def _laid(words: Words) -> lay.Layout | str:
     """Words of a question as an operand."""
-    pieces = [each.text if isinstance(each, Named) else each for each in words]
-    if all(isinstance(each, str) for each in pieces):
+    pieces = [word.text if isinstance(word, Named) else word for word in words]
+    if all(isinstance(piece, str) for piece in pieces):
         return "".join(map(str, pieces))
     if len(pieces) == 1:
         return pieces[0]

@@ -34,7 +34,7 @@ def extreme(
     if line.move.record != "approached":
         called = operand(naming.extreme(link.left, greatest=greatest))
         where = tuple(
-            say("derived.for", place=naming.relation(Relation(((each,),)))) for each in places
+            say("derived.for", place=naming.relation(Relation(((place,),)))) for place in places
         )
         return called, "=", where
     none: SentenceId = "extremum.no-greatest" if greatest else "extremum.no-least"
@@ -42,7 +42,7 @@ def extreme(
     return (
         naming.laid(link.left),
         "→",
-        tuple(say(name, place=_approached(naming, each)) for each in places),
+        tuple(say(name, place=_approached(naming, place)) for place in places),
     )
 
 

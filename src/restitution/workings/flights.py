@@ -112,7 +112,9 @@ def _speaks_of_a_time(derivation: Derivation, line: Line) -> bool:
 
 def _by_the_way(derivation: Derivation, line: Line) -> bool:
     """Whether a line tells a place without the time: by the components of the velocity."""
-    moved = any(isinstance(each, int) or each.startswith("velocity") for each in line.premises)
+    moved = any(
+        isinstance(premise, int) or premise.startswith("velocity") for premise in line.premises
+    )
     assert isinstance(line.relation, Relation)
     match line.relation.options[0][0].left:
         case Quantity("along" | "across"):

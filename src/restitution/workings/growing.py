@@ -27,7 +27,7 @@ def growth(
     cited = {n for each in ends for side in (each.left, each.right) for n in letters(side)}
     names = [*sorted(cited), *sorted((set(positive) & letters(tree)) - cited)]
     for name in names:
-        own = [each for each in ends if name in letters(each.left) | letters(each.right)]
+        own = [end for end in ends if name in letters(end.left) | letters(end.right)]
         if len(names) > 1 and not _is_end(tree, name, own, bound, name in positive):
             continue
         way = way_of(tree, name, own, bound)
@@ -56,14 +56,14 @@ def _is_end(
 def _places(ends: Sequence[Link], positive: bool, name: str) -> Iterator[tuple[Any, bool]]:
     """The ends of a letter, and whether they belong to it."""
     low = high = False
-    for each in ends:
+    for end in ends:
         for letter, side, below in (
-            (each.left, each.right, each.sign in _DOWN),
-            (each.right, each.left, each.sign not in _DOWN),
+            (end.left, end.right, end.sign in _DOWN),
+            (end.right, end.left, end.sign not in _DOWN),
         ):
             if letter == Letter(name) and name not in letters(side):
                 low, high = low or below, high or not below
-                yield worth(side, name, sp.Integer(0)), len(each.sign) == 2
+                yield worth(side, name, sp.Integer(0)), len(end.sign) == 2
     if positive and not low:
         yield sp.Integer(0), False
     if positive and not high:

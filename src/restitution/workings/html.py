@@ -99,7 +99,7 @@ def to_body(explanation: Working) -> str:
         out.append(f"<h1>{escape(explanation.title)}</h1>")
     for part in explanation.parts:
         out += _part(part)
-    out += [f'<p class="note">{escape(note(each))}</p>' for each in explanation.warnings]
+    out += [f'<p class="note">{escape(note(warning))}</p>' for warning in explanation.warnings]
     out.append("</article>")
     return "\n".join(out)
 
@@ -133,7 +133,7 @@ def _step(step: Step) -> list[str]:
 
 def said(words: Words) -> str:
     """Words with their mathematics, to stand in a paragraph."""
-    return "".join(escape(each) if isinstance(each, str) else _cell(each) for each in words).strip()
+    return "".join(escape(word) if isinstance(word, str) else _cell(word) for word in words).strip()
 
 
 def table_rows(row: Row) -> list[str]:
@@ -252,7 +252,7 @@ def _cell(layout: Layout | None) -> str:
         )
     if isinstance(layout, Phrase):
         gap = escape(layout.separator)
-        whole = gap.join(_cell(each) for each in layout.items)
+        whole = gap.join(_cell(item) for item in layout.items)
         return f'<span class="u">{whole}</span>' if layout.separator == NO_BREAK else whole
     if isinstance(layout, Product) and _is_long(layout):
         return _long_product(layout)

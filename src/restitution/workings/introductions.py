@@ -37,15 +37,17 @@ class Introductions:
 
     def of(self, lets: Sequence[Meaning]) -> Iterator[Sentence]:
         """What letters stand for: quantities by name, and the others as equations."""
-        new = [each for each in lets if each.letter not in self._naming.introduced_early]
+        new = [let for let in lets if let.letter not in self._naming.introduced_early]
         for kind, group in groupby(new, self._kind):
             meanings = list(group)
             if kind is None:
                 yield say(
                     "derived.name",
                     equations=tuple(
-                        lay.Relation((self._letter(each), self._naming.laid(each.quantity)), ("=",))
-                        for each in meanings
+                        lay.Relation(
+                            (self._letter(meaning), self._naming.laid(meaning.quantity)), ("=",)
+                        )
+                        for meaning in meanings
                     ),
                 )
             elif kind == "named" and (vectors := self._resolved(meanings)):
@@ -56,25 +58,25 @@ class Introductions:
                     meanings=tuple(
                         say(
                             "derived.meaning",
-                            letter=self._letter(each),
-                            quantity=self._naming.of_letter(each),
+                            letter=self._letter(meaning),
+                            quantity=self._naming.of_letter(meaning),
                         )
-                        for each in meanings
+                        for meaning in meanings
                     ),
                 )
             else:
                 yield from self._components(kind, meanings)
-            for each in meanings:
-                self._naming.knows(each.quantity, each.letter)
+            for meaning in meanings:
+                self._naming.knows(meaning.quantity, meaning.letter)
 
     def _resolved(self, meanings: Sequence[Meaning]) -> tuple[lay.Layout, ...]:
         """``𝐮 = a𝐢 + b𝐣`` of each velocity, if the letters are the components of velocities."""
         parts: dict[Expression, dict[str, Expression]] = {}
-        for each in meanings:
-            match each.quantity:
+        for meaning in meanings:
+            match meaning.quantity:
                 case Quantity("along", (Quantity("velocity") as velocity, Unit(axis))):
-                    parts.setdefault(velocity, {})[axis] = Letter(each.letter)
-        if 2 * len(parts) != len(meanings) or any(len(each) != 2 for each in parts.values()):
+                    parts.setdefault(velocity, {})[axis] = Letter(meaning.letter)
+        if 2 * len(parts) != len(meanings) or any(len(part) != 2 for part in parts.values()):
             return ()
         sums = {
             velocity: Binary("+", *(Binary("*", each[axis], Unit(axis)) for axis in ("i", "j")))
@@ -116,8 +118,8 @@ class Introductions:
         return own[1] != back[1] or own[1] if own[0] == back[0] else None
 
     def _components(self, kind: tuple[Any, ...], meanings: list[Meaning]) -> Iterator[Sentence]:
-        letters = tuple(self._letter(each) for each in meanings)
-        bodies = tuple(each.quantity.arguments[0].arguments[0].name for each in meanings)  # type: ignore[union-attr]
+        letters = tuple(self._letter(meaning) for meaning in meanings)
+        bodies = tuple(meaning.quantity.arguments[0].arguments[0].name for meaning in meanings)  # type: ignore[union-attr]
         if kind[0] == "axis":
             axis = self._naming.laid(kind[1])
             if len(letters) > 1:
@@ -166,7 +168,7 @@ class Introductions:
         if fact is None:
             return None
         axis = fact.relation.only[0].right
-        by_places = any(isinstance(each, Quantity) for each in walk(axis))
+        by_places = any(isinstance(node, Quantity) for node in walk(axis))
         if isinstance(axis, Polar) or by_places:
             return None
         if isinstance(axis.operand if isinstance(axis, Negate) else axis, Degrees | Letter):

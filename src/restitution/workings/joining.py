@@ -57,8 +57,8 @@ def _as_one(row: Row, other: Row) -> Row | None:
     again = (
         length > 1
         and other.operands[0] in (None, row.operands[0])
-        and [_bare(each) for each in other.operands[1:length]]
-        == [_bare(each) for each in row.operands[1:]]
+        and [_bare(operand) for operand in other.operands[1:length]]
+        == [_bare(operand) for operand in row.operands[1:]]
         and other.signs[: length - 1] == row.signs
     )
     if not again or row.reasons or row.asides or (row.number and other.number):

@@ -186,7 +186,7 @@ class Leads:
         if name is None:
             return None
         if record.id == "along-the-change" and event is not None and not event.wall:
-            rested = [each for each in bodies if self._is_given_off(line, each)]
+            rested = [body for body in bodies if self._is_given_off(line, body)]
             if rested:
                 return say("moves-off.title", body=rested[0])
         if record.id == "tan-direction" and self._moves_along(line):
@@ -390,7 +390,7 @@ class Leads:
                     return None
             case _:
                 return None
-        inside = {each.right for each in walk(below) if isinstance(each, Binary) and each.op == "/"}
+        inside = {node.right for node in walk(below) if isinstance(node, Binary) and node.op == "/"}
         for each in inside:
             if isinstance(each, Letter | Apply) and tidy(
                 worth(top) - worth(rest) * worth(each)
@@ -401,10 +401,10 @@ class Leads:
     def _sine_of_an_offset(self, line: Line) -> Iterator[Sentence]:
         """How an offset gives the sine of an angle that is given, said the first time."""
         facts = (self._derivation.fact(str(ref)) for ref in line.premises)
-        for each in facts:
-            if each is not None and is_offset(each) and each.id not in self._given:
-                self._given.add(each.id)
-                yield offset_sentence(each, self._naming, given=True)
+        for fact in facts:
+            if fact is not None and is_offset(fact) and fact.id not in self._given:
+                self._given.add(fact.id)
+                yield offset_sentence(fact, self._naming, given=True)
 
     def _identity(self, line: Line) -> str:
         """The name of an identity: of a tangent that of a sum, or of a difference."""
@@ -432,12 +432,14 @@ class Leads:
 
     def _angles_given(self, line: Line) -> Fact | None:
         """The given sum or difference of angles of which a line is the tangent."""
-        facts = (self._derivation.fact(each) for each in line.premises if isinstance(each, str))
-        for each in facts:
-            if each is not None and each.kind == "given" and len(each.relation.options) == 1:
-                match each.relation.only:
+        facts = (
+            self._derivation.fact(premise) for premise in line.premises if isinstance(premise, str)
+        )
+        for fact in facts:
+            if fact is not None and fact.kind == "given" and len(fact.relation.options) == 1:
+                match fact.relation.only:
                     case (Link(Binary("+" | "-"), "=") | Link(_, "=", Binary("+" | "-")),):
-                        return each
+                        return fact
         return None
 
     def _turned(self, line: Line) -> Sentence | None:
@@ -493,13 +495,13 @@ class Leads:
         """Whether a line rests on a right angle between a velocity and a fixed direction."""
         lets = (each.relation for each in map(self._cited, line.premises) if each is not None)
         return any(
-            isinstance(each, Meaning)
-            and isinstance(each.quantity, Quantity)
-            and each.quantity.kind == "angle"
+            isinstance(let, Meaning)
+            and isinstance(let.quantity, Quantity)
+            and let.quantity.kind == "angle"
             and not all(
-                isinstance(e, Quantity) and e.kind == "velocity" for e in each.quantity.arguments
+                isinstance(e, Quantity) and e.kind == "velocity" for e in let.quantity.arguments
             )
-            for each in lets
+            for let in lets
         )
 
     def _cited(self, ref: Ref) -> Line | None:
@@ -535,7 +537,8 @@ class Leads:
         """Whether a line rests on one by which a component is zero after the impact."""
         relations = (each.relation for each in filter(None, map(self._cited, line.premises)))
         return any(
-            isinstance(each, Relation) and is_zero(each.options[0][-1].right) for each in relations
+            isinstance(relation, Relation) and is_zero(relation.options[0][-1].right)
+            for relation in relations
         )
 
     def resolved(self, line: Line) -> Sentence | None:
@@ -607,8 +610,8 @@ class Leads:
             for own in map(self._cited, line.premises)
             if own is not None and isinstance(own.relation, Meaning)
         ]
-        for each in meanings:
-            match each:
+        for meaning in meanings:
+            match meaning:
                 case Quantity("angle", (Quantity("velocity") as velocity, Unit() as axis)):
                     laid, way = self._naming.laid(velocity), self._naming.laid(axis)
                     return say("given.none-in", velocity=laid, axis=way)
@@ -680,7 +683,7 @@ class Leads:
             case "square-add":
                 yield say("derived.square-add", equations=equations)
             case "put":
-                facts = tuple(self._fact(each) for each in source.facts)
+                facts = tuple(self._fact(fact) for fact in source.facts)
                 self._given |= {*source.facts}
                 spoken = self._spoken_of(source)
                 letters = tuple(
@@ -752,7 +755,7 @@ class Leads:
         numbers = [self._sources.numbers[each] for each in source.numbered]
         if source.kind != "divide":
             numbers.sort()
-        return tuple(say("derived.number", number=str(each)) for each in numbers)
+        return tuple(say("derived.number", number=str(number)) for number in numbers)
 
     def _spoken_of(self, source: Source) -> frozenset[Expression]:
         """The quantities of which the given facts speak that are put in: no word more is needed."""

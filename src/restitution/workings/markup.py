@@ -86,7 +86,7 @@ def to_markdown(explanation: Working) -> str:
             blocks.append(f"### ({_markdown(part.label)})")
         for step in part.steps:
             blocks += _markdown_step(step)
-    blocks += [f"> {_markdown(note(each))}" for each in explanation.warnings]
+    blocks += [f"> {_markdown(note(warning))}" for warning in explanation.warnings]
     return "\n\n".join(blocks) + "\n"
 
 
@@ -116,7 +116,7 @@ def _image(scene: Scene) -> str:
 
 
 def _has_math(words: Words) -> bool:
-    return any(not isinstance(each, str) for each in words)
+    return any(not isinstance(word, str) for word in words)
 
 
 # --- LaTeX --------------------------------------------------------------------------------------
@@ -129,7 +129,7 @@ def to_latex(explanation: Working, document: bool = True) -> str:
         blocks.append(rf"\textbf{{{_text(explanation.title)}}}")
     for part in explanation.parts:
         blocks += _latex_part(part)
-    blocks += [rf"\emph{{{_text(note(each))}}}" for each in explanation.warnings]
+    blocks += [rf"\emph{{{_text(note(warning))}}}" for warning in explanation.warnings]
     body = "\n\n".join(blocks) + "\n"
     return f"{_PREAMBLE}\n{body}\n\\end{{document}}\n" if document else body
 
@@ -174,7 +174,7 @@ def _displayed(rows: Sequence[Row], blocks: list[str], fresh: bool) -> None:
         fresh = False
         if wide:
             blocks.append("")
-    blocks[:] = [each for each in blocks if each]
+    blocks[:] = [block for block in blocks if block]
 
 
 def _aside(row: Row) -> str:
@@ -221,8 +221,8 @@ def _lines(row: Row, mark: str) -> list[str]:
         note = ""
     lines[-1] += note + mark
     if columns(row.operands[0]) > _LINE / 2 and (len(lines) > 1 or room > _LINE):
-        return [f"&{left}", *(rf"&\qquad {each}" for each in lines)]
-    return [f"{left} &{lines[0]}", *(f"&{each}" for each in lines[1:])]
+        return [f"&{left}", *(rf"&\qquad {line}" for line in lines)]
+    return [f"{left} &{lines[0]}", *(f"&{line}" for line in lines[1:])]
 
 
 def _broken(sign: str, operand: Layout | None, piece: str, room: int) -> list[str]:
@@ -255,14 +255,14 @@ def _operand(layout: Layout | None) -> str:
 
 def _note(words: Words) -> str:
     return "".join(
-        _text(each) if isinstance(each, str) else f"${laid_latex(each)}$" for each in words
+        _text(word) if isinstance(word, str) else f"${laid_latex(word)}$" for word in words
     )
 
 
 def _inline(words: Words, escape: object) -> str:
     assert callable(escape)
     return "".join(
-        escape(each) if isinstance(each, str) else f"${laid_latex(each)}$" for each in words
+        escape(word) if isinstance(word, str) else f"${laid_latex(word)}$" for word in words
     )
 
 

@@ -174,8 +174,8 @@ def _roots(layout: lay.Layout) -> Iterator[lay.Layout]:
         case lay.Fraction(above, below):
             yield from (*_roots(above), *_roots(below))
         case lay.Product(factors):
-            for each in factors:
-                yield from _roots(each)
+            for factor in factors:
+                yield from _roots(factor)
 
 
 def _along_an_axis(term: lay.Layout) -> bool:
@@ -246,7 +246,7 @@ def as_answer(tree: Expression, place: bool = False) -> tuple[tuple[lay.Layout, 
     else:
         return ()
     sides = shown.operands if isinstance(shown, lay.Relation) else (shown,)
-    decimals = tuple((_without_zeros(each), "=") if exact else (each, "≈") for each in sides[1:])
+    decimals = tuple((_without_zeros(side), "=") if exact else (side, "≈") for side in sides[1:])
     return ((sides[0], "="), *decimals) if place else decimals
 
 
@@ -267,7 +267,7 @@ def _is_decimal(value: sp.Expr) -> bool:
     """Whether a number, or what stands before letters, is a decimal of three figures."""
     number, rest = value.as_coeff_Mul()
     factors = sp.Mul.make_args(rest) if rest != 1 else ()
-    if not isinstance(number, sp.Rational) or any(not each.free_symbols for each in factors):
+    if not isinstance(number, sp.Rational) or any(not factor.free_symbols for factor in factors):
         return False
     while number and abs(number) < 100:
         number *= 10
@@ -296,11 +296,11 @@ def _rounded(value: sp.Expr, angle: bool) -> lay.Layout | None:
 
 def _rounded_vector(x: Any, y: Any) -> lay.Layout | None:
     parts = [sp.sympify(each, strict=True) for each in (x, y)]
-    if any(each.free_symbols for each in parts):
+    if any(part.free_symbols for part in parts):
         return None
-    if all(_terminates(each) or _rounded(each, False) is None for each in parts):
+    if all(_terminates(part) or _rounded(part, False) is None for part in parts):
         return None
-    return lay.vector(*(_decimal(each) for each in parts))
+    return lay.vector(*(_decimal(part) for part in parts))
 
 
 def _decimal(value: sp.Expr) -> lay.Layout:

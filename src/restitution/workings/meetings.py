@@ -40,7 +40,7 @@ def condition_of(
         if inequality and told is not None:
             return say(_MEETINGS["letter", way], body=one, wall=other, again=again, told=told)
         return say(_MEETINGS[topic, way], body=one, wall=other, again=again)
-    met = [each for each in naming.events.values() if set(each.bodies) == {one, other}]
+    met = [event for event in naming.events.values() if set(event.bodies) == {one, other}]
     if not met:
         return None
     first, second = met[-1].bodies
@@ -54,7 +54,7 @@ def condition_of(
 def gain_of(relation: Meets, naming: Naming) -> Sentence | None:
     """That a sphere gains on another, or does not, where it was claimed otherwise."""
     pair = {relation.first.name, relation.second.name}
-    met = [each for each in naming.events.values() if set(each.bodies) == pair]
+    met = [event for event in naming.events.values() if set(event.bodies) == pair]
     if not met or "wall" in {naming.bodies.get(each) for each in pair}:
         return None
     one, other = met[-1].bodies

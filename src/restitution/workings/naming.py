@@ -72,11 +72,11 @@ class Naming:
     def __post_init__(self) -> None:
         self.meanings: Mapping[str, Meaning] = self.derivation.meanings
         self.vectors = frozenset(name for name, each in self.meanings.items() if each.vector)
-        self.events = {each.number: each for each in self.derivation.events}
-        self.impacts = [each for each in self.events.values() if each.kind == "impact"]
-        happenings = [each for each in self.events.values() if each.kind != "arrival"]
+        self.events = {event.number: event for event in self.derivation.events}
+        self.impacts = [event for event in self.events.values() if event.kind == "impact"]
+        happenings = [event for event in self.events.values() if event.kind != "arrival"]
         self.several = len(happenings) > 1
-        shown = (each.answer for each in self.derivation.items if each.shown)
+        shown = (item.answer for item in self.derivation.items if item.shown)
         typed = [*trees_of_problem(self.problem)]
         self.forms = Forms([*typed, *(t for each in shown for t in trees_of(each))])
         self._used = {name for tree in typed for name in letters(tree)} | {*self.meanings}
@@ -121,7 +121,7 @@ class Naming:
     @staticmethod
     def _nodes(trees: Iterable[Expression]) -> Iterator[Quantity]:
         for tree in trees:
-            yield from (each for each in walk(tree) if isinstance(each, Quantity))
+            yield from (node for node in walk(tree) if isinstance(node, Quantity))
 
     # --- for the writer -------------------------------------------------------------------------
 
@@ -251,7 +251,7 @@ class Naming:
                 return self._early(tree)
             case Quantity("deflection", _, _) if tree in self._inside or self._often[tree] > 1:
                 turns = {each for each in self._often if each.kind == "deflection"}
-                turns -= {each.quantity for each in self.meanings.values()}
+                turns -= {meaning.quantity for meaning in self.meanings.values()}
                 return self._lettered(tree, "delta", str(tree.stage) if len(turns) > 1 else "")
             case Quantity("angle", _, _) if tree in self._inside:
                 free = (each for each in _ANGLES if each not in self._used)
@@ -322,7 +322,7 @@ class Naming:
 
     def _order(self, event: Event) -> int:
         """Which of the impacts an event is, counted from 1."""
-        return 1 + sum(each.number < event.number for each in self.impacts)
+        return 1 + sum(impact.number < event.number for impact in self.impacts)
 
     # --- words ----------------------------------------------------------------------------------
 
@@ -359,7 +359,7 @@ class Naming:
             case Quantity("deflection", (Name(body),), _):
                 return self._during(say("derived.deflection", of=(body,)), tree)
             case Quantity("angle", arguments, _):
-                return say("derived.angle", of=tuple(self.side(each) for each in arguments))
+                return say("derived.angle", of=tuple(self.side(argument) for argument in arguments))
             case Quantity("time", (), int(stage)) if stage in self.events:
                 return say("derived.time", event=self._moment(stage, of=True))
             case Quantity("position", (Name(body),), stage):
@@ -413,7 +413,9 @@ class Naming:
                 late = self._plain_when(self._settled(tree))
                 return say("derived.when", quantity=say("derived.speed", of=(body,)), when=late)
             case Quantity("angle", arguments) if meaning.angle == "acute":
-                return say("derived.acute-angle", of=tuple(self.side(each) for each in arguments))
+                return say(
+                    "derived.acute-angle", of=tuple(self.side(argument) for argument in arguments)
+                )
         return self.quantity(meaning.quantity)
 
     def extreme(self, tree: Expression, *, greatest: bool) -> Sentence:
@@ -457,7 +459,7 @@ class Naming:
     @property
     def _circles(self) -> set[str]:
         """The walls that are circular."""
-        return {each.name for each in self.problem.walls if isinstance(each.shape, Circle)}
+        return {wall.name for wall in self.problem.walls if isinstance(wall.shape, Circle)}
 
     @cached_property
     def _chords(self) -> frozenset[Expression]:
@@ -509,11 +511,11 @@ class Naming:
     def _both_radii(self, body: str, wall: str, distance: Expression) -> Expression | None:
         """How far the centre of a ball is from that of a circular wall; None without a radius."""
         shape = next(each.shape for each in self.problem.walls if each.name == wall)
-        radius = next(each.radius for each in self.problem.spheres if each.name == body)
+        radius = next(sphere.radius for sphere in self.problem.spheres if sphere.name == body)
         if not isinstance(shape, Circle) or not isinstance(radius, Expression) or not worth(radius):
             return None
         ways = Binary("-", shape.radius, radius), Binary("+", shape.radius, radius)
-        return next((each for each in ways if worth(each) == worth(distance)), None)
+        return next((way for way in ways if worth(way) == worth(distance)), None)
 
     def _line_of(self, contact: Link) -> lay.Layout | None:
         """The equation of the line of a straight wall; None where x or y stands for something."""
@@ -529,7 +531,7 @@ class Naming:
         return None
 
     def _energy(self, bodies: tuple[Expression, ...]) -> Sentence:
-        names = tuple(each.name for each in bodies if isinstance(each, Name))
+        names = tuple(body.name for body in bodies if isinstance(body, Name))
         if names:
             return say("derived.energy-of", bodies=names)
         return say("derived.energy-all") if self.movers > 1 else say("derived.energy")
@@ -537,7 +539,7 @@ class Naming:
     @property
     def movers(self) -> int:
         """How many bodies move."""
-        return sum(each == "sphere" for each in self.bodies.values())
+        return sum(body == "sphere" for body in self.bodies.values())
 
     def _component(self, kind: str, vector: Expression, axis: Expression) -> Sentence:
         match vector:
@@ -688,7 +690,7 @@ class Naming:
             case Binary("+", Quantity("time", (), int(number)), length) if number in self.events:
                 return self._after_by(length, self._started(number))
         fact = self.derivation.fact("start")
-        if any(isinstance(each, Quantity) for each in walk(time)) or fact is None:
+        if any(isinstance(node, Quantity) for node in walk(time)) or fact is None:
             return say("derived.at-time", time=self.laid(time))
         left = fact.relation.only[0].left
         begins = left.stage if isinstance(left, Quantity) else None
@@ -714,7 +716,7 @@ class Naming:
     def _in_seconds(self, time: Expression) -> lay.Layout:
         """A plain number of seconds with its unit, where the statement has units."""
         laid = self.laid(time)
-        if not all(isinstance(each, Number | Binary) for each in walk(time)):
+        if not all(isinstance(node, Number | Binary) for node in walk(time)):
             return laid
         unit = self.unit(Quantity("time", (), 1))
         return with_unit(laid, unit)

@@ -117,8 +117,8 @@ class Notes:
         """Whether lines of other items of the part stand below those of a note."""
         last = max(note.lines, default=0)
         return any(
-            each.number > last and each.shown != "silent" and self._ends.part(each) == note.part
-            for each in self._derivation.lines
+            line.number > last and line.shown != "silent" and self._ends.part(line) == note.part
+            for line in self._derivation.lines
         )
 
     def _relation(self, ref: Ref) -> Relation:

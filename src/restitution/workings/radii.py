@@ -21,9 +21,9 @@ class Radii:
         self._naming = naming
         self._done: set[str] = set()
         self._radii = {
-            each.name: each.radius
-            for each in naming.problem.spheres
-            if isinstance(each.radius, Expression)
+            sphere.name: sphere.radius
+            for sphere in naming.problem.spheres
+            if isinstance(sphere.radius, Expression)
         }
 
     def before(self, line: Line) -> Iterator[Sentence]:

@@ -94,7 +94,7 @@ class Reasons:
         value, result = (self._laid(Relation((each,))) for each in (dropped, (bound,)))
         source = self._sources.of(line)
         numbers = sorted(self._sources.numbers[e] for e in (source.reasons if source else ()))
-        equations = tuple(say("derived.number", number=str(each)) for each in numbers)
+        equations = tuple(say("derived.number", number=str(number)) for number in numbers)
         if not equations:
             return None
         return say("derived.would", value=value, result=result, equations=equations)
@@ -196,7 +196,7 @@ class Reasons:
             # A law stands above: that a root contradicts it is told by what bounds the root.
             known = own.move.id == "law" or self._offers(own.relation, line)
             # That bodies approach is a reason by itself.
-            approach = any(str(each).startswith("towards") for each in line.premises)
+            approach = any(str(premise).startswith("towards") for premise in line.premises)
             return None if known or approach else own.relation
         fact = self._derivation.fact(ref)
         if fact is not None and line.move.id == "put":
@@ -272,10 +272,10 @@ class Reasons:
         if line.move.id != "sign" or len(cited) != 1 or cited[0] is None:
             return
         whole = cited[0].options[0][-1].right
-        signs = {each.op for each in walk(whole) if isinstance(each, Binary)}
+        signs = {node.op for node in walk(whole) if isinstance(node, Binary)}
         if "-" in signs or "+" not in signs:
             return
-        if any(isinstance(each, Negate | Apply) for each in walk(whole)):
+        if any(isinstance(node, Negate | Apply) for node in walk(whole)):
             return
         names = sorted(letters(whole))
         for name in (n for n in names if n in self._roles and self._roles[n].kind == "restitution"):
@@ -390,12 +390,12 @@ class Reasons:
         match own.relation.options:
             case ((Link(Binary("-"), "=", right),),) if line.relation.options[0][0].sign in _WEAK:
                 above = right.left if isinstance(right, Binary) and right.op == "/" else right
-                for each in factors(above):
-                    match each:
+                for factor in factors(above):
+                    match factor:
                         case Binary("^", base, Number(Fraction(numerator=2))) if isinstance(
                             base, Binary
                         ) and base.op in ("+", "-"):
-                            told = Relation(((Link(each, ">=", ZERO),),))
+                            told = Relation(((Link(factor, ">=", ZERO),),))
                             yield say("derived.fact", fact=self._laid(told))
 
     def _wave(self, line: Line) -> Iterator[Sentence]:
@@ -444,7 +444,7 @@ class Reasons:
         share = sp.factor(value / most)
         if not share.free_symbols or sp.fraction(share)[1].free_symbols or share.has(sp.zoo):
             return
-        if any(not each.exp.is_Integer for each in share.atoms(sp.Pow)):
+        if any(not atom.exp.is_Integer for atom in share.atoms(sp.Pow)):
             return
         told = Link(tree_of(share), links[0].sign, Number(Fraction(1)))
         if _is_short(told.left):
@@ -518,8 +518,8 @@ def _squares(tree: Expression, sign: str) -> Iterator[tuple[Expression, Expressi
 
     For an upper bound those that are taken away.
     """
-    for each in walk(tree):
-        match each:
+    for node in walk(tree):
+        match node:
             case Binary("+", left, right) if sign == ">=":
                 terms: tuple[Expression, ...] = (left, right)
             case Binary("-", _, right) if sign == "<=":
@@ -550,8 +550,8 @@ def _far_end(
     bound: Relation, subject: Expression, name: str, way: int, ends: list[Link]
 ) -> Expression | None:
     """The bound that is approached as a letter grows, where nothing cited bounds it above."""
-    for each in ends:
-        above = each.left if each.sign in _UP else each.right
+    for end in ends:
+        above = end.left if end.sign in _UP else end.right
         if above == Letter(name):
             return None
     for link in bound.only:
@@ -571,7 +571,7 @@ def _part_with(tree: Expression, name: str) -> Expression | None:
         if name in letters(tree.right):
             return None
         above = tree.left
-    parts = [each for each in factors(above) if name in letters(each)]
+    parts = [factor for factor in factors(above) if name in letters(factor)]
     return parts[0] if len(parts) == 1 and _is_short(parts[0]) else None
 
 

@@ -62,7 +62,7 @@ def _in_words(layout: Any) -> bool:
     if isinstance(layout, lay.Words | lay.Phrase):
         return True
     return isinstance(layout, lay.Layout) and any(
-        _in_words(getattr(layout, each.name)) for each in fields(layout)
+        _in_words(getattr(layout, field.name)) for field in fields(layout)
     )
 
 
@@ -79,8 +79,8 @@ def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -
     relation = asked.relation if isinstance(asked, Show) else None
     claim = claim_of(note, naming, ends)
     values = tuple(_side(each, naming) for each in note.instance)
-    equations = (_side(each, naming) for each in note.sides)
-    sides = tuple(_with_article(each) for each in equations if len(each.operands) > 1)
+    equations = (_side(side, naming) for side in note.sides)
+    sides = tuple(_with_article(equation) for equation in equations if len(equation.operands) > 1)
     match relation:
         case Compare() if isinstance(asked, Show) and asked.subject is not None:
             return _of_subject(asked, claim, note, naming)
@@ -133,9 +133,7 @@ def _compared(
     for link in note.claim.only:
         ends = (link.left, link.right)
         try:
-            low, high = (
-                _number(rebuilt(each, lambda tree: values.get(tree, tree))) for each in ends
-            )
+            low, high = (_number(rebuilt(end, lambda tree: values.get(tree, tree))) for end in ends)
         except (RestitutionError, TypeError, ValueError, ZeroDivisionError):
             return None
         gap = 0 if abs(low - high) <= _NEAR * max(abs(low), abs(high)) else low - high
@@ -150,7 +148,7 @@ def _compared(
             return say(word, sides=sides)
         if len(sides) != 1 or len(worth) != 1:
             return None
-        (other,) = [each for each in ends if each not in worth] or [link.right]
+        (other,) = [end for end in ends if end not in worth] or [link.right]
         above = gap if worth == [link.left] else -gap
         if link.sign == "=":
             word = "refuted.not-equal-to"
@@ -179,7 +177,7 @@ def _apart(
 ) -> Sentence:
     """That two directions do not stand to each other as claimed, and what they are."""
     known = {e.left: e.right for e in (_link_of(derivation, line) for line in note.lines)}
-    worth = [known.get(each, each) for each in trees]
+    worth = [known.get(tree, tree) for tree in trees]
     try:
         a, b = (evaluate(e, lambda name: sp.Symbol(name, positive=True)) for e in worth)
     except RestitutionError:
@@ -251,7 +249,7 @@ def _may_agree(claimed: Expression, value: Expression) -> bool:
         ]
     except RestitutionError:
         return True
-    if not all(isinstance(each, sp.Expr) and each != 0 for each in ends):
+    if not all(isinstance(end, sp.Expr) and end != 0 for end in ends):
         return True
     return bool(tidy(ends[0] / ends[1]).free_symbols)
 

@@ -79,11 +79,13 @@ def _printed(
         if part is None or label == part
     )
     proved = _proved_on_paper(solution, derivation)
-    warnings = [each for each in solution.warnings if each not in proved]
+    warnings = [warning for warning in solution.warnings if warning not in proved]
     followed: bool | None = None
     if check:
         complaints = follow(derivation, Oracle(roles(solution.problem)))
-        warnings += [str(say("amiss.complaint", complaint=str(each))) for each in complaints]
+        warnings += [
+            str(say("amiss.complaint", complaint=str(complaint))) for complaint in complaints
+        ]
         followed = not complaints
     return Explanation(solution.problem.title, parts, tuple(warnings), solution, followed)
 
@@ -107,7 +109,7 @@ def _before(derivation: Derivation, part: PartSolution) -> tuple[Step, ...]:
     """Where each contact has to be, of a part that nobody would write out."""
     label = part.part.label
     own = {each for each, other in derivation.asked.items() if other == label}
-    noted = {each.item for each in derivation.notes if each.kind == "unwritten"}
+    noted = {note.item for note in derivation.notes if note.kind == "unwritten"}
     return steps_backwards(part) if own <= noted and is_told_backwards(part) else ()
 
 

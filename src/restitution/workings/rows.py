@@ -131,7 +131,7 @@ class Rows:
         if words is not None:
             left, right = map(self._naming.side, (links[0].left, links[0].right))
             return Row((operand(say(words, left=left, right=right)),), ())
-        trees = [links[0].left, *(each.right for each in links)]
+        trees = [links[0].left, *(link.right for link in links)]
         if self._measures.decimals and self._measures.unit(links[0].left):
             trees[1:] = map(as_decimal, trees[1:])
         match links[0]:
@@ -139,11 +139,11 @@ class Rows:
                 self._measures.decimals
             ):
                 trees[1] = Binary("/", as_decimal(above), as_decimal(below))
-        sides_ = [self._naming.laid(each) for each in trees]
+        sides_ = [self._naming.laid(tree) for tree in trees]
         for n, each in enumerate(links, 1):
             if each.sign == "≈":
                 sides_[n] = to_three_figures(trees[n]) or sides_[n]
-        signs = [_sign(each) for each in links]
+        signs = [_sign(link) for link in links]
         angle = self._tangent_of(line, links[0])
         if angle is not None:
             sides_[:0], signs[:0] = [self._naming.laid(Apply("tan", angle))], ["="]
@@ -155,7 +155,7 @@ class Rows:
             sides_[1:1], signs[:0] = [quotient], ["="]
         if self._towards(line, links, sides_):
             sides_[0] = self._away(links[0].left)
-            sides_[1:] = [lay.split_sign(each)[1] for each in sides_[1:]]
+            sides_[1:] = [lay.split_sign(side)[1] for side in sides_[1:]]
         reasons: tuple[Sentence, ...] = ()
         if signs[-1] in ("=", "≈") and last:
             self._ended(line, links, sides_, signs)
@@ -215,7 +215,7 @@ class Rows:
                     event is not None
                     and event.wall
                     and not self._naming.bold.has_unit(event.number)
-                    and all(lay.split_sign(each)[0] == "-" for each in sides[1:])
+                    and all(lay.split_sign(side)[0] == "-" for side in sides[1:])
                 )
         return False
 
@@ -283,16 +283,16 @@ class Rows:
         if len(line.relation.options) != 1 or len(chains(line.relation.only)) != 1:
             return None
         links = line.relation.only
-        if any(each.sign not in _ORDERS for each in links):
+        if any(link.sign not in _ORDERS for link in links):
             return None
-        sides = [links[0].left, *(each.right for each in links)]
-        ends = [rounded(each) if _has_function(each) else None for each in sides]
-        exact = tuple(self._naming.laid(each) for each in sides)
+        sides = [links[0].left, *(link.right for link in links)]
+        ends = [rounded(side) if _has_function(side) else None for side in sides]
+        exact = tuple(self._naming.laid(side) for side in sides)
         laid = tuple(new or each for new, each in zip(ends, exact, strict=True))
         if laid == exact:
             return None
         figures = (say("shown.figures", figures="3"),)
-        return Row(laid, tuple(_sign(each) for each in links), reasons=figures)
+        return Row(laid, tuple(_sign(link) for link in links), reasons=figures)
 
     def _alternatives(self, options: tuple[tuple[Link, ...], ...], asked: bool) -> Row:
         """``t = 1 or t = −1``, set at the first sign; opposite roots as ``t = ±1``."""
@@ -302,18 +302,20 @@ class Rows:
             sides = (self._naming.laid(root.left), self._naming.laid(root.right))
             return Row((sides[0], lay.Phrase((lay.Words("±"), sides[1]), "")), ("=",))
         words = _WORDS.get(first[0].sign)
-        if words is not None and all(len(each) == 1 for each in options):
+        if words is not None and all(len(option) == 1 for option in options):
             left = self._naming.side(first[0].left)
-            ways = tuple(self._naming.side(each[0].right) for each in options)
+            ways = tuple(self._naming.side(option[0].right) for option in options)
             either = say("derived.either", values=ways)
             return Row((operand(say(words, left=left, right=either)),), (), alternatives=True)
         if isinstance(first[0].left, Quantity) and first[0].left.kind in _VECTORS:
             asked = False  # the line above has the value
         laid = self._bare(first, asked)
         others: list[lay.Layout] = [self._bare(each, asked) for each in rest]
-        if isinstance(first[0].left, Quantity) and all(len(each) == 1 for each in options):
+        if isinstance(first[0].left, Quantity) and all(len(option) == 1 for option in options):
             # A quantity in words stands once.
-            others = [_without_subject(each) for each in others if isinstance(each, lay.Relation)]
+            others = [
+                _without_subject(other) for other in others if isinstance(other, lay.Relation)
+            ]
         final = lay.Phrase((laid.operands[-1], *others), str(say("list.or")))
         return Row((*laid.operands[:-1], final), laid.signs, alternatives=True)
 
@@ -329,9 +331,9 @@ class Rows:
         return Row(tuple(sides), tuple(signs), reasons=reasons)
 
     def _bare(self, links: tuple[Link, ...], asked: bool) -> lay.Relation:
-        trees = [links[0].left, *(each.right for each in links)]
-        sides = [self._naming.laid(each) for each in trees]
-        signs = [_sign(each) for each in links]
+        trees = [links[0].left, *(link.right for link in links)]
+        sides = [self._naming.laid(tree) for tree in trees]
+        signs = [_sign(link) for link in links]
         for side, sign in as_answer(trees[-1]) if asked and signs[-1] == "=" else ():
             sides.append(side)
             signs.append(sign)
@@ -351,7 +353,7 @@ def _quotient(line: Line, link: Link) -> lay.Layout | None:
 
 def _has_function(tree: Expression) -> bool:
     """Whether there are roots or angles of which only a calculator knows the value."""
-    return any(isinstance(each, Apply) for each in walk(tree))
+    return any(isinstance(node, Apply) for node in walk(tree))
 
 
 def _without_subject(relation: lay.Relation) -> lay.Layout:
@@ -362,7 +364,7 @@ def _without_subject(relation: lay.Relation) -> lay.Layout:
 
 def _opposite(options: tuple[tuple[Link, ...], ...]) -> Link | None:
     """The positive one of two roots that differ in their sign alone."""
-    if len(options) != 2 or any(len(each) != 1 or each[0].sign != "=" for each in options):
+    if len(options) != 2 or any(len(option) != 1 or option[0].sign != "=" for option in options):
         return None
     (one,), (two,) = options
     if one.left != two.left:

@@ -96,7 +96,7 @@ def bound_broken(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], 
     if above is None or not isinstance(above.relation, Relation):
         return None
     assert isinstance(line.relation, Relation)
-    dropped = [each for each in above.relation.options if each not in line.relation.options]
+    dropped = [option for option in above.relation.options if option not in line.relation.options]
     kinds = {"<=": ">", ">=": "<", "<": ">=", ">": "<="}
     bodies = {body: "sphere" for event in derivation.events for body in event.bodies}
     bounds = [
@@ -209,8 +209,10 @@ class Sources:
         """The laws by which a root would break the bound of another letter."""
         if bound_broken(self._derivation, line) is None:
             return ()
-        laws = [each for each in self._equations(line.premises[1:]) if each in self._lines]
-        return tuple(each for each in laws if self._lines[each].move.id == "law")
+        laws = [
+            equation for equation in self._equations(line.premises[1:]) if equation in self._lines
+        ]
+        return tuple(law for law in laws if self._lines[law].move.id == "law")
 
     def _is_ratio_of(self, angle: Line, number: int) -> bool:
         """Whether a line says what the sine, the cosine or the tangent of an angle is."""
@@ -236,10 +238,10 @@ class Sources:
     def _given(self, refs: tuple[Ref, ...]) -> tuple[str, ...]:
         """The given facts among premises."""
         return tuple(
-            each
-            for each in refs
-            if isinstance(each, str)
-            and (fact := self._derivation.fact(each)) is not None
+            ref
+            for ref in refs
+            if isinstance(ref, str)
+            and (fact := self._derivation.fact(ref)) is not None
             and fact.kind in ("given", "range")
         )
 
@@ -283,7 +285,7 @@ class Sources:
         return (
             len(subjects) == len(cited) > 0
             and parts.issuperset(subjects)
-            and any(isinstance(each, Quantity) for each in subjects)
+            and any(isinstance(subject, Quantity) for subject in subjects)
         )
 
     def _put(self, line: Line, cited: list[int], above: int | None) -> Source | None:

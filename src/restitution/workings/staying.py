@@ -35,7 +35,7 @@ class Staying:
         self._measures = measures
         self._sources = sources
         self._ends = ends
-        self._facts = {each.id: each for each in derivation.facts}
+        self._facts = {fact.id: fact for fact in derivation.facts}
         self._cases = {n: each.number for each in derivation.cases for n in each.lines}
 
     def stays(self, line: Line) -> bool:
@@ -98,13 +98,13 @@ class Staying:
 
     def _rests(self, line: Line) -> bool:
         """Whether a line is about a body that is at rest until then."""
-        facts = [self._facts.get(each) for each in line.premises if isinstance(each, str)]
+        facts = [self._facts.get(premise) for premise in line.premises if isinstance(premise, str)]
         if len(facts) != len(line.premises):
             return False
         return any(
             fact is not None
             and fact.id.partition(" ")[0] == "velocity"
-            and all(is_zero(each) for each in _parts(fact.relation.only[0].right))
+            and all(is_zero(part) for part in _parts(fact.relation.only[0].right))
             for fact in facts
         )
 

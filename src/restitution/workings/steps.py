@@ -162,7 +162,9 @@ class Working:
             if note.kind == "impossible" and note.premises
         }
         return tuple(
-            each for each in self.warnings if not any(each.endswith(note) for note in notes if note)
+            warning
+            for warning in self.warnings
+            if not any(warning.endswith(note) for note in notes if note)
         )
 
     def rows(self) -> tuple[Row, ...]:

@@ -116,7 +116,7 @@ def _step(step: Step, width: int) -> list[_Line]:
 
 def said(words: Words) -> str:
     """Words with their mathematics, as one string; formulas are not to be broken."""
-    return "".join(each if isinstance(each, str) else _unbroken(each) for each in words)
+    return "".join(word if isinstance(word, str) else _unbroken(word) for word in words)
 
 
 def _unbroken(layout: Layout) -> str:
@@ -167,7 +167,7 @@ def _margin(row: Row) -> int:
 
 
 def _widest(row: Row) -> int:
-    return max((columns(_operand(each)) + 3 for each in row.operands[1:]), default=0)
+    return max((columns(_operand(operand)) + 3 for operand in row.operands[1:]), default=0)
 
 
 def _operand(layout: Layout | None) -> str:

@@ -95,7 +95,7 @@ def _row(row: Row) -> list[str]:
 
 
 def _said(parts: Words) -> str:
-    return "".join(words(each) if isinstance(each, str) else to_typst(each) for each in parts)
+    return "".join(words(part) if isinstance(part, str) else to_typst(part) for part in parts)
 
 
 def _operand(layout: Layout | None) -> str:
