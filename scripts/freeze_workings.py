@@ -27,7 +27,7 @@ from restitution.solving import solve
 from restitution.workings import Explanation, explain, to_html, to_latex, to_markdown, to_text
 from restitution.workings.principles import about
 from restitution.workings.steps import Row, Step
-from restitution.workings.text import said
+from restitution.workings.text import inline
 from restitution.workings.typst import to_markup
 
 QUESTIONS = Path(__file__).resolve().parent.parent / "tests" / "questions"
@@ -103,7 +103,7 @@ def _step(step: Step) -> dict[str, Any]:
         "kind": step.kind,
         "principle": None if step.principle is None else str(step.principle),
         "about": about(step),
-        "words": said(step.words),
+        "words": inline(step.words),
         "mark": str(step.mark),
         "marks": step.marks,
         "item": step.item,
@@ -118,7 +118,7 @@ def _row(row: Row) -> dict[str, Any]:
         "operands": operands,
         "signs": row.signs,
         "mark": str(row.mark),
-        "note": said(row.note),
+        "note": inline(row.note),
     }
 
 

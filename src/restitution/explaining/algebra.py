@@ -993,14 +993,14 @@ def _square_part(number: int) -> tuple[int, int]:
 def _primes(number: int) -> dict[int, int]:
     """The factors of a number and their powers; what has no small factor stays as it is."""
     factors: dict[int, int] = sp.factorint(number, limit=_MOST_FACTOR, use_rho=False, use_pm1=False)
-    found: dict[int, int] = {}
+    powers: dict[int, int] = {}
     for factor, times in factors.items():
         root = isqrt(factor)
         if root * root == factor and factor > 1:
-            found[root] = found.get(root, 0) + 2 * times
+            powers[root] = powers.get(root, 0) + 2 * times
         else:
-            found[factor] = found.get(factor, 0) + times
-    return found
+            powers[factor] = powers.get(factor, 0) + times
+    return powers
 
 
 def small(*polynomials: PolyElement) -> tuple[tuple[int, ...], tuple[PolyElement, ...]]:

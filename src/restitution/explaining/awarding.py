@@ -476,20 +476,20 @@ class _Awarding:
 
     def _value_of(self, line: Line) -> int:
         """The line that simplifies a line, or is it itself."""
-        found = line
+        last = line
         for each in self.below(line):
             if each.item != line.item or each.move.id not in ("rearrange", "put", "value"):
                 break
             if each.shown == "silent":
                 break
-            if [e.number for e in self.cited(each)] != [found.number]:
+            if [e.number for e in self.cited(each)] != [last.number]:
                 break
-            if _subject(each) != _subject(found) or _aligned(each) != _aligned(found):
+            if _subject(each) != _subject(last) or _aligned(each) != _aligned(last):
                 break
             if _subject(each) is None and _aligned(each) is None:
                 break
-            found = each
-        return found.number
+            last = each
+        return last.number
 
     def _rests_on(self, line: Line, methods: Sequence[int]) -> tuple[int, ...]:
         """The methods of the part without which a line has nothing to put in.
@@ -499,7 +499,7 @@ class _Awarding:
         if line.move.id == "law" or not methods:
             return ()
         unknown = self.new & _letters(line)
-        found = []
+        numbers = []
         seen: set[int] = set()
         open_ = [each.number for each in self.cited(line)]
         while open_:
@@ -508,13 +508,13 @@ class _Awarding:
                 continue
             seen.add(number)
             if number in methods:
-                found.append(number)
+                numbers.append(number)
             elif isinstance(self.lines[number].relation, Meaning):
                 # An unknown of the impact has been found, if a method above speaks of it.
-                found += [n for n in methods if unknown & _letters(self.lines[n])]
+                numbers += [n for n in methods if unknown & _letters(self.lines[n])]
             else:
                 open_ += [each.number for each in self.cited(self.lines[number])]
-        return tuple(sorted(set(found)))
+        return tuple(sorted(set(numbers)))
 
     def _follows(self, line: Line, marks: Mapping[int, Marks]) -> bool:
         """Whether a value is put in that an earlier part or item has found, and earned by."""

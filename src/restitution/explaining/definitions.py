@@ -192,8 +192,8 @@ def _rounds(step: Step, event: Event | None) -> Iterator[Link]:
 def _cited_place(step: Step, body: Name, number: int) -> Expression | None:
     """Where a body is at an event, or at the start, as is cited."""
     place = Quantity("position", (body,), number)
-    found = (link.right for link in step.links if link.left == place and link.sign == "=")
-    return next(found, None)
+    places = (link.right for link in step.links if link.left == place and link.sign == "=")
+    return next(places, None)
 
 
 def _moving_off(step: Step, event: Event | None) -> Iterator[Link]:

@@ -326,8 +326,8 @@ def common_scope(
     scopes: Iterable[frozenset[str | None] | None],
 ) -> frozenset[str | None] | None:
     """The parts in which all of some premises hold; None where they hold in all parts."""
-    found: frozenset[str | None] | None = None
+    common: frozenset[str | None] | None = None
     for scope in scopes:
         if scope is not None:
-            found = scope if found is None else found & scope
-    return found
+            common = scope if common is None else common & scope
+    return common

@@ -68,17 +68,17 @@ _AXES: Mapping[Expression, Expression] = {
 def events_of(problem: Problem) -> tuple[Event, ...]:
     """The events of a problem, in the order told."""
     walls = {each.name for each in problem.walls}
-    found: list[Event] = []
+    events: list[Event] = []
     for number, step in enumerate(problem.events, 1):
         match step:
             case Impact():
                 wall = step.second in walls
-                found.append(Event(number, "impact", (step.first, step.second), wall))
+                events.append(Event(number, "impact", (step.first, step.second), wall))
             case Kick():
-                found.append(Event(number, "kick", (step.body,)))
+                events.append(Event(number, "kick", (step.body,)))
             case Arrival():
-                found.append(Event(number, "arrival", (step.body,)))
-    return tuple(found)
+                events.append(Event(number, "arrival", (step.body,)))
+    return tuple(events)
 
 
 def facts_of(problem: Problem) -> tuple[Fact, ...]:
@@ -129,12 +129,12 @@ class _Facts:
     def _of_bodies(self) -> Iterator[Fact]:
         for sphere in self.problem.spheres:
             name = Name(sphere.name)
-            told = (
+            properties = (
                 ("mass", Quantity("mass", (name,)), sphere.mass),
                 ("velocity", Quantity("velocity", (name,), 0), sphere.velocity),
                 ("position", Quantity("position", (name,), 0), self._place(sphere.position)),
             )
-            for word, quantity, value in told:
+            for word, quantity, value in properties:
                 if isinstance(value, Expression):
                     if word == "velocity" and is_zero(value):
                         value = Pair(value, value)
@@ -298,8 +298,8 @@ class _Facts:
     @cached_property
     def radius(self) -> Expression | None:
         """The radius of all spheres; None where they are small."""
-        told = (sphere.radius for sphere in self.problem.spheres)
-        return next((each for each in told if isinstance(each, Expression)), None)
+        radii = (sphere.radius for sphere in self.problem.spheres)
+        return next((each for each in radii if isinstance(each, Expression)), None)
 
     def _sphere(self, name: str) -> Any:
         return next(sphere for sphere in self.problem.spheres if sphere.name == name)
@@ -464,12 +464,12 @@ class _Facts:
         if not any(_is_about_the_sense(tree) for tree in all_trees(self.problem)):
             return False
         velocities = [self._sphere(each).velocity for each in (step.first, step.second)]
-        told = [each for each in (step.along, *velocities) if isinstance(each, Expression)]
-        nodes = (each for tree in told for each in walk(tree))
-        if len(told) != 3 or any(isinstance(node, Letter | Polar) for node in nodes):
+        directions = [each for each in (step.along, *velocities) if isinstance(each, Expression)]
+        nodes = (each for tree in directions for each in walk(tree))
+        if len(directions) != 3 or any(isinstance(node, Letter | Polar) for node in nodes):
             return False
         world = _world_of(self.problem)
-        way, *both = (world.value(each) for each in told)
+        way, *both = (world.value(each) for each in directions)
         if not hasattr(way, "x") or not any(hasattr(each, "x") for each in both):
             return False
         # Who is at rest has 0 for its velocity.
@@ -653,8 +653,8 @@ class _Facts:
                     yield Fact(f"given {number}", kind, relation_, part.label, step.place)
                 sense = self._sense(relation, events)
                 if sense is not None:
-                    told = Relation(((sense,),))
-                    yield Fact(f"sense {number}", "range", told, part.label, step.place)
+                    stated = Relation(((sense,),))
+                    yield Fact(f"sense {number}", "range", stated, part.label, step.place)
 
     def _links(self, relation: Said, events: int) -> Iterator[tuple[Link, ...]]:
         match relation:

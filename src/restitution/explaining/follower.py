@@ -30,7 +30,7 @@ from restitution.explaining.derivation import (
 from restitution.explaining.excluding import excludes
 from restitution.explaining.signs import Signs
 from restitution.explaining.step import Cited, Setting, Step
-from restitution.explaining.trees import said, settled, trees_of
+from restitution.explaining.trees import settled, statement_of, trees_of
 from restitution.explaining.trials import Trial, known_of_letters, names_in, setting_of
 from restitution.expression.tree import (
     Apply,
@@ -320,11 +320,11 @@ class _Reader:
 
     def _options(self, number: int) -> dict[int, set[int]]:
         """For each line of alternatives, the options under which a line stands."""
-        found: dict[int, set[int]] = {}
+        options: dict[int, set[int]] = {}
         for case in self.derivation.cases:
             if number in case.lines:
-                found.setdefault(case.line, set()).add(case.option)
-        return found
+                options.setdefault(case.line, set()).add(case.option)
+        return options
 
     def _cases(self) -> Iterator[Complaint]:
         """Alternatives of which one has no case, and items that are not reached in each."""
@@ -372,7 +372,7 @@ class _Reader:
 
     def _axes(self) -> Iterator[Complaint]:
         """Lines of centres that are used once in one sense and once in the other."""
-        told: dict[int, list[tuple[Ref, Expression]]] = {}
+        axes: dict[int, list[tuple[Ref, Expression]]] = {}
         used = {
             ref
             for line in self.derivation.lines
@@ -387,13 +387,13 @@ class _Reader:
                 for left, right in ((link.left, link.right), (link.right, link.left)):
                     match left:
                         case Quantity("line_of_centres", (), int(event)):
-                            told.setdefault(event, []).append((number, right))
+                            axes.setdefault(event, []).append((number, right))
                         case Quantity("impulse", (Name(body),), int(event)) if link.sign == "=":
                             own = self.setting.event(event)
                             if own is not None:
                                 sense = Negate(left) if body == own.bodies[0] else left
-                                told.setdefault(event, []).append((number, sense))
-        for trees in told.values():
+                                axes.setdefault(event, []).append((number, sense))
+        for trees in axes.values():
             if len(trees) > 1:
                 yield from self._turned(trees)
 
@@ -599,9 +599,9 @@ class _Reader:
         if line.move.id in ("answer", "shown") or isinstance(line.relation, Meaning):
             return
         case = {each.number for each in self.derivation.cases if line.number in each.lines}
-        own = said(line.relation)
+        own = statement_of(line.relation)
         for each in above:
-            if isinstance(each.relation, Meaning) or said(each.relation) != own:
+            if isinstance(each.relation, Meaning) or statement_of(each.relation) != own:
                 continue
             other = {c.number for c in self.derivation.cases if each.number in c.lines}
             part = self.parts.get(line.item or "")
@@ -633,18 +633,18 @@ class _Reader:
 
     def _under(self, number: Ref) -> set[Ref]:
         """A line, or a fact, and all that it rests on."""
-        found: set[Ref] = set()
+        refs: set[Ref] = set()
         pending: list[Ref] = [number]
         while pending:
             ref = pending.pop()
-            if ref in found:
+            if ref in refs:
                 continue
-            found.add(ref)
+            refs.add(ref)
             if isinstance(ref, int) and ref in self.lines:
                 line = self.lines[ref]
                 pending.extend(line.premises)
                 pending.extend(c.line for c in self.derivation.cases if ref in c.lines)
-        return found
+        return refs
 
     def _axes_turned(self) -> Iterator[Complaint]:
         """An event has one axis with one sense: components do not count both ways."""
@@ -711,13 +711,13 @@ class _Reader:
             yield Complaint("premise-of-another-part", end.line, end.item)
         if not end.shown:
             return
-        told = said(end.answer)
+        statement = statement_of(end.answer)
         for each in self.derivation.lines:
             if each.number == end.line:
                 break
             if line.move.id == "answer" and each.number in line.premises:
                 continue  # the bound of a greatest or least value
-            if isinstance(each.relation, Relation) and said(each.relation) == told:
+            if isinstance(each.relation, Relation) and statement_of(each.relation) == statement:
                 yield Complaint("shown-by-itself", each.number, end.item)
 
     # --- notes ----------------------------------------------------------------------------------
@@ -827,13 +827,13 @@ def _is_direction(tree: Expression | None) -> bool:
 
 def _same(line: Relation, answer: Relation) -> bool:
     """Whether a line says an answer: the last link of a chain does, with the first subject."""
-    if said(line) == said(answer):
+    if statement_of(line) == statement_of(answer):
         return True
     subject = answer.options[0][0].left
     if all(subject in {link.left for link in links} for links in line.options):
         # Of several unknowns one is what was asked.
         own = (tuple(link for link in links if link.left == subject) for links in line.options)
-        if said(Relation(tuple(dict.fromkeys(own)))) == said(answer):
+        if statement_of(Relation(tuple(dict.fromkeys(own)))) == statement_of(answer):
             return True
     if len(line.options) != 1 or len(line.only) < 2:
         return False
@@ -841,7 +841,7 @@ def _same(line: Relation, answer: Relation) -> bool:
     if any(a.sign != "=" or a.right != b.left for a, b in itertools.pairwise(links)):
         return False
     whole = Link(links[0].left, links[-1].sign, links[-1].right)
-    return said(Relation(((whole,),))) == said(answer)
+    return statement_of(Relation(((whole,),))) == statement_of(answer)
 
 
 _NO_MOVE = Move("let")

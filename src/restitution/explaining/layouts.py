@@ -376,13 +376,13 @@ def _ends(factor: lay.Layout) -> bool:
 
 def chains(links: tuple[Link, ...]) -> list[tuple[Link, ...]]:
     """Links that hold together, as chains: each goes on where the one before it ends."""
-    found: list[list[Link]] = []
+    chains_: list[list[Link]] = []
     for link in links:
-        if found and found[-1][-1].right == link.left:
-            found[-1].append(link)
+        if chains_ and chains_[-1][-1].right == link.left:
+            chains_[-1].append(link)
         else:
-            found.append([link])
-    return [tuple(each) for each in found]
+            chains_.append([link])
+    return [tuple(each) for each in chains_]
 
 
 def of_chain(

@@ -214,15 +214,15 @@ def _not_negative(step: Step, value: sp.Expr) -> tuple[Claim, ...]:
 
 def _by_their_tangents(step: Step, value: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
     """The angles of up to 90° in an expression of which the tangents are cited, by these."""
-    found: dict[sp.Symbol, sp.Expr] = {}
+    tangents: dict[sp.Symbol, sp.Expr] = {}
     for symbol in value.free_symbols:
         role = step.setting.role(symbol.name)
         if role.kind != "angle" or role.low != 0 or role.high != sp.pi / 2:
             continue
         for link in step.links:
             if link.sign == "=" and link.left == Apply("tan", Letter(symbol.name)):
-                found[symbol] = sp.atan(_in_radians(step, _last_side(step, link)))
-    return found
+                tangents[symbol] = sp.atan(_in_radians(step, _last_side(step, link)))
+    return tangents
 
 
 def _last_side(step: Step, link: Link) -> Expression:
@@ -579,10 +579,10 @@ def _is_turned(step: Step, line: Link) -> bool:
     if event is None or line.sign != "=" or len(step.move.bodies) != 1:
         return False
     body = Name(step.move.bodies[0])
-    told = {link.left: link.right for link in step.links if link.sign == "="}
-    early = told.get(step.setting.quantity(Quantity("velocity", (body,), event.number - 1)))
-    size = told.get(Quantity("speed", (body,), event.number))
-    angle = told.get(Quantity("deflection", (body,), event.number))
+    values = {link.left: link.right for link in step.links if link.sign == "="}
+    early = values.get(step.setting.quantity(Quantity("velocity", (body,), event.number - 1)))
+    size = values.get(Quantity("speed", (body,), event.number))
+    angle = values.get(Quantity("deflection", (body,), event.number))
     if line.left != Quantity("velocity", (body,), event.number) or early is None:
         return False
     if size is None or angle is None:
@@ -1077,17 +1077,21 @@ def _polynomial(step: Step, residual: Value, subject: Expression) -> list[Quotie
     power = monomial[number]
     # subject = g^p/below: each term c g^(pk) rest is c rest below^k subject^k.
     rest = Quotient(own.below, above.ring.ground_new(above.LC))
-    found: dict[int, Quotient] = {}
+    polynomial: dict[int, Quotient] = {}
     others = [n for n, p in enumerate(under) if p]
     for m, value in residual.above.items():
         times, left = divmod(m[number], power)
         if left:
             return None
         term = above.ring.from_dict({(*m[:number], 0, *m[number + 1 :]): value})
-        found[times] = found.get(times, CONSTANT(0)) + Quotient(term, above.ring.one) * rest**times
-    if not found:
+        polynomial[times] = (
+            polynomial.get(times, CONSTANT(0)) + Quotient(term, above.ring.one) * rest**times
+        )
+    if not polynomial:
         return None
-    coefficients = [world.reduced(found.get(n, CONSTANT(0))) for n in range(max(found) + 1)]
+    coefficients = [
+        world.reduced(polynomial.get(n, CONSTANT(0))) for n in range(max(polynomial) + 1)
+    ]
     if others:
         # A ratio such as tan θ = sin θ/cos θ: what is left of the denominator is a common factor.
         lead = coefficients[-1]
@@ -1417,14 +1421,14 @@ def _inverse(step: Step, relation: Relation) -> bool:
     if len(relation.only) != 1:
         return False
     (link,) = relation.only
-    told = filter(None, (_ratio_of(step, each) for each in cited))
-    ratios = [each for each in told if _is_multiple_of(step, link, each[0].argument)]
+    ratios_ = filter(None, (_ratio_of(step, each) for each in cited))
+    ratios = [each for each in ratios_ if _is_multiple_of(step, link, each[0].argument)]
     if not ratios or link.sign != "=":
         return False
     # Of a chain the last side is the shortest.
     ratio_, value = [ratio for ratio in ratios if ratio[0] == ratios[0][0]][-1]
     angle = _in_radians(step, _scaled_angle(step, link, ratio_.argument))
-    found = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan}[ratio_.function](angle)
+    exact = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan}[ratio_.function](angle)
     low, high, closed = _range_of(step, ratio_.argument)
     if low is None or high is None:
         return False
@@ -1441,7 +1445,7 @@ def _inverse(step: Step, relation: Relation) -> bool:
         if any(link.right == Apply(f"arc{ratio_.function}", each) for each in values):
             return True
     sign = "<=" if closed else "<"
-    return _equal(step, found, _in_radians(step, value)) and all(
+    return _equal(step, exact, _in_radians(step, value)) and all(
         step.oracle.proves(compared(a, sign, b)) for a, b in _bounds_of(angle, low, high)
     )
 

@@ -115,8 +115,8 @@ def _relations(
     if event is not None:
         put |= dict(zip(("F", "S"), event.bodies, strict=False))
     number = 1 if event is None else event.number
-    found = (renamed(_read(template), put, number) for template in templates)
-    return tuple(each for each in found if each is not None)
+    relations = (renamed(_read(template), put, number) for template in templates)
+    return tuple(each for each in relations if each is not None)
 
 
 PRINCIPLES = (

@@ -37,7 +37,7 @@ def solves(step: Step, relation: Relation) -> bool:
 
 def _equations(step: Step, bare: Step) -> list[sp.Expr] | None:
     """What is cited as expressions that are zero; None where something else is cited."""
-    found: list[sp.Expr] = []
+    equations: list[sp.Expr] = []
     for each in step.cited:
         if not isinstance(each.relation, Relation) or len(each.relation.options) != 1:
             return None
@@ -46,8 +46,8 @@ def _equations(step: Step, bare: Step) -> list[sp.Expr] | None:
             return None
         value = bare.residual(link)
         parts = (value.x, value.y) if isinstance(value, Plane) else (value,)
-        found += [bare.world.expression(part, bare.setting.roles) for part in parts]
-    return found
+        equations += [bare.world.expression(part, bare.setting.roles) for part in parts]
+    return equations
 
 
 def _satisfied(step: Step, equations: Sequence[sp.Expr], links: Sequence[Link]) -> bool:

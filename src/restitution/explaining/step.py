@@ -752,22 +752,22 @@ class Step:
     @cached_property
     def facts(self) -> tuple[Formula, ...]:
         """What is cited, as facts for the oracle."""
-        found: list[Formula] = []
+        formulas: list[Formula] = []
         for each in self.cited:
             if isinstance(each.relation, Meaning):
-                found += self._of_meaning(each.relation)
+                formulas += self._of_meaning(each.relation)
             else:
-                found.append(self.formula(each.relation))
+                formulas.append(self.formula(each.relation))
         for left, right in self._stays(self.cited, self._rules):
-            found += self._formulas(Link(left, "=", right))
+            formulas += self._formulas(Link(left, "=", right))
         for speed in self._squared_speeds():
-            found += self._formulas(Link(speed, ">=", Number(Fraction(0))))
+            formulas += self._formulas(Link(speed, ">=", Number(Fraction(0))))
         for known in self.known:
             if not known.letters or not all(
                 self.roles.get(n, REAL).kind == "angle" for n in known.letters
             ):
-                found.append(self.formula(known.relation))
-        return tuple(each for each in found if each != All(()))
+                formulas.append(self.formula(known.relation))
+        return tuple(each for each in formulas if each != All(()))
 
     def _squared_speeds(self) -> list[Quantity]:
         """The speeds whose squares are cited: they are what is not negative of the roots."""
@@ -826,10 +826,10 @@ class Step:
         k = self._multiple(line, expected)
         if k is None:
             return None
-        found = self.signs.of(k, sure=sign)
-        if found is None or (sign and found == 0):
+        known = self.signs.of(k, sure=sign)
+        if known is None or (sign and known == 0):
             return None
-        return found or 1
+        return known or 1
 
     def _multiple(self, line: Value, expected: Value) -> Quotient | None:
         if isinstance(line, Plane) and isinstance(expected, Plane):

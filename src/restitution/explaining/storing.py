@@ -71,7 +71,7 @@ def _names(derivation: Derivation) -> dict[str, str]:
         *(item.answer for item in derivation.items),
         *(each for note in derivation.notes for each in _relations_of(note)),
     ]
-    found = {
+    names = {
         node.name
         for relation in relations
         for tree in trees_of(relation)
@@ -79,7 +79,7 @@ def _names(derivation: Derivation) -> dict[str, str]:
         if isinstance(node, Name)
     }
     kinds = {**dict.fromkeys(spheres, "sphere"), **dict.fromkeys(walls, "wall")}
-    return {name: kinds.get(name, "body") for name in sorted(found | kinds.keys())}
+    return {name: kinds.get(name, "body") for name in sorted(names | kinds.keys())}
 
 
 def _event(event: Event) -> dict[str, Any]:
@@ -98,7 +98,7 @@ def _fact(fact: Fact, vectors: frozenset[str]) -> dict[str, Any]:
         "kind": fact.kind,
         "part": fact.part,
         "place": None if place is None else [place.line, place.column],
-        **_told(fact.relation, vectors),
+        **_object(fact.relation, vectors),
     }
 
 
@@ -108,7 +108,7 @@ def _line(line: Line, vectors: frozenset[str]) -> dict[str, Any]:
         "item": line.item,
         **_move(line.move),
         "premises": list(line.premises),
-        **_told(line.relation, vectors),
+        **_object(line.relation, vectors),
         "marks": [_mark(mark) for mark in line.marks],
         "shown": line.shown,
     }
@@ -144,7 +144,7 @@ def _item(end: ItemEnd, vectors: frozenset[str]) -> dict[str, Any]:
         "part": end.part,
         "printed": end.shown,
         "case": end.case,
-        **_told(end.answer, vectors),
+        **_object(end.answer, vectors),
     }
 
 
@@ -156,9 +156,9 @@ def _note(note: Note, vectors: frozenset[str]) -> dict[str, Any]:
         "part": note.part,
         "reason": note.reason,
         "premises": list(note.premises),
-        "claim": None if note.claim is None else _told(note.claim, vectors),
-        "instance": [_told(_alone(each), vectors) for each in note.instance],
-        "sides": [_told(_alone(side), vectors) for side in note.sides],
+        "claim": None if note.claim is None else _object(note.claim, vectors),
+        "instance": [_object(_alone(each), vectors) for each in note.instance],
+        "sides": [_object(_alone(side), vectors) for side in note.sides],
         "marks": [_mark(mark) for mark in note.marks],
     }
 
@@ -173,7 +173,7 @@ def _alone(link: Link) -> Relation:
     return Relation(((link,),))
 
 
-def _told(relation: Relation | Meaning, vectors: frozenset[str]) -> dict[str, Any]:
+def _object(relation: Relation | Meaning, vectors: frozenset[str]) -> dict[str, Any]:
     if isinstance(relation, Meaning):
         own = frozenset((relation.letter,)) if relation.vector else vectors
         laid: layout.Layout = layout.Relation(

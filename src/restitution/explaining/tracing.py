@@ -187,11 +187,11 @@ class Tracer:
         self._speak_of(relation)
         for attempt in self._attempts(relation):
             try:
-                found = attempt()
+                traced = attempt()
             except NotComparableError:
                 continue
-            if found is not None:
-                return found
+            if traced is not None:
+                return traced
         return UNRECOGNISED
 
     def _attempts(self, relation: Relation) -> Iterator[Callable[[], Trace | None]]:
@@ -248,9 +248,9 @@ class Tracer:
         for event in reversed(self.statement.events):
             for move, law in self.laws_of(event.number):
                 if law.sign == relation.only[0].sign:
-                    found = self._from_law(move, law, relation)
-                    if found is not None:
-                        return found
+                    traced = self._from_law(move, law, relation)
+                    if traced is not None:
+                        return traced
         return None
 
     def _resolved(self, relation: Relation) -> Trace | None:
@@ -314,30 +314,30 @@ class Tracer:
             return None
         for numbers in self.numbers:
             own = numbers.residual(relation.only[0])
-            found = None if own is None else attempt(numbers, own, relation)
-            if found is not None:
-                return found
+            traced = None if own is None else attempt(numbers, own, relation)
+            if traced is not None:
+                return traced
         return None
 
     def _from_single(self, numbers: _Numbers, own: Any, relation: Relation) -> Trace | None:
         """One law, or one line above."""
         for source in numbers.single(own):
-            found = (
+            traced = (
                 self._from_law(source.move, source.link, relation)
                 if source.move is not None
                 else self._from_line(source.cited, relation)
             )
-            if found is not None:
-                return found
+            if traced is not None:
+                return traced
         return None
 
     def _from_several(self, numbers: _Numbers, own: Any, relation: Relation) -> Trace | None:
         """Two lines above, or a law together with a line: the latter is a composition."""
         for first, second in numbers.pairs(own):
             if first.move is None and second.move is None:
-                found = self._from_two(second.cited, first.cited, relation)
-                if found is not None:
-                    return found
+                traced = self._from_two(second.cited, first.cited, relation)
+                if traced is not None:
+                    return traced
             if numbers.follows_from_both(own, first, second):
                 moves = tuple(each.move or Move("put") for each in (first, second))
                 refs = tuple(e.cited.ref for e in (first, second) if e.move is None)
@@ -496,7 +496,7 @@ class Tracer:
         return self._background_of(names)
 
     def _background_of(self, names: Iterable[str]) -> tuple[Known, ...]:
-        found = []
+        background = []
         for name in sorted(names):
             role = self.setting.roles.get(name)
             if role is None:
@@ -505,8 +505,8 @@ class Tracer:
             for text in texts.get(role.kind, ()):
                 known = known_of_letters(text, self.setting)
                 if known is not None:
-                    found.append(known)
-        return tuple(found)
+                    background.append(known)
+        return tuple(background)
 
     def _needed(self, step: Step, relation: Relation) -> tuple[Ref, ...]:
         """The premises of a step without those that it does not need."""
@@ -811,9 +811,9 @@ class _Numbers:
             if used & set(pivots):
                 break
             conditions = [(each.value, n) for each, n in zip(sources, pivots, strict=True)]
-            found = [sample.agrees(world, own, conditions, known) for sample in self.samples]
-            if None not in found:
-                return all(found)
+            verdicts = [sample.agrees(world, own, conditions, known) for sample in self.samples]
+            if None not in verdicts:
+                return all(verdicts)
         return len(sources) == 1 and self._agree_put_in(level, own, sources[0].value, known)
 
     def _agree_put_in(

@@ -93,7 +93,7 @@ def trees_of(relation: Relation | Meaning) -> Iterable[Expression]:
             yield link.right
 
 
-def said(relation: Relation) -> frozenset[frozenset[object]]:
+def statement_of(relation: Relation) -> frozenset[frozenset[object]]:
     """What a relation says, whichever way round it is written."""
     return frozenset(frozenset(_turned(link) for link in links) for links in relation.options)
 

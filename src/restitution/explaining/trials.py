@@ -60,9 +60,9 @@ class Trial:
         cited: list[Cited] = []
         known: list[Known] = []
         for ref in premises:
-            told = self.cited(ref)
-            if told is not None:
-                cited.append(Cited(ref, told))
+            statement = self.cited(ref)
+            if statement is not None:
+                cited.append(Cited(ref, statement))
             elif isinstance(ref, str) and (own := self.known(ref)) is not None:
                 known.append(own)
         return Step(self.setting, move, tuple(cited), tuple(known))
@@ -203,8 +203,8 @@ def on_either_side(derivation: Derivation) -> frozenset[int]:
             pass
         case _:
             return frozenset()
-    told = {each.partition(" ")[0] for each in facts}
-    if told & {"axis", "wall", "position", "let"}:
+    kinds = {each.partition(" ")[0] for each in facts}
+    if kinds & {"axis", "wall", "position", "let"}:
         return frozenset()
     for body in event.bodies[:1] if event.wall else event.bodies:
         fact = facts.get(" ".join(("velocity", body)))

@@ -27,7 +27,7 @@ from restitution.wording.html import to_body
 from restitution.work import limited
 from restitution.workings import explain, to_latex
 from restitution.workings.explanation import Explanation
-from restitution.workings.html import said, table_rows
+from restitution.workings.html import inline, table_rows
 from restitution.workings.instances import instances
 from restitution.workings.principles import about
 from restitution.workings.steps import Row, Step
@@ -283,7 +283,7 @@ def _value(item: ItemResult, answer: Answer | Rejected) -> Tree:
 
 
 def _step(step: Step) -> Object:
-    words = said(step.words)
+    words = inline(step.words)
     return {
         "kind": step.kind,
         "principle": step.principle,

@@ -29,8 +29,12 @@ def _next_event(scene: Scene, body: str, number: int) -> int | None:
 def struck(scene: Scene, number: int) -> str | None:
     """The sphere at rest that an impact sends to a known place; None without one."""
     step = scene.model.happening(number).step
-    told = circle_of(scene, number) is not None and number in scene.model.frames
-    if not isinstance(step, Impact) or step.second not in scene.model.story.spheres or not told:
+    is_circle = circle_of(scene, number) is not None and number in scene.model.frames
+    if (
+        not isinstance(step, Impact)
+        or step.second not in scene.model.story.spheres
+        or not is_circle
+    ):
         return None
     if not all(each.is_number for each in scene.model.frames[number].n):
         return None
@@ -134,11 +138,11 @@ def write_aim(scene: Scene, number: int) -> Source:
     refs: tuple[Ref, ...] = together(
         (f"contact {number}", f"velocity {hit}"), start.refs, more, (line,)
     )
-    found = scene.desk.write(
+    number_ = scene.desk.write(
         Move("define", "beside", number, (body,)),
         refs,
         chain(quantity, (tree, None), (tree_of(value), "rearrange")),
     )
     for axis, each in zip(AXES, value, strict=True):
-        scene.desk.know(coordinate_tree(body, number, axis), each, (found,))
-    return scene.desk.know(quantity, value, (found,))
+        scene.desk.know(coordinate_tree(body, number, axis), each, (number_,))
+    return scene.desk.know(quantity, value, (number_,))

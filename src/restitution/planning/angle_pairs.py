@@ -51,8 +51,8 @@ def made_of_two(scene: Scene, asked: Quantity) -> tuple[int, tuple[int, ...]] | 
         terms = terms_of(scene, turn)
         if terms is not None:
             letter, _ = letter_of(scene, asked)
-            made = turn.made_of(*(term.angle for term in terms))
-            line = made_of_angles(scene, turn, chain(Letter(letter), (made, None)), ())
+            angle = turn.made_of(*(term.angle for term in terms))
+            line = made_of_angles(scene, turn, chain(Letter(letter), (angle, None)), ())
             if line is not None:
                 refs = (ref for each in terms for ref in each.refs)
                 return line, tuple(ref for ref in refs if isinstance(ref, int))
@@ -87,26 +87,26 @@ def tangent_of_two(
     name = free_letter(scene, "deflection")
     let = scene.desk.write(Move("let"), (), Meaning(name, whole, angle="signed"))
     form = "sum" if sign == "+" else "difference"
-    found = by_tangents(scene, let, form, terms, Apply("tan", Letter(name)))  # type: ignore[arg-type]
+    number = by_tangents(scene, let, form, terms, Apply("tan", Letter(name)))  # type: ignore[arg-type]
     extent = "-90° < {} < 90°" if sign == "-" else "0° < {} < 180°"
-    return None if found is None else (found, Letter(name), (extent.format(name), let))
+    return None if number is None else (number, Letter(name), (extent.format(name), let))
 
 
 def extents(scene: Scene, names: Iterable[str]) -> tuple[Ref, ...]:
     """What is known of the ranges of angles of the motion, by their letters."""
-    found: list[Ref] = []
+    refs: list[Ref] = []
     for line in scene.desk.lines:
         meaning = line.relation
         if not isinstance(meaning, Meaning) or meaning.letter not in names:
             continue
         if isinstance(meaning.quantity, Quantity) and meaning.quantity.kind in ANGLES:
-            found += [*_texts(meaning.letter), line.number]
+            refs += [*_texts(meaning.letter), line.number]
     for fact in scene.desk.facts:
         match fact.relation.options:
             case ((link,),) if fact.id.startswith("let ") and isinstance(link.right, Letter):
                 if link.right.name in names:
-                    found += [*_texts(link.right.name), fact.id]
-    return tuple(found)
+                    refs += [*_texts(link.right.name), fact.id]
+    return tuple(refs)
 
 
 def _texts(name: str) -> tuple[str, ...]:

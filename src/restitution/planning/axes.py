@@ -32,7 +32,7 @@ from restitution.planning.vectors import velocity_given
 from restitution.vector import Vector
 
 
-def found_frame(scene: Scene, number: int) -> Frame:
+def frame_at(scene: Scene, number: int) -> Frame:
     """The frame of an impact; where its line is worked out, with the line that finds it.
 
     Raises NotPlannedError where no impulse and no change of a velocity is known.
@@ -214,16 +214,16 @@ def write_axis(scene: Scene, number: int) -> int:
         raise NotPlannedError("a line of centres that is not given")
     centres = Quantity("line_of_centres", (), number)
     own, refs = scene.put(scene.vector(centres))
-    told = fact.relation.only[0]
-    if told.sign == "=":
-        given = scene.vector(told.right)
+    link = fact.relation.only[0]
+    if link.sign == "=":
+        given = scene.vector(link.right)
         if scene.model.sign(given.dot(own)) < 0:
             raise NotPlannedError("a line of centres that is given in the other sense")
         move = Move("fact")
     else:
         own, _ = whole_direction(own)
         move = Move("rearrange")
-    relation = Relation(((Link(centres, told.sign, tree_of(tuple(map(tidy, own)))),),))
+    relation = Relation(((Link(centres, link.sign, tree_of(tuple(map(tidy, own)))),),))
     premises = together((fact.id,), refs)
     names = {each.name for x in own for each in sp.sympify(x, strict=True).free_symbols}
     enough = scene.judge.enough(move, premises, relation, background(scene, names))
@@ -273,7 +273,7 @@ def take_opposite(scene: Scene, given: GivenEquation) -> str | None:
     return other
 
 
-def _take(scene: Scene, body: str, event: int, impulse: Expression, told: tuple[Ref, ...]) -> None:
+def _take(scene: Scene, body: str, event: int, impulse: Expression, refs: tuple[Ref, ...]) -> None:
     mass, early = scene.mass(body), scene.initial(body)
     if scene.last_event(body, event - 1):
         raise NotPlannedError("an impulse after an earlier event")
@@ -290,7 +290,7 @@ def _take(scene: Scene, body: str, event: int, impulse: Expression, told: tuple[
             change = Binary("+", velocity, before.operand)
     line = scene.desk.write(
         Move("law", "impulse-vector", event, (body,)),
-        together(told, mass.refs, early.refs),
+        together(refs, mass.refs, early.refs),
         Relation(((Link(impulse, "=", Binary("*", tree_of(mass.value), change)),),)),
     )
     line = scene.desk.write(
@@ -299,4 +299,4 @@ def _take(scene: Scene, body: str, event: int, impulse: Expression, told: tuple[
     scene.desk.know(velocity, late, (line,))
 
 
-__all__ = ["found_frame", "take_impulse", "take_opposite"]
+__all__ = ["frame_at", "take_impulse", "take_opposite"]

@@ -144,8 +144,8 @@ class Claims:
             own = each.relation
             if not isinstance(own, Meaning):
                 continue
-            told = Relation((tuple(_renamed(link, own) for link in relation.only),))
-            line = None if told == relation else self.judge.standing(told)
+            renamed = Relation((tuple(_renamed(link, own) for link in relation.only),))
+            line = None if renamed == relation else self.judge.standing(renamed)
             if line is not None:
                 return self.judge.write((Move("compare"),), [line, each.number], relation)
         return None
@@ -255,10 +255,10 @@ class Claims:
         if not links or len(links) < len(relation.only) - 1:
             self.worths.back(mark)
             return None
-        found = self._by_ends(links, number, extent, relation, base)
-        if found is None:
+        written = self._by_ends(links, number, extent, relation, base)
+        if written is None:
             self.worths.back(mark)
-        return found
+        return written
 
     def _by_ends(
         self,
@@ -275,9 +275,9 @@ class Claims:
             return None if line is None else self.angle_of(line, tangent, extent, relation, base)
         line = self.monotone(tangent, Relation((tuple(links),)))
         if line is not None:
-            found = self.compared([line, *self._texts(base), *extent], relation)
-            if found is not None:
-                return found
+            written = self.compared([line, *self._texts(base), *extent], relation)
+            if written is not None:
+                return written
         ends: list[Ref] = []
         for link, asked in zip(links, relation.only, strict=False):
             line = self.compared([tangent], Relation(((link,),)))
@@ -309,9 +309,9 @@ class Claims:
         """An angle compared by bounds of its tangent, of which another line tells the sign."""
         rest = self._texts(base)
         ranges = list(extent)
-        found = self.compared([line, *rest, *ranges], relation)
-        if found is not None:
-            return found
+        written = self.compared([line, *rest, *ranges], relation)
+        if written is not None:
+            return written
         own = self.scene.desk.last_link(tangent)
         bounded = Relation(((Link(own.left, ">", ZERO),),))
         positive = self.compared([tangent], bounded)
@@ -329,8 +329,8 @@ class Claims:
     def _tangent_of(self, tree: Expression) -> Expression | None:
         value = sp.sympify(self.scene.scalar(tree), strict=True)
         if value.free_symbols:
-            told = tangent_of(value)
-            return Apply("tan", tree) if told is None else tree_of(told)
+            tangent = tangent_of(value)
+            return Apply("tan", tree) if tangent is None else tree_of(tangent)
         there = tidy(sp.tan(value))
         return None if there.has(sp.zoo) else tree_of(there)
 
@@ -421,9 +421,9 @@ class Claims:
                 first = self.judge.write((Move("monotone"), Move("sign")), pool, own)
                 if first is None:
                     continue
-                found = self.compared([first], relation)
-                if found is not None:
-                    return found
+                written = self.compared([first], relation)
+                if written is not None:
+                    return written
                 self.worths.back(mark)
         return None
 
@@ -457,17 +457,17 @@ class Claims:
 
         def by_ties(base: list[Ref], relation: Relation) -> int | None:
             for line in self.ties.lines():
-                found = self.monotone(line, relation)
-                if found is not None:
-                    return found
+                written = self.monotone(line, relation)
+                if written is not None:
+                    return written
             for line in self.ties.lines():
-                found = self._eliminated(line, base, relation, target)
-                if found is not None:
-                    return found
+                written = self._eliminated(line, base, relation, target)
+                if written is not None:
+                    return written
             for line in self.ties.lines():
-                found = self._by_each_end(line, relation)
-                if found is not None:
-                    return found
+                written = self._by_each_end(line, relation)
+                if written is not None:
+                    return written
             return None
 
         def by_ratios(base: list[Ref], relation: Relation) -> int | None:
@@ -570,20 +570,20 @@ class Claims:
                 if same(scene.desk.relation(number_), relation):
                     return number_
                 if not base:
-                    found = self.compared([number_], relation)
-                    if found is not None:
-                        return found
+                    line_ = self.compared([number_], relation)
+                    if line_ is not None:
+                        return line_
                 written.append(number_)
         if not written:
             return None
         for each in base:
-            found = self.monotone(each, relation, written) if isinstance(each, int) else None
-            if found is not None:
-                return found
-        found = self.compared([*base, *written], relation)
-        if found is None and self.conditions.lines(wanted):
-            found = self.compared([*base, *written, *self.conditions.lines(wanted)], relation)
-        return found
+            line_ = self.monotone(each, relation, written) if isinstance(each, int) else None
+            if line_ is not None:
+                return line_
+        line_ = self.compared([*base, *written], relation)
+        if line_ is None and self.conditions.lines(wanted):
+            line_ = self.compared([*base, *written, *self.conditions.lines(wanted)], relation)
+        return line_
 
     def _is_twice_in(self, tree: Expression, symbol: sp.Symbol) -> bool:
         """Whether a letter stands above and below in a quotient: no bound is seen at once."""
@@ -605,10 +605,10 @@ class Claims:
         if value.free_symbols or not refs:
             return None
         line = next((ref for ref in refs if isinstance(ref, int)), None)
-        told = Relation(((Link(tangent, "=", tree_of(value)),),))
-        number = self.judge.standing(told)
+        equation = Relation(((Link(tangent, "=", tree_of(value)),),))
+        number = self.judge.standing(equation)
         if number is None and line is not None:
-            number = self.judge.write((Move("triangle"), Move("put")), refs, told)
+            number = self.judge.write((Move("triangle"), Move("put")), refs, equation)
         return self.compared([*(refs if number is None else [number])], relation)
 
     def _by_each_end(self, line: int, relation: Relation) -> int | None:
@@ -627,10 +627,10 @@ class Claims:
                 self.worths.back(mark)
                 return None
             written.append(end)
-        found = self.compared(written, relation) if written else None
-        if found is None:
+        last = self.compared(written, relation) if written else None
+        if last is None:
             self.worths.back(mark)
-        return found
+        return last
 
     def compared(
         self, refs: Sequence[Ref], relation: Relation, known_only: Sequence[Ref] = ()
@@ -638,8 +638,8 @@ class Claims:
         """A line by what is cited, and the ranges of letters."""
         for each in refs:
             if isinstance(each, int) and each not in known_only:
-                said = self.scene.desk.line(each).relation
-                if isinstance(said, Relation) and same(said, relation):
+                stated = self.scene.desk.line(each).relation
+                if isinstance(stated, Relation) and same(stated, relation):
                     return each
         names: set[str] = set()
         for ref in refs:

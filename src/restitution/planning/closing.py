@@ -14,7 +14,7 @@ import sympy as sp
 from restitution.components import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.explaining.trees import rebuilt, said
+from restitution.explaining.trees import rebuilt, statement_of
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -330,7 +330,7 @@ def _single(factor: sp.Expr, symbol: sp.Symbol) -> bool:
 def rearranged(scene: Scene, number: int, relation: Relation) -> int | None:
     """A line in another form, with what makes the factor between them not zero."""
     own = scene.desk.line(number)
-    if said(scene.desk.relation(number)) == said(relation):
+    if statement_of(scene.desk.relation(number)) == statement_of(relation):
         # From the other side: the line itself is written so.
         return scene.desk.write(own.move, own.premises, relation)
     for move in (Move("rearrange"), Move("cancel")):

@@ -76,15 +76,15 @@ def _is_plain(link: Link, name: str) -> bool:
 
 def _of_all(sides: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...] | None:
     """The same of several unknowns: the letters before the ratios of angles."""
-    found: list[sp.Expr] = []
+    terms: list[sp.Expr] = []
     for symbol in symbols:
         if not any(symbol in side.free_symbols for side in sides):
             continue
         own = _generators(sides, symbol)
         if own is None:
             return None
-        found += own
-    return tuple(sorted(found, key=lambda each: not each.is_Symbol)) or None
+        terms += own
+    return tuple(sorted(terms, key=lambda each: not each.is_Symbol)) or None
 
 
 def _generators(sides: Sequence[sp.Expr], symbol: sp.Symbol) -> tuple[sp.Expr, ...] | None:

@@ -60,8 +60,10 @@ class Comparison:
             turn = 1 if link.sign[0] == ">" else -1
             value = tidy(factored(values[::turn][0] - values[::turn][1]))
             put = swept(Binary("-", *map(tree_of, values[::turn])))
-            told = chain(Binary("-", *sides[::turn]), (put, None), (tree_of(value), "rearrange"))
-            line = self._difference(told, numbers)
+            difference = chain(
+                Binary("-", *sides[::turn]), (put, None), (tree_of(value), "rearrange")
+            )
+            line = self._difference(difference, numbers)
             if line is not None:
                 number_ = self.claims.compared([line], relation)
                 if number_ is None:
@@ -99,13 +101,13 @@ class Comparison:
         rest = self.judge.known(names - set(several))
         sides = relation.only[0]
         subject, value = (sides.left, values[0]) if values[1] == 0 else (sides.right, values[1])
-        told = Relation(((Link(subject, "=", tree_of(value)),),))
-        named = self.judge.write((Move("put"), Move("rearrange")), lines, told) or line
+        equation = Relation(((Link(subject, "=", tree_of(value)),),))
+        named = self.judge.write((Move("put"), Move("rearrange")), lines, equation) or line
         pool = [named, *lines, *products, *rest]
-        found = self.judge.write((Move("compare"),), pool, relation)
-        if found is None:
+        written = self.judge.write((Move("compare"),), pool, relation)
+        if written is None:
             self.worths.back(mark)
-        return found
+        return written
 
     def _difference(self, relation: Relation, lines: Sequence[int]) -> int | None:
         for pair in (lines, lines[::-1]):

@@ -27,7 +27,7 @@ from restitution.explaining.derivation import (
     common_scope,
     scopes_of,
 )
-from restitution.explaining.trees import said
+from restitution.explaining.trees import statement_of
 from restitution.expression.tree import Expression
 from restitution.planning.forms import UnwrittenError, alike
 
@@ -127,7 +127,7 @@ def _is_same(one: Relation | Meaning, other: Relation | Meaning) -> bool:
     links = (*one.options[0], *other.options[0])
     if any(each.sign not in ("<", "<=", ">", ">=") for each in links):
         return False
-    return said(one) == said(other)
+    return statement_of(one) == statement_of(other)
 
 
 def _whole(relation: Relation) -> Link | None:
@@ -222,14 +222,14 @@ class Desk:
 
     def under(self, number: int) -> frozenset[Ref]:
         """A line, and all that it rests on."""
-        found: set[Ref] = set()
+        refs: set[Ref] = set()
         pending: list[Ref] = [number]
         while pending:
             ref = pending.pop()
-            if ref not in found:
-                found.add(ref)
+            if ref not in refs:
+                refs.add(ref)
                 pending += self.line(ref).premises if isinstance(ref, int) else ()
-        return frozenset(found)
+        return frozenset(refs)
 
     def _scope(self, ref: Ref) -> Scope:
         return self._scopes.get(ref)

@@ -123,17 +123,17 @@ def frame_on_one_side(scene: Scene, number: int) -> Frame | None:
     given = _is_given(scene.desk, number, own.wall)
     if not scene.sided or (own.angle is None and given is None):
         return None
-    told: Ref = str(given)
+    ref: Ref = str(given)
     if own.angle is not None:
         asked = _angle(number, own.wall)
         turned = replace(asked, arguments=tuple(reversed(asked.arguments)))
         if any(node == turned for tree in trees(scene.problem) for node in walk(tree)):
             asked = turned  # as the question says it
         meaning = Meaning(own.angle.name, asked, angle="acute")
-        told = scene.desk.write(Move("let"), (), meaning)
+        ref = scene.desk.write(Move("let"), (), meaning)
     # Of a wall, the direction is into it.
     n, sign = (own.n, 1) if own.wall is None else (-own.n, -1)
-    return Frame(number, own.wall, centres, None, n, n.turned_left(), (told,), sign)
+    return Frame(number, own.wall, centres, None, n, n.turned_left(), (ref,), sign)
 
 
 def write_other_side(scene: Scene, result: ItemResult, name: str) -> None:
@@ -174,7 +174,7 @@ def write_sides(scene: Scene, number: int) -> int | None:
     ]
     relation = Relation(((links[0],), (links[1],)))
     move = Move("define", "either-side", number)
-    return scene.desk.write(move, together(frame.told, refs), relation)
+    return scene.desk.write(move, together(frame.sources, refs), relation)
 
 
 def _has_a_side(scene: Scene, link: Link) -> bool:

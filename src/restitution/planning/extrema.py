@@ -181,8 +181,8 @@ class _Extremum:
             return written
         assert isinstance(asked, Quantity)
         first = self.claims.worths.angle(asked)
-        told = self.scene.desk.last_link(first).left
-        called = told.argument if isinstance(told, Apply) else asked
+        tangent = self.scene.desk.last_link(first).left
+        called = tangent.argument if isinstance(tangent, Apply) else asked
         return self.claims.worths.lettered(first, called)
 
     def _of_wide_angle(self, asked: Expression) -> int:
@@ -220,9 +220,9 @@ class _Extremum:
                 if end is None:
                     continue
                 unless = Link(Letter(self.symbol.name), "!=", tree_of(end))
-                told = Relation(((unless,), (Link(subject, "=", tree_of(value)),)))
+                relation = Relation(((unless,), (Link(subject, "=", tree_of(value)),)))
                 pool = [line, *self._known(asked.name, self.symbol.name)]
-                there = self.judge.write((Move("put"),), pool, told, shown="silent")
+                there = self.judge.write((Move("put"),), pool, relation, shown="silent")
                 if there is not None and self.judge.follows(
                     self.move, [bound, there], self._relation
                 ):
@@ -269,8 +269,8 @@ class _Extremum:
         value, refs = self.scene.put(self._value(line))
         if value == self._value(line):
             return line
-        told = Relation(((replace(link, right=tree_of(tidy(value))),),))
-        return self.judge.write((Move("put"),), [line, *refs], told) or line
+        relation = Relation(((replace(link, right=tree_of(tidy(value))),),))
+        return self.judge.write((Move("put"),), [line, *refs], relation) or line
 
     @property
     def _relation(self) -> Relation:
@@ -425,9 +425,9 @@ class _Extremum:
             if each != x:
                 own, outer = Apply("sqrt", own), tidy(sp.sqrt(outer))
             known = self._known(*self._names(x))
-            told = Link(self.scene.desk.last_link(line).left, "=", product(tree_of(outer), own))
+            link = Link(self.scene.desk.last_link(line).left, "=", product(tree_of(outer), own))
             moves = (Move("rearrange"),)
-            completed = self.judge.write(moves, [line, *known], Relation(((told,),)))
+            completed = self.judge.write(moves, [line, *known], Relation(((link,),)))
             if completed is None:
                 continue
             bound = self.judge.write((Move("sign"),), [completed, *known], self._relation)
@@ -442,9 +442,9 @@ class _Extremum:
         if not self.angle or self.symbol in factor.free_symbols:
             return None
         twice = Apply("sin", product(tree_of(2), Letter(self.symbol.name)))
-        told = Link(self.end.left, "=", product(tree_of(tidy(factor / 2)), twice))
+        link = Link(self.end.left, "=", product(tree_of(tidy(factor / 2)), twice))
         identity = (Move("identity", "double-angle"),)
-        doubled = self.judge.write(identity, [line], Relation(((told,),)))
+        doubled = self.judge.write(identity, [line], Relation(((link,),)))
         if doubled is None:
             return None
         pool = [doubled, *self._known(*self._names(value))]

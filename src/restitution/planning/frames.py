@@ -32,7 +32,7 @@ class Frame:
     across: Expression | None
     n: Vector
     t: Vector
-    told: tuple[Ref, ...]
+    sources: tuple[Ref, ...]
     letter_sign: int
     write: Callable[[], tuple[Ref, ...]] | None = None
 
@@ -44,7 +44,7 @@ class Frame:
     @property
     def refs(self) -> tuple[Ref, ...]:
         """The fact, or the line, that gives the axis."""
-        return self.told if self.write is None else self.write()
+        return self.sources if self.write is None else self.write()
 
     def component(self, kind: str, body: str, stage: int) -> Quantity:
         """The component of a velocity, as lines say it: ``kind`` is along or across."""
@@ -91,19 +91,19 @@ def frame_of(model: Model, facts: dict[str, Fact], number: int) -> Frame:
     if fact is None or own.by_values or own.angle is not None:
         raise NotPlannedError(f"the line of centres of event {number} is to be worked out")
     refs = (fact.id,)
-    told = fact.relation.only[0].right
+    towards = fact.relation.only[0].right
     if own.axis is not None:
         i, j = (Vector(sp.Integer(x), sp.Integer(y)) for x, y in ((1, 0), (0, 1)))
         n, t = (i, j) if own.axis == "i" else (j, i)
         unit = Unit(own.axis)
         other = Unit("j" if own.axis == "i" else "i")
         sign = 1 if own.wall is None or own.n == n else -1
-        if own.wall is None and told == unit:
+        if own.wall is None and towards == unit:
             centres = Quantity("line_of_centres", (), number)
             turned = None if own.axis == "i" else other
             return Frame(number, None, centres, turned, n, t, refs, sign)
         return Frame(number, own.wall, unit, other, n, t, refs, sign)
-    direction = model.story.evaluator(number).direction(told)
+    direction = model.story.evaluator(number).direction(towards)
     size = model.story.size(direction)
     n = Vector(tidy(direction.x / size), tidy(direction.y / size))
     sign = 1 if model.sign(n.dot(own.n)) > 0 else -1

@@ -163,10 +163,10 @@ class _Gathering:
                 (n for n in range(start, end) if self._rank(line) < self._rank(order[n])), end
             )
         else:
-            found = self._first_law(line, near)
-            if found is None:
+            law = self._first_law(line, near)
+            if law is None:
                 return
-            target = found
+            target = law
         if target == at or not self._may_stand(line, target):
             return
         order.insert(target, order.pop(at))

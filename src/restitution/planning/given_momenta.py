@@ -174,11 +174,11 @@ def take_mass(scene: Scene, given: GivenEquation) -> bool:
     put, refs = scene.put(a)
     if refs or mass.value != symbol:
         raise NotPlannedError("a mass in several letters")
-    found = tidy(put / b)
+    quotient = tidy(put / b)
     line = scene.desk.write(
-        Move("rearrange"), (line,), chain(tree_of(mass.value), (tree_of(found), None))
+        Move("rearrange"), (line,), chain(tree_of(mass.value), (tree_of(quotient), None))
     )
-    scene.desk.know(tree_of(symbol), found, (line,))
+    scene.desk.know(tree_of(symbol), quotient, (line,))
     return True
 
 
@@ -216,9 +216,9 @@ def write_masses(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     part = next((each for each in residual if symbol in sp.expand(each).free_symbols), None)
     if part is None:
         return None
-    found = sp.expand(part)
-    slope = sp.diff(found, symbol)
-    value = tidy(-found.subs(symbol, 0) / slope)
+    expanded_part = sp.expand(part)
+    slope = sp.diff(expanded_part, symbol)
+    value = tidy(-expanded_part.subs(symbol, 0) / slope)
     relation = chain(tree_of(symbol), (tree_of(value), None))
     if symbol in value.free_symbols or not scene.judge.follows(
         Move("rearrange"), (line,), relation

@@ -44,7 +44,7 @@ def given_turn(scene: Scene, each: GivenEquation) -> int | None:
 def _by_angle(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
     value, refs = scene.put(scene.scalar(each.link.right))
     given = together(each.refs, refs)
-    told = [side.angle for side in (turn.first, turn.second)]
+    angles = [side.angle for side in (turn.first, turn.second)]
     right = each.link.right if not refs else tree_of(value, angle=True)
     mark = scene.desk.mark()
     if not value.free_symbols:
@@ -52,8 +52,8 @@ def _by_angle(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
         if line is not None:
             return line
         scene.desk.back(mark)
-    if None not in told:
-        relation = chain(turn.made_of(*told), (right, None))
+    if None not in angles:
+        relation = chain(turn.made_of(*angles), (right, None))
         return made_of_angles(scene, turn, relation, given)
     terms = terms_of(scene, turn)
     if terms is None or scene.model.identically_zero(sp.cos(value)):
@@ -126,9 +126,9 @@ def _one_angle(
         letter, meaning = letter_of(scene, side.named)
         subject, named = Letter(letter), (meaning,)
     relation = chain(subject, (tree, None), (final, "rearrange"))
-    told = [ref for own in sides for ref in own.told]
+    refs = [ref for own in sides for ref in own.sources]
     pool = dict.fromkeys(
-        (*each.refs, *named, *told, *turn.first.refs, *turn.second.refs, *turn.frame.refs)
+        (*each.refs, *named, *refs, *turn.first.refs, *turn.second.refs, *turn.frame.refs)
     )
     pool = dict.fromkeys(ref for ref in pool if isinstance(ref, int) or ref in scene.facts)
     premises = scene.judge.needed(turn.move, pool, relation, (*each.refs, *named))

@@ -105,9 +105,9 @@ _RECORDS = {
 def write_given(scene: Scene, each: GivenEquation) -> int:
     """Writes the line in which a fact becomes an equation, and returns its number."""
     own = each.link
-    told = each.fact.relation.only[0].left
-    if isinstance(told, Letter) and f"let {told.name}" in scene.facts:
-        quoted = _quoted_as(scene, each, told)
+    subject = each.fact.relation.only[0].left
+    if isinstance(subject, Letter) and f"let {subject.name}" in scene.facts:
+        quoted = _quoted_as(scene, each, subject)
         if quoted is not None:
             return quoted
     if own.sign in ("perpendicular to", "parallel to") or _is_right(scene, own):
@@ -579,13 +579,13 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
                 values[node] = tree_of(value)
                 refs += [*known.refs, *more]
                 continue
-            made = formula(scene, node)
-            if made.left != node:
+            formula_ = formula(scene, node)
+            if formula_.left != node:
                 raise NotPlannedError(f"a relation with {node.kind}s")
             number = scene.desk.write(
-                made.move, made.refs, chain(made.left, (swept(made.right), None))
+                formula_.move, formula_.refs, chain(formula_.left, (swept(formula_.right), None))
             )
-            values[node] = made.right
+            values[node] = formula_.right
             refs.append(number)
 
     left, right = (swept(exchanged(side, values)) for side in (own.left, own.right))

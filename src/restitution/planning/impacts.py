@@ -645,8 +645,8 @@ def restitution(scene: Scene, frame: Frame) -> int:
     early = [before(scene, "along", each, frame) for each in (first, second)]
     late = [_now(scene, each, frame) for each in (first, second)]
     # Where e is 0 nothing is said of the velocities before.
-    told = late if e.value == 0 else (*early, *late)
-    refs = together(e.refs, *(each.whole for each in told), frame.names_axis("along"))
+    order = late if e.value == 0 else (*early, *late)
+    refs = together(e.refs, *(each.whole for each in order), frame.names_axis("along"))
     v, w = (tree_of(each.value) for each in late)
     u, x = (tree_in_law(each) for each in early)
     approach = difference(u, x)

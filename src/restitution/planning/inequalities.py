@@ -39,10 +39,10 @@ def turned(link: Link) -> Link:
 
 def same(a: Relation, b: Relation) -> bool:
     """Whether two relations say the same, whichever way round they are written."""
-    return told(a) == told(b)
+    return content(a) == content(b)
 
 
-def told(relation: Relation) -> frozenset[object]:
+def content(relation: Relation) -> frozenset[object]:
     """What a relation without alternatives says."""
     return frozenset(
         (FLIPPED[e.sign], e.right, e.left) if e.sign in (">", ">=") else (e.sign, e.left, e.right)

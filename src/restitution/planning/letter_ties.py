@@ -93,9 +93,9 @@ class Ties:
                 return line
             number = above[0]
         own = desk.relation(number)
-        said = {n for e in own.options[0] for side in (e.left, e.right) for n in letters(side)}
+        names = {n for e in own.options[0] for side in (e.left, e.right) for n in letters(side)}
         known = set(roles(self.scene.problem))
-        plain = len(own.options) == 1 and said <= known and not has_quantity_in(own)
+        plain = len(own.options) == 1 and names <= known and not has_quantity_in(own)
         if not plain or number == line:
             return line
         return self._neat(number)
@@ -148,9 +148,9 @@ class Ties:
             below.add(line.number)
             if len(own.options) > 1 or len(own.only) > 1 or own.only[0].sign != "=":
                 continue
-            said = {n for side in (own.only[0].left, own.only[0].right) for n in letters(side)}
-            plain = said <= known and not has_quantity_in(own) and not _has_root(own)
-            if plain and said & free and desk.holds(line.number):
+            names = {n for side in (own.only[0].left, own.only[0].right) for n in letters(side)}
+            plain = names <= known and not has_quantity_in(own) and not _has_root(own)
+            if plain and names & free and desk.holds(line.number):
                 return self._neat(line.number)
         return None
 
@@ -227,13 +227,13 @@ class Ties:
         if form is None:
             return []
         _, generator, a, b = form
-        found: list[tuple[Sign, sp.Expr, Sign]] = []
+        ties: list[tuple[Sign, sp.Expr, Sign]] = []
         for sign, bound in bounds(role, generator, gone):
             gap = factored(one_fraction(-b / a - bound))
             own = without_signs(self.scene, gap, sign)
             if own is not None and own[1].free_symbols:
-                found.append((*own, sign))
-        return found
+                ties.append((*own, sign))
+        return ties
 
     def _slope(self, x: sp.Expr, symbol: sp.Symbol) -> int | None:
         """Whether an expression grows with a letter, or falls; None where that is open."""

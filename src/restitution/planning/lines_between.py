@@ -175,12 +175,12 @@ def sine_of_the_offset(scene: Scene, each: GivenEquation) -> int | None:
 def write_equal_angles(scene: Scene, each: GivenEquation) -> int:
     """Two angles that are equal: so are their tangents."""
     angles = (each.link.left, each.link.right)
-    made = [formula(scene, angle) for angle in angles if isinstance(angle, Quantity)]
-    if len(made) != 2 or any(own.move.record != "tan" for own in made):
+    formulas = [formula(scene, angle) for angle in angles if isinstance(angle, Quantity)]
+    if len(formulas) != 2 or any(own.move.record != "tan" for own in formulas):
         raise NotPlannedError("equal angles without tangents")
     for lines in (_tangents, _squared_tangents):
         mark = scene.desk.mark()
-        refs = lines(scene, made)
+        refs = lines(scene, formulas)
         if refs is not None:
             left, right = (scene.desk.last_link(ref).right for ref in refs)
             relation = Relation(((Link(left, "=", right),),))
@@ -191,9 +191,9 @@ def write_equal_angles(scene: Scene, each: GivenEquation) -> int:
     raise NotPlannedError("a relation with angles")
 
 
-def _tangents(scene: Scene, made: Sequence[Formula]) -> list[int] | None:
+def _tangents(scene: Scene, formulas: Sequence[Formula]) -> list[int] | None:
     refs: list[int] = []
-    for own in made:
+    for own in formulas:
         relation = chain(own.left, (swept(own.right), None), (tree_of(own.value), "rearrange"))
         if not scene.judge.follows(own.move, own.refs, relation):
             return None
@@ -201,10 +201,10 @@ def _tangents(scene: Scene, made: Sequence[Formula]) -> list[int] | None:
     return refs
 
 
-def _squared_tangents(scene: Scene, made: Sequence[Formula]) -> list[int] | None:
+def _squared_tangents(scene: Scene, formulas: Sequence[Formula]) -> list[int] | None:
     """The squares, where it is open on which side of a line a sphere goes."""
     refs: list[int] = []
-    for own in made:
+    for own in formulas:
         if not isinstance(own.right, Binary):
             return None
         right = Binary("/", *(square(part) for part in (own.right.left, own.right.right)))

@@ -135,11 +135,11 @@ def _written_ray(scene: Scene, number: int, ray: _Ray) -> tuple[sp.Symbol, int]:
     name = next(each for each in _LETTERS if each not in taken)
     symbol = ray.role.symbol(name)
     scene.model.unknowns.roles = {**scene.model.unknowns.roles, name: ray.role}
-    for told in {id(each): each for each in (scene.model, *scene.others)}.values():
-        final = told.branch.story.velocity(ray.body, number)
+    for model in {id(each): each for each in (scene.model, *scene.others)}.values():
+        final = model.branch.story.velocity(ray.body, number)
         value = tidy(final.dot(ray.direction))
-        told.final[symbol] = value
-        told.sample[name] = number_of(told.number(value))
+        model.final[symbol] = value
+        model.sample[name] = number_of(model.number(value))
     let = scene.desk.write(Move("let"), (), Meaning(name, ray.quantity))
     velocity = Quantity("velocity", (Name(ray.body),), number)
     refs: tuple[Ref, ...] = (*ray.given.refs, let)
@@ -198,14 +198,14 @@ def _axis(
     body = next((each for each in late if not any(scene.initial(each).value)), next(iter(late)))
     source = scene.initial(body)
     change = Vector(*(sp.expand(a - b) for a, b in zip(late[body], source.value, strict=True)))
-    told: Expression = _tree(late[body])
+    axis: Expression = _tree(late[body])
     if any(source.value):
-        told = Binary("-", told, tree_of(source.value))
+        axis = Binary("-", axis, tree_of(source.value))
     centres = Quantity("line_of_centres", (), number)
     line = scene.desk.write(
         Move("law", "along-the-change", number, (body,)),
         together(source.refs, (lines[body],)),
-        Relation(((Link(centres, "parallel to", swept(told)),),)),
+        Relation(((Link(centres, "parallel to", swept(axis)),),)),
     )
     line = scene.desk.write(
         Move("rearrange"), (line,), Relation(((Link(centres, "parallel to", _tree(change)),),))

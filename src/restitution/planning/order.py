@@ -451,11 +451,11 @@ class Solver:
 
     def _is_blow_to_take(self, body: str, event: int) -> bool:
         """Whether the velocity after a blow tells the impulse, or the velocity before it."""
-        told = self.scene.facts.get(f"impulse {event}")
-        if told is None or event in self.scene.model.frames:
+        fact = self.scene.facts.get(f"impulse {event}")
+        if fact is None or event in self.scene.model.frames:
             return False
         before = self.scene.velocity(body, event - 1)
-        blow = self.scene.value(told.relation.only[0].right)
+        blow = self.scene.value(fact.relation.only[0].right)
         return any(map(self.scene.unknown, before)) != bool(self.scene.unknown(blow))
 
     def _fact_expresses(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
@@ -537,8 +537,8 @@ class Solver:
             return False
         facts = self.scene.facts
         for ref in senses(self.scene, symbol):
-            told = ref in facts and facts[ref].relation.only[0].sign in ("<", "<=", ">", ">=")
-            if told or str(ref).startswith("sense"):
+            is_sense = ref in facts and facts[ref].relation.only[0].sign in ("<", "<=", ">", ">=")
+            if is_sense or str(ref).startswith("sense"):
                 return False
         number, _ = self._letters[symbol]
         ids = {each.id for each in left}

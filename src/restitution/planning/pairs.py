@@ -14,7 +14,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Relation
-from restitution.explaining.trees import said
+from restitution.explaining.trees import statement_of
 from restitution.expression.tree import Apply, Binary, Expression, Letter
 from restitution.planning.closing import close, with_known
 from restitution.planning.collecting import multiplied_out
@@ -55,7 +55,9 @@ def _background(scene: Scene, lines: Iterable[int]) -> tuple[Any, ...]:
 
 
 def _write(scene: Scene, move: Move, lines: Sequence[int], relation: Relation) -> int | None:
-    if move.id == "rearrange" and said(scene.desk.relation(lines[0])) == said(relation):
+    if move.id == "rearrange" and statement_of(scene.desk.relation(lines[0])) == statement_of(
+        relation
+    ):
         own = scene.desk.line(lines[0])
         return scene.desk.write(own.move, own.premises, relation)
     refs = scene.judge.enough(move, lines, relation, _background(scene, lines))

@@ -108,8 +108,8 @@ def paths(scene: Scene) -> Iterator[Path]:
         since = last_move(scene, body, number)
         if scene.model.story.place(body, since) is None or _by_a_circle(scene, body, number):
             continue
-        told = all(of_contact_tree(scene, body, number, axis) is not None for axis in AXES)
-        if not told and isinstance(step, Arrival):
+        are_placed = all(of_contact_tree(scene, body, number, axis) is not None for axis in AXES)
+        if not are_placed and isinstance(step, Arrival):
             continue
         place, end = scene.value(place_tree(body, since)), _end_of(scene, body, number)
         gap = Vector(end.x - place.x, end.y - place.y)

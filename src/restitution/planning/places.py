@@ -263,9 +263,9 @@ def write_touch(scene: Scene, body: str, number: int) -> None:
     _know_place(scene, body, number, value, line)
 
 
-def _both_radii(scene: Scene, told: Expression, apart: Vector) -> Expression:
+def _both_radii(scene: Scene, way: Expression, apart: Vector) -> Expression:
     """The way from one centre to another that it touches: two radii times a unit vector."""
-    match told:
+    match way:
         case Binary("*", both, unit):
             size, _ = scene.put(scene.scalar(both))
             direction = scene.vector(unit)
@@ -378,7 +378,7 @@ def flight_time(
 def _legs(scene: Scene, number: int) -> dict[int, Source]:
     """The ways on which the time to an event goes by, each by the event at its end."""
     first, _ = start(scene)
-    found: dict[int, Source] = {}
+    sources: dict[int, Source] = {}
     if number > first:
         # The ways are written in the order of the story.
         since = last_move(scene, scene.bodies(number)[0], number)
@@ -386,9 +386,9 @@ def _legs(scene: Scene, number: int) -> dict[int, Source]:
             _legs(scene, since)
     while number != first:
         begin, own = leg(scene, number)
-        found[number] = own
+        sources[number] = own
         number = begin
-    return found
+    return sources
 
 
 def leg(scene: Scene, number: int) -> tuple[int, Source]:

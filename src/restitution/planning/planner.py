@@ -22,7 +22,7 @@ from restitution.explaining.follower import with_identities, with_ranges, withou
 from restitution.expression.tree import Apply, Binary, Expression, Negate, Number, letters, walk
 from restitution.oracle import Oracle
 from restitution.planning import place_trees
-from restitution.planning.axes import found_frame
+from restitution.planning.axes import frame_at
 from restitution.planning.cases import joined, without_idle
 from restitution.planning.checking import require_true
 from restitution.planning.desk import UNPLANNED, Desk, NotPlannedError
@@ -202,10 +202,10 @@ def _drafts(
     drafts = []
     one_side = on_one_side(solution, part, models, desk)
     models = list(one_side) or models
-    for told in models:
+    for model_ in models:
         draft = desk.fork()
         others = tuple(models) if len(models) > 1 else ()
-        scene = Scene(problem, part.part, part, told, draft, others, find_frame=found_frame)
+        scene = Scene(problem, part.part, part, model_, draft, others, find_frame=frame_at)
         scene.sided = len(one_side)
         _write_items(scene, ways, last)
         drafts.append(draft)
@@ -293,10 +293,10 @@ def _write_item(
 def _require_found(scene: Scene, asked: Expression) -> None:
     """Refuses an answer with a letter that the solution finds."""
     own = letters(asked)
-    found = {each.name for each in scene.model.final if each not in scene.free} - own
+    open_letters = {each.name for each in scene.model.final if each not in scene.free} - own
     for links in scene.desk.ends[-1].answer.options:
-        if any(found & letters(link.right) for link in links):
-            raise NotPlannedError(f"an answer with {', '.join(sorted(found))}")
+        if any(open_letters & letters(link.right) for link in links):
+            raise NotPlannedError(f"an answer with {', '.join(sorted(open_letters))}")
 
 
 def _require_form(scene: Scene, result: ItemResult) -> None:
@@ -307,10 +307,10 @@ def _require_form(scene: Scene, result: ItemResult) -> None:
         return
     (value,) = values
     kinds = {node.function for node in walk(end.answer.only[0].right) if isinstance(node, Apply)}
-    told = {type(atom).__name__ for atom in value.atoms(*_RATIOS)}
-    if "tan" in kinds and told == {"sin", "cos"}:
+    ratios = {type(atom).__name__ for atom in value.atoms(*_RATIOS)}
+    if "tan" in kinds and ratios == {"sin", "cos"}:
         _end_in(scene, end, value)
-    elif kinds & _NAMES != told:
+    elif kinds & _NAMES != ratios:
         raise NotPlannedError("an answer in another form")
 
 

@@ -97,7 +97,7 @@ def known_vector(scene: Scene, body: str, stage: int) -> Source | None:
     if stage in scene.model.frames:
         if not scene.frame(stage).is_slanted:
             return None
-        both = {sphere: _told(scene, sphere, stage) for sphere in scene.spheres(stage)}
+        both = {sphere: _source_of(scene, sphere, stage) for sphere in scene.spheres(stage)}
         # By momentum as vectors the second velocity has no components: then both are vectors.
         vectors = [own for own in both.values() if own and not _by_components(scene, own)]
         return both[body] if vectors else None
@@ -115,7 +115,7 @@ def known_vector(scene: Scene, body: str, stage: int) -> Source | None:
     return scene.desk.know(velocity, value, (line,))
 
 
-def _told(scene: Scene, body: str, stage: int) -> Source | None:
+def _source_of(scene: Scene, body: str, stage: int) -> Source | None:
     return scene.desk.known(Quantity("velocity", (Name(body),), stage))
 
 
@@ -176,8 +176,8 @@ def _velocity_at_the_start(scene: Scene, quantity: Quantity, body: str) -> Formu
         raise NotPlannedError("a velocity that is given")
     whole = Vector(*(tidy(each) for each in value))
     own = Quantity(quantity.kind, quantity.arguments, 0)
-    told = f"velocity {body}" in scene.facts
-    move = Move("put") if told else Move("define", "assemble", None, (body,))
+    is_given = f"velocity {body}" in scene.facts
+    move = Move("put") if is_given else Move("define", "assemble", None, (body,))
     return Formula(move, _itself, own, tree_of(whole), whole, together(source.refs, refs))
 
 
@@ -343,8 +343,10 @@ def _as_in_the_statement(scene: Scene, centres: Quantity, wanted: Vector) -> tup
     """
     name = f"axis {centres.stage}"
     fact = scene.facts.get(name)
-    told = None if fact is None else scene.model.story.direction(fact.relation.only[0].right, 0)
-    if told is None or scene.model.sign(told.dot(wanted)) <= 0:
+    direction = (
+        None if fact is None else scene.model.story.direction(fact.relation.only[0].right, 0)
+    )
+    if direction is None or scene.model.sign(direction.dot(wanted)) <= 0:
         raise NotPlannedError("a component against the line of centres")
     return (name,)
 
@@ -646,8 +648,8 @@ def _along_the_line(scene: Scene, body: str, stage: int) -> tuple[Ref, ...]:
         own = in_direction(scene, kind, body, stage, frame)
         if own.value == 0:
             # A direction in letters is that of the velocity with both its components.
-            told = frame if frame.write is not None else scene.model.frames[stage]
-            plain = all(each.is_number for each in told.n)
+            frame_ = frame if frame.write is not None else scene.model.frames[stage]
+            plain = all(each.is_number for each in frame_.n)
             other = "along" if kind == "across" else "across"
             whole = () if plain else after(scene, other, body, frame).refs
             return together(own.refs, whole, frame.refs)
@@ -1021,13 +1023,13 @@ def write_formula(scene: Scene, own: Formula) -> int:
     if isinstance(own.value, Vector):
         number = scene.desk.write(own.move, own.refs, chain(own.left, (right, None)))
         if right != final:
-            told = chain(own.left, (final, None))
+            link = chain(own.left, (final, None))
             move = Move("rearrange")
             pythagoras = Move("identity", "pythagoras")
             ratios = any(sp.sympify(each, strict=True).atoms(sp.sin, sp.cos) for each in own.value)
-            if ratios and not scene.judge.follows(move, (number,), told):
-                move = pythagoras if scene.judge.follows(pythagoras, (number,), told) else move
-            number = scene.desk.write(move, (number,), told)
+            if ratios and not scene.judge.follows(move, (number,), link):
+                move = pythagoras if scene.judge.follows(pythagoras, (number,), link) else move
+            number = scene.desk.write(move, (number,), link)
     else:
         refs = own.refs
         if isinstance(right, Apply) and right.function == "sqrt":

@@ -22,10 +22,10 @@ def is_by_places(scene: Scene, number: int) -> bool:
     )
 
 
-def frame_by_places(scene: Scene, number: int, told: Told) -> Frame:
+def frame_by_places(scene: Scene, number: int, model_frame: Told) -> Frame:
     """The frame of an impact whose line of centres is worked out of places, where it is wanted."""
     centres = Quantity("line_of_centres", (), number)
-    n = told.n if told.wall is None else -told.n
+    n = model_frame.n if model_frame.wall is None else -model_frame.n
 
     def write() -> tuple[Ref, ...]:
         if struck(scene, number) is not None:
@@ -39,5 +39,5 @@ def frame_by_places(scene: Scene, number: int, told: Told) -> Frame:
         )
         return (line,)
 
-    sign = 1 if told.wall is None else -1
-    return Frame(number, told.wall, centres, None, n, n.turned_left(), (), sign, write)
+    sign = 1 if model_frame.wall is None else -1
+    return Frame(number, model_frame.wall, centres, None, n, n.turned_left(), (), sign, write)

@@ -68,9 +68,9 @@ def ratio(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     functions = _functions(scene, own, symbol)
     if functions is None or any(function.args != (symbol,) for function in functions):
         return None
-    found = {type(function) for function in functions}
-    if len(found) == 1:
-        (kind,) = found
+    kinds = {type(function) for function in functions}
+    if len(kinds) == 1:
+        (kind,) = kinds
         return _by_one(scene, line, numerator(own), kind, symbol)
     above = numerator(_in_sines(own, symbol))
     mixed = sp.Poly(above, sp.sin(symbol), sp.cos(symbol))

@@ -296,11 +296,11 @@ class _Refutation:
         value = sp.deg(value) if angle else value
         units = dict.fromkeys(value.free_symbols, sp.Integer(1))
         number = sp.Rational(str(sp.N(value.xreplace(units), figures)))
-        told = Fraction(number.p, number.q)
+        number_ = Fraction(number.p, number.q)
         if angle:
-            return Degrees(told)
+            return Degrees(number_)
         scale = tidy(value / value.xreplace(units))
-        return product(Number(told), tree_of(scale))
+        return product(Number(number_), tree_of(scale))
 
     def _is_angle(self, tree: Expression) -> bool:
         """Whether a side is an angle, which is printed in degrees."""

@@ -227,9 +227,9 @@ def _rejected(
     bare = _likely(scene, symbol, own)
     if not component and scene.judge.follows(move, (line, *bare), relation):
         return scene.desk.write(move, (line, *bare), relation)
-    told = senses(scene, symbol)
-    if told:
-        refs = scene.judge.enough(move, (line,), relation, (*told, *own))
+    senses_ = senses(scene, symbol)
+    if senses_:
+        refs = scene.judge.enough(move, (line,), relation, (*senses_, *own))
         if refs is not None:
             return scene.desk.write(move, refs, relation)
     laws = _laws(scene, symbol) if component else ()
@@ -315,13 +315,13 @@ def written_law(scene: Scene, record: str, number: int) -> int | None:
 
 def _values(scene: Scene, laws: Sequence[Ref]) -> tuple[Ref, ...]:
     """The lines that give values of letters in laws."""
-    found: list[Ref] = []
+    refs: list[Ref] = []
     for line in laws:
         for symbol in residual(scene, line).free_symbols:  # type: ignore[arg-type]
             known = scene.desk.known(Letter(symbol.name))
             if known is not None:
-                found += known.refs
-    return tuple(dict.fromkeys(found))
+                refs += known.refs
+    return tuple(dict.fromkeys(refs))
 
 
 def senses(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:

@@ -166,7 +166,7 @@ class Routes:
         bound = self._pruned(near, wanted)
         if len(near) > _MOST:
             return [tuple(self.candidates[n] for n in bound)]
-        found = [
+        routes = [
             (self._cost(chosen), chosen)
             for size in range(len(near) + 1)
             for chosen in combinations(near, size)
@@ -174,8 +174,8 @@ class Routes:
         ]
         minimal = [
             (cost, chosen)
-            for cost, chosen in found
-            if not any(set(other) < set(chosen) for _, other in found)
+            for cost, chosen in routes
+            if not any(set(other) < set(chosen) for _, other in routes)
         ]
         minimal.sort(key=lambda each: (each[0], len(each[1]), each[1]))
         return [tuple(self.candidates[n] for n in chosen) for _, chosen in minimal[:most]]

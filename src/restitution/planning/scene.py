@@ -148,7 +148,7 @@ class Scene:
         (n, n_refs), (t, t_refs) = self.put(own.n), self.put(own.t)
         if own.write is not None:
             return replace(own, n=n, t=t)  # the line is written with what is known
-        return replace(own, n=n, t=t, told=together(own.told, n_refs, t_refs))
+        return replace(own, n=n, t=t, sources=together(own.sources, n_refs, t_refs))
 
     def bodies(self, number: int) -> tuple[str, ...]:
         """The bodies in an event."""
@@ -280,10 +280,10 @@ class Scene:
             return own, ()
         state = self._state()
         if own not in self._put:
-            found = self._with_values(own)
+            put = self._with_values(own)
             if state != self._state():
-                return found  # to put them in wrote lines
-            self._put[own] = found
+                return put  # to put them in wrote lines
+            self._put[own] = put
         return self._put[own]
 
     def _with_values(self, own: sp.Expr) -> tuple[sp.Expr, tuple[Ref, ...]]:
@@ -364,22 +364,22 @@ class Scene:
     @cached_property
     def ratio_facts(self) -> Mapping[str, Fact]:
         """Facts such as tan α = 3/4, by the letter."""
-        found: dict[str, Fact] = {}
+        facts: dict[str, Fact] = {}
         for fact in self.desk.facts:
             if fact.kind != "given" or not self.desk.holds(fact.id):
                 continue
             match fact.relation.options:
                 case (((Link(Apply("sin" | "cos" | "tan", Letter(name)), "=", right)),),):
                     if not self.scalar(right).free_symbols and f"let {name}" not in self.facts:
-                        found[name] = fact
-        return found
+                        facts[name] = fact
+        return facts
 
     # --- facts ----------------------------------------------------------------------------------
 
     @cached_property
     def given(self) -> tuple[GivenEquation, ...]:
         """The given equations in force, but for ratios of angles in numbers."""
-        found: list[GivenEquation] = []
+        equations: list[GivenEquation] = []
         ratios = {ratio_fact.id for ratio_fact in self.ratio_facts.values()}
         for fact in self.desk.facts:
             if fact.kind != "given" or fact.id in ratios or not self.desk.holds(fact.id):
@@ -388,8 +388,8 @@ class Scene:
             residuals = tuple(self._residuals(link))
             if residuals:
                 lets = self.lets_in(link)
-                found.append(GivenEquation(fact, self.opened(link), residuals, lets))
-        return tuple(found)
+                equations.append(GivenEquation(fact, self.opened(link), residuals, lets))
+        return tuple(equations)
 
     def lets_in(self, link: Link) -> tuple[Ref, ...]:
         """The facts that let letters of a link stand for something."""

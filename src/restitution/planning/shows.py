@@ -314,8 +314,8 @@ def _tied(
     refs += [f"wall {wall.name}" for wall in scene.problem.walls]
     move = Move("define", record, frame.number, tuple(dict.fromkeys(b for b, _ in moving)))
     for pool in (refs, [*frame.refs, *refs]):
-        told = together(r for r in pool if claims.worths.exists(r))
-        line = claims.judge.write((move,), told, own_relation)
+        cited = together(r for r in pool if claims.worths.exists(r))
+        line = claims.judge.write((move,), cited, own_relation)
         if line is not None:
             return line, own_relation
     raise NotPlannedError("two directions")
@@ -343,8 +343,8 @@ def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[in
         if fact is None:
             raise NotPlannedError("a line of centres that is to be worked out")
         right = fact.relation.only[0].right
-    told = Link(left, "=", product(tree_of(factor), right))
-    return _Equation(claims, told).write(), Relation(((told,),))
+    parallel = Link(left, "=", product(tree_of(factor), right))
+    return _Equation(claims, parallel).write(), Relation(((parallel,),))
 
 
 class _Equation:
@@ -505,10 +505,10 @@ class _Equation:
                 desk.lines.pop()
                 return desk.write(own.move, refs, printed)
         names = self.judge.known(letters(first) | letters(right))
-        found = self.judge.write(_TO_FORM, [line, *named, *names], self.relation)
-        if found is None:
+        written = self.judge.write(_TO_FORM, [line, *named, *names], self.relation)
+        if written is None:
             self.claims.worths.back(mark)
-        return found
+        return written
 
     def _by_definition(
         self, own: Formula, left: Expression, extra: tuple[Ref, ...], pool: Sequence[Ref]

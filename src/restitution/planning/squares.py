@@ -39,14 +39,14 @@ def write_speeds(worths: Worths, fact: Fact, link: Link, sign: Sign, x: sp.Expr)
                 right = swept(own.right)
                 root = isinstance(right, Apply) and right.function == "sqrt"
                 subject = square(own.left) if root else own.left
-                told = right.argument if isinstance(right, Apply) and root else right
-                relation = Relation(((Link(subject, "=", told),),))
+                radicand = right.argument if isinstance(right, Apply) and root else right
+                relation = Relation(((Link(subject, "=", radicand),),))
                 line = worths.judge.write((own.move,), own.refs, relation, own.refs)
                 if line is None:
                     worths.back(mark)
                     return None
                 lines.append(line)
-                trees.append(told if root else square(told))
+                trees.append(radicand if root else square(radicand))
                 rooted |= root
             case _ if not has_quantity(side):
                 trees.append(tree_of(tidy(worths.scene.scalar(side) ** 2)))
@@ -117,8 +117,8 @@ def solve_squares(
             if number is None:
                 break
             pool = [number, *known]
-    told = solved or Link(tree_of(x), sign, ZERO)
-    last = judge.write(_SOLVING, pool, Relation(((told,),)))
+    link = solved or Link(tree_of(x), sign, ZERO)
+    last = judge.write(_SOLVING, pool, Relation(((link,),)))
     if last is None or solved is not None:
         return last
     return solve_quadratic(worths, last, sign, x, known)
@@ -144,10 +144,10 @@ def solve_quadratic(worths: Worths, line: int, sign: Sign, x: sp.Expr, known: Se
         return line
     own = sign if a > 0 else FLIPPED[sign]
     if len(sp.Poly(poly / sp.Integer(1), symbol).factor_list()[1]) > 1:
-        told = Link(tree_of(sp.factor(poly.as_expr() / sp.sign(a)), as_it_is=True), own, ZERO)
+        link = Link(tree_of(sp.factor(poly.as_expr() / sp.sign(a)), as_it_is=True), own, ZERO)
     else:
-        told = Link(square(tree_of(symbol + b / (2 * a))), own, tree_of(gap))
-    solved = worths.judge.write(_SOLVING[:2], [line], Relation(((told,),)))
+        link = Link(square(tree_of(symbol + b / (2 * a))), own, tree_of(gap))
+    solved = worths.judge.write(_SOLVING[:2], [line], Relation(((link,),)))
     if solved is None:
         return line
     low, high = (tidy(-b / (2 * a) + each * sp.sqrt(gap)) for each in (-1, 1))

@@ -44,12 +44,12 @@ def write_turn(
 ) -> int | None:
     """The line of an angle in numbers, by two that are worked out; None where they have letters."""
     mark = scene.desk.mark()
-    told = turn.first.angle is not None and turn.second.angle is not None
+    have_angles = turn.first.angle is not None and turn.second.angle is not None
     trees: list[Expression | None] = []
     refs: list[Ref] = []
     whole: Any = sp.Integer(0)
     for side, factor in zip((turn.first, turn.second), _SIGNS[turn.form], strict=True):
-        own = _in_numbers(scene, turn, side, angle_line, letters_too=told)
+        own = _in_numbers(scene, turn, side, angle_line, letters_too=have_angles)
         if own is None:
             scene.desk.back(mark)
             return None
@@ -97,7 +97,7 @@ def _in_numbers(
     if side.angle == NONE:
         return None, ()
     if side.angle is not None:
-        own = () if side.angle == RIGHT else (*side.told, *turn.frame.refs)
+        own = () if side.angle == RIGHT else (*side.sources, *turn.frame.refs)
         if not letters(side.angle):
             return side.angle, own
         value, more = scene.put(scene.scalar(side.angle))
@@ -131,15 +131,15 @@ def write_turn_tangent(scene: Scene, turn: Turn, subject: Expression) -> int | N
     ``subject`` is the angle that is asked, or the letter for it.
     """
     mark = scene.desk.mark()
-    terms, found = terms_of(scene, turn), None
+    terms, tangent = terms_of(scene, turn), None
     if terms is not None:
         relation = chain(subject, (turn.made_of(*(term.angle for term in terms)), None))
         number = made_of_angles(scene, turn, relation, ())
         if number is not None:
-            found = by_tangents(scene, number, turn.form, terms, Apply("tan", subject))
-    if found is None:
+            tangent = by_tangents(scene, number, turn.form, terms, Apply("tan", subject))
+    if tangent is None:
         scene.desk.back(mark)
-    return found
+    return tangent
 
 
 def terms_of(scene: Scene, turn: Turn) -> tuple[Term, Term] | None:
@@ -159,7 +159,7 @@ def made_of_angles(
     subject = relation.only[0].left
     if isinstance(subject, Letter):
         named.append(letter_of(scene, turn.asked)[1])
-    refs = (*turn.first.told, *turn.second.told)
+    refs = (*turn.first.sources, *turn.second.sources)
     components = (*turn.first.refs, *turn.second.refs)
     pool = dict.fromkeys((*given, *named, *refs, *components, *_axis(turn), *turn.frame.refs))
     premises = scene.judge.needed(turn.move, pool, relation, named)

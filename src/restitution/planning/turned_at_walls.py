@@ -71,9 +71,9 @@ def _turn(claims: Claims, quantities: Sequence[Quantity], relation: Relation) ->
     if inside is None:
         return None
     move = Move("define", "sum", event, (body,))
-    told = chain(turned, (Binary("+", angle, Letter(letter)), None))
+    sum_ = chain(turned, (Binary("+", angle, Letter(letter)), None))
     added = claims.judge.write(
-        (move,), together(data_of_approach(scene, body, frame), (let,)), told
+        (move,), together(data_of_approach(scene, body, frame), (let,)), sum_
     )
     return None if added is None else claims.compared([inside, added], relation)
 

@@ -209,10 +209,10 @@ def write_ratio(scene: Scene, function: str, angle: Expression) -> tuple[int, Re
         if own.function == "tan" and _sign_of_tangent(scene, own) < 0:
             at += sp.pi
         value = tidy({"tan": sp.tan, "cos": sp.cos, "sin": sp.sin}[function](at))
-        told = Relation(((Link(tree, "=", tree_of(value)),),))
-        if not scene.judge.follows(Move("triangle"), (own.line, own.extent), told):
+        relation = Relation(((Link(tree, "=", tree_of(value)),),))
+        if not scene.judge.follows(Move("triangle"), (own.line, own.extent), relation):
             raise NotPlannedError(f"the {function} by another ratio")
-        line = scene.desk.write(Move("triangle"), (own.line, own.extent), told)
+        line = scene.desk.write(Move("triangle"), (own.line, own.extent), relation)
     return line, chain(tree, (tree_of(value), None))
 
 
@@ -301,8 +301,8 @@ def _direction(scene: Scene, asked: Quantity) -> Ratio:
     if scene.model.identically_zero(x.value):
         return _along_j(scene, asked, x, y)
     own = formula(scene, asked)
-    told = scene.model.frames.get(stage)
-    if told is not None and told.angle is not None:
+    model_frame = scene.model.frames.get(stage)
+    if model_frame is not None and model_frame.angle is not None:
         own = _needed(scene, asked, own)
     line, letter = tangent_line(scene, asked, own, own.move)
     extent = _RANGES["direction"].format(letter)
@@ -336,8 +336,8 @@ def _needed(scene: Scene, asked: Quantity, own: Formula) -> Formula:
 def _along_the_centres(scene: Scene, asked: Quantity) -> int | None:
     """The line of a direction along a line of centres that is told by its angle."""
     body, stage = body_and_stage(scene, asked)
-    told = scene.model.frames.get(stage)
-    if told is None or told.wall is not None or told.axis is not None:
+    model_frame = scene.model.frames.get(stage)
+    if model_frame is None or model_frame.wall is not None or model_frame.axis is not None:
         return None
     frame = scene.frame(stage)
     angle = angle_of_centres(scene, stage)

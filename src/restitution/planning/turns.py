@@ -57,7 +57,7 @@ class Direction:
     across: Source
     angle: Expression | None
     named: Quantity
-    told: tuple[Ref, ...] = ()
+    sources: tuple[Ref, ...] = ()
 
     @property
     def refs(self) -> tuple[Ref, ...]:
@@ -112,10 +112,10 @@ def turns_of(scene: Scene, asked: Quantity) -> Iterator[Turn]:
     p, q = (_direction(scene, frame, *each) for each in pair)
     if p is None or q is None:
         return
-    told = {p.angle, q.angle}
-    if frame.wall is not None and told != {NONE}:
+    angles = {p.angle, q.angle}
+    if frame.wall is not None and angles != {NONE}:
         return  # at a wall the angles are those to the wall
-    if one != other and NONE in told and RIGHT not in told:
+    if one != other and NONE in angles and RIGHT not in angles:
         wider = p if q.angle == NONE else q
         if wider.angle is None and scene.desk.known(wider.named) is None:
             return  # the other angle is what is asked
@@ -123,7 +123,7 @@ def turns_of(scene: Scene, asked: Quantity) -> Iterator[Turn]:
     form, swapped = _form_of(scene, p, q, one == other)
     if form is not None:
         yield Turn(asked, frame, move, *((q, p) if swapped else (p, q)), form)
-    if one == other and told.isdisjoint((NONE, RIGHT)):
+    if one == other and angles.isdisjoint((NONE, RIGHT)):
         by_a_unit = _from_a_unit(scene, asked, frame, move, (p, q))
         if by_a_unit is not None:
             yield by_a_unit
@@ -153,8 +153,8 @@ def _from_a_unit(
             onward = scene.scalar(Quantity("along", (side.velocity, unit)))
             if scene.model.decide(onward, ">=", 0):
                 angle = _angle_of_data(scene, body.name, frame)
-        own = replace(side, angle=None, named=Quantity("angle", (side.velocity, unit)), told=())
-        seen.append(own if angle is None else _told(scene, own, body.name, angle))
+        own = replace(side, angle=None, named=Quantity("angle", (side.velocity, unit)), sources=())
+        seen.append(own if angle is None else _of_data(scene, own, body.name, angle))
     fall = tidy(sp.expand(sides[0].along.value - sides[1].along.value))
     sign = scene.model.sign(fall)
     if not sign or not scene.model.decide(sign * fall, ">=", 0):
@@ -206,10 +206,10 @@ def _direction(scene: Scene, frame: Frame, body: str, last: int) -> Direction | 
     own = Direction(velocity, along, across, angle, named)
     if angle is None and not last:
         angle = _angle_of_data(scene, body, frame)
-        return own if angle is None else _told(scene, own, body, angle)
+        return own if angle is None else _of_data(scene, own, body, angle)
     if angle is None:
         known = _given_to_the_line(scene, named) or _by_its_direction(scene, velocity, frame)
-        return own if known is None else replace(own, angle=known[0], told=known[1])
+        return own if known is None else replace(own, angle=known[0], sources=known[1])
     return own
 
 
@@ -254,13 +254,13 @@ def _acute(angle: Expression) -> Expression:
     return angle
 
 
-def _told(scene: Scene, direction: Direction, body: str, angle: Expression) -> Direction:
+def _of_data(scene: Scene, direction: Direction, body: str, angle: Expression) -> Direction:
     """A direction that the data tell by an angle, of which the number may be known."""
     value, refs = scene.put(scene.scalar(angle))
     known = tree_of(tidy(value), angle=True) if refs else angle
     if not isinstance(known, Degrees):
         known, refs = angle, ()
-    return replace(direction, angle=known, told=(f"velocity {body}", *refs))
+    return replace(direction, angle=known, sources=(f"velocity {body}", *refs))
 
 
 def _angle_of_data(scene: Scene, body: str, frame: Frame) -> Expression | None:

@@ -49,14 +49,14 @@ def _tried(scene: Scene, solver: Solver, write: Way) -> list[int]:
     """The lines of a way in which each line follows; none of one that fails."""
     standing, start = solver.mark(), len(scene.desk.lines)
     try:
-        found = list(write())
+        numbers = list(write())
         lines = scene.desk.lines
         require_true(scene.model, lines[start:], lines, scene.desk.facts)
         require_followed(scene, lines[start:])
     except UNPLANNED:
         solver.back(standing)
         return []
-    return found
+    return numbers
 
 
 def require_followed(scene: Scene, lines: Iterable[Line]) -> None:

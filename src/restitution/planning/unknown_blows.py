@@ -27,8 +27,8 @@ def take_blow(scene: Scene, body: str, event: int) -> None:
     fact = scene.facts.get(f"impulse {event}")
     if fact is None:
         raise NotPlannedError("a blow of which nothing is told")
-    told = fact.relation.only[0].right
-    open_ = scene.value(told)
+    blow = fact.relation.only[0].right
+    open_ = scene.value(blow)
     assert isinstance(open_, Vector)
     own = formula(scene, impulse)
     put, refs = (open_, ()) if scene.unknown(open_) else scene.put(open_)
@@ -93,13 +93,13 @@ def _size_and_angle(scene: Scene, lines: list[int], open_: Vector) -> None:
     line = scene.desk.write(
         Move("square-add"), lines, chain(square(Letter(size.name)), (squared, None))
     )
-    found = tidy(scene.final(size))
-    roots = tuple((Link(Letter(size.name), "=", tree_of(each)),) for each in (found, -found))
+    value = tidy(scene.final(size))
+    roots = tuple((Link(Letter(size.name), "=", tree_of(each)),) for each in (value, -value))
     line = scene.desk.write(Move("roots"), (line,), Relation(roots))
     line = scene.desk.write(
-        Move("reject"), (line,), chain(Letter(size.name), (tree_of(found), None))
+        Move("reject"), (line,), chain(Letter(size.name), (tree_of(value), None))
     )
-    scene.desk.know(Letter(size.name), found, (line,))
+    scene.desk.know(Letter(size.name), value, (line,))
     tangent = tidy(sp.tan(scene.final(angle)))
     subject = Apply("tan", Letter(angle.name))
     sine = next(n for n, each in enumerate(open_) if each.has(sp.sin))

@@ -56,12 +56,12 @@ def turned_velocity(
 ) -> tuple[Expression, Vector, tuple[Ref, ...]] | None:
     """A velocity by its size and by how far, and to which side, it is turned from **i**."""
     quantities = [Quantity(kind, (Name(body),), number) for kind in ("speed", "deflection")]
-    found = [
+    velocities = [
         next((e for e in scene.given if e.link.sign == "=" and e.link.left == quantity), None)
         for quantity in quantities
     ]
     fact = scene.facts.get(f"velocity {body}")
-    fast, turned = found
+    fast, turned = velocities
     if fast is None or turned is None or fact is None or scene.last_event(body, number - 1):
         return None
     early = scene.initial(body)

@@ -64,10 +64,10 @@ def tangent_at_a_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | None
     if own is None:
         return None
     turned, _ = letter_of(scene, asked)
-    found = by_tangents(scene, own[0], "sum", own[1], Apply("tan", Letter(turned)))
-    if found is None:
+    number = by_tangents(scene, own[0], "sum", own[1], Apply("tan", Letter(turned)))
+    if number is None:
         scene.desk.back(mark)
-    return found
+    return number
 
 
 def sum_at_a_wall(
@@ -116,13 +116,13 @@ def given_at_a_wall(
     mark = scene.desk.mark()
     letter, meaning = letter_of(scene, after)
     own = formula(scene, after)
-    told = together(each.refs, data, (meaning,))
+    cited = together(each.refs, data, (meaning,))
     if isinstance(angle, Degrees):
         rest = tidy(turned - scene.scalar(angle))
         final = tree_of(rest, angle=True)
         right = Binary("-", each.link.right, angle)
         relation = chain(Letter(letter), (right, None), (final, "rearrange"))
-        premises = scene.judge.enough(move, told, relation)
+        premises = scene.judge.enough(move, cited, relation)
         if premises is not None:
             line = scene.desk.write(move, premises, relation)
             relation = chain(Apply("tan", final), (swept(own.right), None))
@@ -134,14 +134,14 @@ def given_at_a_wall(
     line, _ = tangent_line(scene, after, own, own.move)
     sides = Binary("+", angle, Letter(letter))
     relation = chain(sides, (each.link.right, None))
-    premises = scene.judge.enough(move, told, relation)
+    premises = scene.judge.enough(move, cited, relation)
     if premises is not None:
         number = scene.desk.write(move, premises, relation)
         value = scene.desk.last_link(line).right
         terms = (Term(angle, Apply("tan", angle)), Term(Letter(letter), value, (line,)))
-        found = by_tangents(scene, number, "sum", terms, tree_of(tidy(sp.tan(turned))))
-        if found is not None:
-            return found
+        number_ = by_tangents(scene, number, "sum", terms, tree_of(tidy(sp.tan(turned))))
+        if number_ is not None:
+            return number_
     scene.desk.back(mark)
     return None
 

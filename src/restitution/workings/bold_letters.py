@@ -281,13 +281,13 @@ def _direction(derivation: Derivation, number: int) -> Vector | None:
     lines = [] if derivation.cases else derivation.lines
     resolved = [e.move.record == "component" and e.move.event == number for e in lines]
     first = resolved.index(True) if True in resolved else len(lines)
-    told: list[Line | Fact] = [
+    sources: list[Line | Fact] = [
         each
         for each in (*reversed(lines[:first]), *reversed(lines[first:]))
         if not isinstance(each.relation, Meaning)
     ]
     fact = derivation.fact(" ".join(("axis", str(number))))
-    for each in (*told, *(() if fact is None else (fact,))):
+    for each in (*sources, *(() if fact is None else (fact,))):
         assert isinstance(each.relation, Relation)
         match each.relation.options:
             case ((Link(left, "=" | "parallel to"), *_),) if left == axis:

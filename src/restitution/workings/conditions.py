@@ -21,7 +21,7 @@ from restitution.solving.solution import Answer, ItemResult, PartSolution, Solut
 
 def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sentence]:
     """The conditions of answers, by the numbers of the lines below which they are said."""
-    told: dict[int, Sentence] = {}
+    sentences: dict[int, Sentence] = {}
     subjects = _subjects(derivation)
     for label, part in solution.parts.items():
         names = [each for each, own in derivation.asked.items() if own == label]
@@ -42,8 +42,8 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
             for line, answer in pairs:
                 sentence = _sentence(solution, part, answer, subjects)
                 if sentence is not None:
-                    told[line] = sentence
-    return told
+                    sentences[line] = sentence
+    return sentences
 
 
 def _is_asked(part: PartSolution, answers: Sequence[Answer]) -> bool:
@@ -55,8 +55,10 @@ def _is_asked(part: PartSolution, answers: Sequence[Answer]) -> bool:
         and isinstance(item.item.expression, Letter)
         and item.error is None
     }
-    told = {each for answer in answers for each in answer.condition}
-    return len(told) == 1 and any(name in _names_in(text) for name in ranges for text in told)
+    conditions = {each for answer in answers for each in answer.condition}
+    return len(conditions) == 1 and any(
+        name in _names_in(text) for name in ranges for text in conditions
+    )
 
 
 def _is_of_itself(item: ItemResult, answers: Sequence[Answer]) -> bool:
@@ -124,14 +126,14 @@ def _sentence(
     branch = next(each for each in part.branches if each.number == answer.solution)
     protected = protected_letters(part.part)
     own = model(solution.problem, part.part, branch, part.roles, protected)
-    found = {each for each in own.final if each.name in subjects}
-    reasons = coefficients_that_bind(own, found)
+    unknowns = {each for each in own.final if each.name in subjects}
+    reasons = coefficients_that_bind(own, unknowns)
     if reasons and condition not in reasons:
         return say("answer.only-as", reasons=reasons, condition=condition)
     return say("answer.only", condition=condition)
 
 
-def coefficients_that_bind(model: Model, found: Collection[sp.Symbol]) -> list[Layout]:
+def coefficients_that_bind(model: Model, unknowns: Collection[sp.Symbol]) -> list[Layout]:
     """``e ≤ 1``: the bounds of coefficients that were found, if a solution's condition is theirs.
 
     Empty where it rests on anything else, or on a coefficient that is not yet known.
@@ -151,7 +153,7 @@ def coefficients_that_bind(model: Model, found: Collection[sp.Symbol]) -> list[L
         fewer = {key: claim for key, claim in bounds.items() if key != bound}
         if all(_follows(model.ground.with_facts(fewer.values()), x) for x in model.oracle.facts):
             bounds = fewer
-    known = all(symbol in found for symbol, _ in bounds)
+    known = all(symbol in unknowns for symbol, _ in bounds)
     enough = model.ground.with_facts(bounds.values())
     if not bounds or not known or not all(_follows(enough, fact) for fact in model.oracle.facts):
         return []

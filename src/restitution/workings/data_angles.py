@@ -35,7 +35,7 @@ class DataAngles:
     def __init__(self, derivation: Derivation, naming: Naming) -> None:
         self._derivation = derivation
         self._naming = naming
-        self._told: set[Expression] = set()
+        self._seen: set[Expression] = set()
         self._turned: set[str] = set()
 
     def in_order(self, lines: Sequence[Line]) -> Iterator[Line]:
@@ -61,8 +61,8 @@ class DataAngles:
             for node in (each for tree in trees_of(fact.relation) for each in walk(tree)):
                 if not isinstance(node, Apply) or node.function not in _ARCS:
                     continue
-                if node not in self._told and not letters(node.argument):
-                    self._told.add(node)
+                if node not in self._seen and not letters(node.argument):
+                    self._seen.add(node)
                     yield from self._ratios(node)
             yield from self._to_the_line(fact, line)
 

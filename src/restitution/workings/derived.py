@@ -152,9 +152,9 @@ class _Writer:
             if not waiting:
                 yield from self._recalled(line)
             if lets:
-                told = tuple(self.introductions.of(lets))
+                introductions = tuple(self.introductions.of(lets))
                 # What they are letters of may have to be introduced itself.
-                sentences = (*self.naming.introduced(), *told)
+                sentences = (*self.naming.introduced(), *introductions)
                 lets = []
                 if sentences:
                     yield Step("setting", sentences=sentences)
@@ -204,7 +204,7 @@ class _Writer:
 
     def _noted(self, notes: Sequence[Note]) -> Iterator[Step]:
         """Why items have no answer, or why a claim is not true."""
-        for note, sentence in self.notes.said(notes):
+        for note, sentence in self.notes.sentences(notes):
             self.afresh()
             yield from self._introduced()
             points = tuple(_because(mark) for mark in note.marks)
@@ -312,7 +312,7 @@ class _Writer:
 
     def _unchanged(self, lines: Sequence[Line]) -> Step:
         """The components that stay as a sentence."""
-        title, sentence = self.staying.said(lines)
+        title, sentence = self.staying.sentences(lines)
         again = title == self.title
         if again:
             sentence = say("derived.sentence", sentence=sentence)

@@ -115,7 +115,7 @@ def _part(part: PartExplanation) -> list[str]:
 
 
 def _step(step: Step) -> list[str]:
-    words = said(step.words)
+    words = inline(step.words)
     if step.picture is not None:
         return [f"<figure>{to_svg(step.picture)}</figure>"]
     if step.kind == "heading":
@@ -131,7 +131,7 @@ def _step(step: Step) -> list[str]:
     return out
 
 
-def said(words: Words) -> str:
+def inline(words: Words) -> str:
     """Words with their mathematics, to stand in a paragraph."""
     return "".join(escape(word) if isinstance(word, str) else _cell(word) for word in words).strip()
 
@@ -140,7 +140,7 @@ def table_rows(row: Row) -> list[str]:
     """A line of mathematics as rows of a table: long chains take several."""
     mark = f'<td class="m">{escape(row.mark)}</td>'
     none = '<td class="m"></td>'
-    note = f'<span class="note">{said(row.note)}</span>' if row.note else ""
+    note = f'<span class="note">{inline(row.note)}</span>' if row.note else ""
     note = note if goes_on(row.note) or not note else f" {note}"
     left = _cell(row.operands[0])
     if not row.signs:

@@ -96,61 +96,61 @@ class Leads:
         if len(facts) != 1:
             return ()
         self._given |= {each.id for each in facts}
-        told = self._naming.fact(facts[0])
+        sentence = self._naming.fact(facts[0])
         along = self._moving_along(line)
         if along is not None and line.move.record == "tan":
-            return (say("given.fact-along", fact=told, body=along),)
+            return (say("given.fact-along", fact=sentence, body=along),)
         match facts[0].relation.options[0][0]:
-            case Link(Quantity("velocity", _, _), "=", right) if isinstance(told, lay.Layout):
+            case Link(Quantity("velocity", _, _), "=", right) if isinstance(sentence, lay.Layout):
                 if not has_quantity(right):
                     return ()  # a velocity that is given is a datum
                 resolved = self.resolved(line) if line.move.record == "component" else None
                 if resolved is not None:
-                    return (say("given.and", fact=told), resolved)
+                    return (say("given.and", fact=sentence), resolved)
         match facts[0].relation.options[0][0]:
             case Link(Quantity("direction", (Name() as body,), stage), "=", angle) if (
                 abs(_degrees(angle)) == 90
             ):
                 velocity = self._naming.laid(Quantity("velocity", (body,), stage))
                 axis = self._naming.laid(Unit("i"))
-                return (say("given.direction", fact=told, velocity=velocity, axis=axis),)
+                return (say("given.direction", fact=sentence, velocity=velocity, axis=axis),)
         if isinstance(facts[0].relation.options[0][0].left, Letter) and not isinstance(
-            told, Sentence
+            sentence, Sentence
         ):
             if self.title(line) is not None:
-                self._behind[line.number] = say("derived.as", reasons=(told,))
+                self._behind[line.number] = say("derived.as", reasons=(sentence,))
                 return ()
-            return (say("derived.since", facts=(told,)),)
+            return (say("derived.since", facts=(sentence,)),)
         assert isinstance(line.relation, Relation)
         match facts[0].relation.options[0][0], line.relation.only:
             case Link(Quantity("velocity"), "perpendicular to", Unit() as unit), (link,) if (
                 line.move.record == "perpendicular" and is_zero(link.right)
             ):
-                return (say("given.component", fact=told, axis=self._naming.laid(unit)),)
+                return (say("given.component", fact=sentence, axis=self._naming.laid(unit)),)
         if line.move.record in ("sum", "difference") and len(line.move.bodies) == 1:
             turned = self._turned(line)
             if turned is not None:
-                return (say("given.and", fact=told), turned)
+                return (say("given.and", fact=sentence), turned)
         if isinstance(line.relation.options[0][0].left, Letter):
-            return (say("given.fact", fact=told),)
+            return (say("given.fact", fact=sentence),)
         past = past_a_right_angle(facts[0].relation.only[0])
         if line.move.record == "perpendicular" and past is not None:
             negative = past[2][0] == "<"
             name = "given.negative-product" if negative else "given.positive-product"
-            return (say(name, fact=told),)
+            return (say(name, fact=sentence),)
         nothing = is_zero(line.relation.options[0][-1].right)
         if line.move.record == "perpendicular" and nothing:
             match line.relation.options[0][0].left:
                 case Quantity("along" | "across"):
                     pass
                 case _:
-                    return (say("given.product", fact=told),)
+                    return (say("given.product", fact=sentence),)
         other = _across(facts[0].relation.options[0][0].right)
         if line.move.record == "parallel" and nothing and other is not None:
-            return (say("given.component", fact=told, axis=self._naming.laid(other)),)
+            return (say("given.component", fact=sentence, axis=self._naming.laid(other)),)
         if line.move.record == "parallel":
-            return (say("given.proportion", fact=told),)
-        return (*self._sine_of_an_offset(line), say("given.fact", fact=told))
+            return (say("given.proportion", fact=sentence),)
+        return (*self._sine_of_an_offset(line), say("given.fact", fact=sentence))
 
     def behind(self, line: Line) -> tuple[Sentence, ...]:
         """The value of a letter that a definition puts in, which stands behind the line."""
@@ -351,12 +351,12 @@ class Leads:
         elif line.move.id == "identity" and line.move.record in _BY:
             how = say(self._identity(line))
             equations = () if source is None else self._numbers(source)
-            told = self._angles_given(line)
-            if told is not None and line.move.record == "complement":
-                yield say("derived.since", facts=(self._naming.fact(told),))
-            elif told is not None and told.id not in self._given:
-                self._given.add(told.id)
-                yield say("derived.since-by", facts=(self._naming.fact(told),), how=how)
+            sentence = self._angles_given(line)
+            if sentence is not None and line.move.record == "complement":
+                yield say("derived.since", facts=(self._naming.fact(sentence),))
+            elif sentence is not None and sentence.id not in self._given:
+                self._given.add(sentence.id)
+                yield say("derived.since-by", facts=(self._naming.fact(sentence),), how=how)
             elif equations:
                 yield say("derived.by-from", how=how, equations=equations)
             else:
@@ -689,21 +689,21 @@ class Leads:
                 letters = tuple(
                     self._named(each) for each in source.letters if spoken.isdisjoint(walk(each))
                 )
-                told = any(isinstance(e, Sentence) and e.topic == "claim" for e in facts)
+                is_claim = any(isinstance(e, Sentence) and e.topic == "claim" for e in facts)
                 moves = self._moves(source.facts)
                 if facts and facts[0] == self._written(line):
                     yield say("given.data")
-                elif len(facts) == 1 and told:
+                elif len(facts) == 1 and is_claim:
                     meeting = self._meeting(source.facts[0], line)
                     yield meeting or say("given.fact", fact=facts[0])
                 elif moves is not None and not equations:
-                    body, way, told_ = moves
+                    body, way, moving = moves
                     if letters and not source.last:
                         yield say(
-                            "derived.moves-put", body=body, way=way, fact=told_, letters=letters
+                            "derived.moves-put", body=body, way=way, fact=moving, letters=letters
                         )
                     else:
-                        yield say("derived.moves", body=body, way=way, fact=told_)
+                        yield say("derived.moves", body=body, way=way, fact=moving)
                 elif facts and letters and not source.last and not equations:
                     yield say("derived.since-put", facts=facts, letters=letters)
                 elif facts and equations:
@@ -774,8 +774,8 @@ class Leads:
         relation = None if fact is None else self._naming.meeting(fact)
         if relation is None:
             return None
-        told = self._of_letter(line)
-        return condition_of(relation, self._naming, inequality=True, told=told)
+        sentence = self._of_letter(line)
+        return condition_of(relation, self._naming, inequality=True, written=sentence)
 
     def _of_letter(self, line: Line) -> lay.Layout | None:
         """``v < 0``, where a line says that of the value of the letter."""
@@ -804,8 +804,8 @@ class Leads:
                 continue
             match own.relation:
                 case Relation(((Link(_, "<" | "<=" | ">" | ">="),),)) as relation:
-                    told = self._of_letter(own)
-                    yield say("derived.anyway", fact=told or self._naming.relation(relation))
+                    sentence = self._of_letter(own)
+                    yield say("derived.anyway", fact=sentence or self._naming.relation(relation))
 
     def _moves(
         self, names: tuple[str, ...]
@@ -820,8 +820,8 @@ class Leads:
             case _:
                 return None
         way = self._naming.laid(axis if sign == ">" else Negate(axis))
-        told = self._naming.fact(sense)
-        return body, way, told
+        sentence = self._naming.fact(sense)
+        return body, way, sentence
 
     def _fact(self, name: str) -> Sentence | lay.Layout:
         fact = self._derivation.fact(name)

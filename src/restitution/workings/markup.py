@@ -93,15 +93,15 @@ def to_markdown(explanation: Working) -> str:
 def _markdown_step(step: Step) -> list[str]:
     if step.picture is not None:
         return [_image(step.picture)]
-    said = _inline(step.words, _markdown)
+    text = _inline(step.words, _markdown)
     if step.kind == "heading":
-        return [f"**{said}**" if not _has_math(step.words) else said]
+        return [f"**{text}**" if not _has_math(step.words) else text]
     if step.principle:
         named = f"*{_markdown(step.principle)}*:"
-        said = f"{named} {said}" if said else named
+        text = f"{named} {text}" if text else named
     if step.mark:
-        said = f"{said} **[{_markdown(step.mark)}]**"
-    blocks = [said] if said.strip() else []
+        text = f"{text} **[{_markdown(step.mark)}]**"
+    blocks = [text] if text.strip() else []
     if step.rows:
         blocks.append(f"$$\n{aligned(step.rows)}\n$$")
     return blocks
@@ -139,19 +139,19 @@ def _latex_part(part: PartExplanation) -> list[str]:
     for step in part.steps:
         if step.picture is not None:
             continue  # TeX takes no SVG
-        said = _inline(step.words, _text)
+        text = _inline(step.words, _text)
         if step.kind == "heading":
-            blocks.append(rf"\textbf{{{said}}}")
+            blocks.append(rf"\textbf{{{text}}}")
             continue
         if step.principle:
             named = rf"\emph{{{_text(step.principle)}}}:"
-            said = f"{named} {said}" if said else named
+            text = f"{named} {text}" if text else named
         if step.mark:
-            said = rf"{said} \hspace*{{\fill}}\textbf{{{_text(step.mark)}}}"
-        if said:
-            blocks.append(said)
+            text = rf"{text} \hspace*{{\fill}}\textbf{{{_text(step.mark)}}}"
+        if text:
+            blocks.append(text)
         if step.rows:
-            _displayed(step.rows, blocks, fresh=bool(said))
+            _displayed(step.rows, blocks, fresh=bool(text))
     return blocks
 
 
@@ -159,8 +159,8 @@ def _displayed(rows: Sequence[Row], blocks: list[str], fresh: bool) -> None:
     """Adds lines to the equations that end the blocks, or sets new ones below the words."""
     for row in rows:
         wide = columns(row.operands[0]) > _LINE / 2
-        said = _aside(row)
-        plain = replace(row, asides=(), reasons=(), number="") if said else row
+        aside = _aside(row)
+        plain = replace(row, asides=(), reasons=(), number="") if aside else row
         body = " \\\\\n".join(_lines(plain, _tag(plain)))
         last = blocks[-1] if blocks else ""
         if last.endswith(_END) and not wide and not fresh:
@@ -169,8 +169,8 @@ def _displayed(rows: Sequence[Row], blocks: list[str], fresh: bool) -> None:
             blocks[-1] = f"{last}{_BEGIN}{body}{_END}"
         else:
             blocks.append(f"{_BEGIN.lstrip()}{body}{_END}")
-        if said:
-            blocks[-1] += f"\n{said}"
+        if aside:
+            blocks[-1] += f"\n{aside}"
         fresh = False
         if wide:
             blocks.append("")

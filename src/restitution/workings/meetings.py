@@ -25,7 +25,7 @@ _MEETINGS = {
 
 
 def condition_of(
-    relation: Meets, naming: Naming, *, inequality: bool, told: Layout | None = None
+    relation: Meets, naming: Naming, *, inequality: bool, written: Layout | None = None
 ) -> Sentence | None:
     """When bodies meet; None of two spheres that have not met before.
 
@@ -37,8 +37,8 @@ def condition_of(
         again = say("again") if relation.again else ""
         way = "towards" if relation.happens else "away"
         topic = "condition" if inequality else "meeting"
-        if inequality and told is not None:
-            return say(_MEETINGS["letter", way], body=one, wall=other, again=again, told=told)
+        if inequality and written is not None:
+            return say(_MEETINGS["letter", way], body=one, wall=other, again=again, told=written)
         return say(_MEETINGS[topic, way], body=one, wall=other, again=again)
     met = [event for event in naming.events.values() if set(event.bodies) == {one, other}]
     if not met:

@@ -372,8 +372,8 @@ class Naming:
                     return between
                 return self._at(say("derived.distance", of=tuple(map(self._end, arguments))), stage)
             case Quantity("line_of_centres", _, stage):
-                told = isinstance(stage, int) and self.bold.way(stage, "along") is not None
-                return say("derived.line-unit") if told else say("derived.line")
+                is_bold = isinstance(stage, int) and self.bold.way(stage, "along") is not None
+                return say("derived.line-unit") if is_bold else say("derived.line")
             case Quantity("direction", (Name(),), int()):
                 velocity = Quantity("velocity", tree.arguments, tree.stage)
                 unit = self.laid(Unit("i"))
@@ -666,8 +666,8 @@ class Naming:
 
     def _arrivals(self) -> dict[int, Arrival]:
         kinds = ("Impact", "Kick", "Arrival")
-        told = (step for _, step in self.problem.steps() if type(step).__name__ in kinds)
-        return {n: step for n, step in enumerate(told, 1) if isinstance(step, Arrival)}
+        arrivals = (step for _, step in self.problem.steps() if type(step).__name__ in kinds)
+        return {n: step for n, step in enumerate(arrivals, 1) if isinstance(step, Arrival)}
 
     def _at(self, words: Sentence, stage: Stage) -> Sentence:
         when = self._when_at(stage)

@@ -47,7 +47,7 @@ class Notes:
             places.setdefault(max(before, default=0), []).append(note)
         return places
 
-    def said(self, notes: Sequence[Note]) -> Iterator[tuple[Note, Sentence]]:
+    def sentences(self, notes: Sequence[Note]) -> Iterator[tuple[Note, Sentence]]:
         """Notes in words; those with one reason in one sentence."""
 
         def reason(note: Note) -> object:

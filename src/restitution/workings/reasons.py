@@ -132,7 +132,7 @@ class Reasons:
 
     def _is_root(self, line: Line) -> bool:
         """Whether of an equation of squares the roots are taken, which may have two signs."""
-        above = [own for ref in line.premises if (own := self._told(ref)) is not None]
+        above = [own for ref in line.premises if (own := self._relation_of(ref)) is not None]
         assert isinstance(line.relation, Relation)
         if line.move.id != "rearrange" or len(above) != 1 or len(line.relation.options) != 1:
             return False
@@ -159,18 +159,18 @@ class Reasons:
         return self._known(line)
 
     def _known(self, line: Line) -> tuple[Sentence | lay.Layout, ...]:
-        said: list[Sentence | lay.Layout] = []
+        reasons: list[Sentence | lay.Layout] = []
         bounds: list[Link] = []
         for ref in line.premises:
             match self._reason(ref, line):
                 case Relation(options=((link,),)) if link.sign in (*_UP, *_DOWN):
                     bounds.append(link)
                 case Relation() as relation:
-                    said.append(self._laid(relation))
+                    reasons.append(self._laid(relation))
                 case Sentence() as sentence:
-                    said.append(sentence)
+                    reasons.append(sentence)
         merged = (self._laid(each) for each in _merged(bounds))
-        return (*said, *merged, *map(self._laid, self._below(line, bounds)))
+        return (*reasons, *merged, *map(self._laid, self._below(line, bounds)))
 
     def _below(self, line: Line, bounds: Sequence[Link]) -> Iterator[Relation]:
         """That a letter is not zero, where it stands below a line and may be zero otherwise."""
@@ -180,7 +180,7 @@ class Reasons:
                 if line.move.id != "sign" or Link(letter, ">=", ZERO) not in bounds:
                     return
                 for ref in line.premises:
-                    own = self._told(ref)
+                    own = self._relation_of(ref)
                     nodes = () if own is None else walk(own.only[-1].right)
                     below = [e.right for e in nodes if isinstance(e, Binary) and e.op == "/"]
                     if any(letter in factors(each) for each in below):
@@ -244,11 +244,11 @@ class Reasons:
                 if role is None or role.kind != "positive":
                     return
                 for ref in line.premises:
-                    if _bounds_below(self._told(ref), letter):
+                    if _bounds_below(self._relation_of(ref), letter):
                         return
                 yield self._laid(Relation(((Link(letter, ">", ZERO),),)))
 
-    def _told(self, ref: Ref) -> Relation | None:
+    def _relation_of(self, ref: Ref) -> Relation | None:
         """What a premise says."""
         if isinstance(ref, int):
             own = self._derivation.line(ref)
@@ -268,7 +268,7 @@ class Reasons:
 
         A reader sees it by that, and of 1 + e + e² there is nothing that has to be cited.
         """
-        cited = [self._told(ref) for ref in line.premises]
+        cited = [self._relation_of(ref) for ref in line.premises]
         if line.move.id != "sign" or len(cited) != 1 or cited[0] is None:
             return
         whole = cited[0].options[0][-1].right
@@ -285,7 +285,7 @@ class Reasons:
         """That a quantity increases, or decreases, between the ends that are cited."""
         if line.move.id != "monotone":
             return
-        told = [
+        growths = [
             own.relation
             for ref in line.premises
             if isinstance(ref, int)
@@ -294,10 +294,10 @@ class Reasons:
         ]
         above = [
             Link(each.only[0].left, "=", each.only[-1].right)
-            for each in told
+            for each in growths
             if each.only[0].sign == "="
         ]
-        ends = [link for each in told for link in each.only if link.sign != "="]
+        ends = [link for each in growths for link in each.only if link.sign != "="]
         ends += [
             link
             for ref in line.premises
@@ -316,9 +316,9 @@ class Reasons:
             return
         assert isinstance(line.relation, Relation)
         positive = {name for name, role in self._roles.items() if role.kind == "positive"}
-        found = growth(above[0].right, line.relation, ends, positive)
-        if found is not None:
-            name, way = found
+        grown = growth(above[0].right, line.relation, ends, positive)
+        if grown is not None:
+            name, way = grown
             whole = above[0].right
             if not _is_short(whole):
                 part = _part_with(whole, name)
@@ -335,7 +335,7 @@ class Reasons:
     def _shape(self, line: Line) -> tuple[Sentence, ...]:
         """What bounds a value by its form, the plainest that fits."""
         ways = (self._square, self._factor, self._wave, self._share)
-        return next((told for way in ways if (told := tuple(way(line)))), ())
+        return next((reasons for way in ways if (reasons := tuple(way(line)))), ())
 
     def _square(self, line: Line) -> Iterator[Sentence]:
         """That a square is not negative, where a bound is what is left without it."""
@@ -395,8 +395,8 @@ class Reasons:
                         case Binary("^", base, Number(Fraction(numerator=2))) if isinstance(
                             base, Binary
                         ) and base.op in ("+", "-"):
-                            told = Relation(((Link(factor, ">=", ZERO),),))
-                            yield say("derived.fact", fact=self._laid(told))
+                            relation = Relation(((Link(factor, ">=", ZERO),),))
+                            yield say("derived.fact", fact=self._laid(relation))
 
     def _wave(self, line: Line) -> Iterator[Sentence]:
         """Why a sum or a product of a sine and a cosine is bounded, where a bound comes of that."""
@@ -410,9 +410,9 @@ class Reasons:
                 continue
             wholes = [each.right for each in reversed(own.relation.options[0])]
             for whole, node in ((each, node) for each in wholes for node in walk(each)):
-                told = _sine_and_cosine(node)
-                if told is not None and _bounds(whole, node, told[0], links[0].right):
-                    yield say("derived.fact", fact=self._laid(Relation((told[1],))))
+                wave = _sine_and_cosine(node)
+                if wave is not None and _bounds(whole, node, wave[0], links[0].right):
+                    yield say("derived.fact", fact=self._laid(Relation((wave[1],))))
                     return
 
     def _share(self, line: Line) -> Iterator[Sentence]:
@@ -446,9 +446,9 @@ class Reasons:
             return
         if any(not atom.exp.is_Integer for atom in share.atoms(sp.Pow)):
             return
-        told = Link(tree_of(share), links[0].sign, Number(Fraction(1)))
-        if _is_short(told.left):
-            yield say("derived.fact", fact=self._laid(Relation(((told,),))))
+        link = Link(tree_of(share), links[0].sign, Number(Fraction(1)))
+        if _is_short(link.left):
+            yield say("derived.fact", fact=self._laid(Relation(((link,),))))
 
 
 def _sine_and_cosine(node: Expression) -> tuple[Expression, tuple[Link, ...]] | None:

@@ -109,18 +109,18 @@ def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -
     if sides and note.sides == note.instance:
         letter, value = (naming.laid(each) for each in (note.sides[0].left, note.sides[0].right))
         return say("refuted.possible", claim=claim, letter=letter, value=value)
-    told = say("refuted.sides", sides=sides)
+    sentence = say("refuted.sides", sides=sides)
     if isinstance(relation, Compare):
-        told = _compared(note, sides, naming) or told
+        sentence = _compared(note, sides, naming) or sentence
     elif isinstance(relation, Meets):
         gain = gain_of(relation, naming)
-        told = told if gain is None else say("refuted.so", sides=sides, claim=gain)
+        sentence = sentence if gain is None else say("refuted.so", sides=sides, claim=gain)
     if values and sides:
-        return say("refuted.general", claim=claim, values=values, sides=told)
+        return say("refuted.general", claim=claim, values=values, sides=sentence)
     if values:
         return say("refuted.instance", claim=claim, values=values)
     if sides:
-        return say("refuted.claim", claim=claim, sides=told)
+        return say("refuted.claim", claim=claim, sides=sentence)
     return say("refuted.plainly", claim=claim)
 
 
@@ -185,14 +185,14 @@ def _apart(
     if not (isinstance(a, Vector) and isinstance(b, Vector)) or 0 in (a.dot(a), b.dot(b)):
         return say("refuted.direction", claim=denied)
     if how == "perpendicular to":
-        told = Link(Quantity("dot", trees), "=", tree_of(tidy(a.dot(b))))
+        link = Link(Quantity("dot", trees), "=", tree_of(tidy(a.dot(b))))
     elif tidy(a.cross(b)) != 0:
         left, right = map(naming.laid, worth)
         return say("refuted.no-multiple", claim=denied, left=left, right=right)
     else:
         factor = tree_of(tidy(a.dot(b) / b.dot(b)))
-        told = Link(trees[0], "=", product(factor, trees[1]))
-    return say("refuted.direction-as", claim=denied, relation=naming.relation(Relation(((told,),))))
+        link = Link(trees[0], "=", product(factor, trees[1]))
+    return say("refuted.direction-as", claim=denied, relation=naming.relation(Relation(((link,),))))
 
 
 def _of_subject(

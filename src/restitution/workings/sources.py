@@ -151,16 +151,16 @@ class Sources:
 
     def _equations(self, refs: tuple[Ref, ...]) -> list[int]:
         """The equations among premises; of one that is not printed that which says it."""
-        found: list[int] = []
+        numbers: list[int] = []
         for ref in refs:
             line = self._derivation.line(ref) if isinstance(ref, int) else None
             if line is None or not isinstance(line.relation, Relation):
                 continue
             if line.shown != "silent":
-                found.append(line.number)
+                numbers.append(line.number)
             elif line.move.id == "rearrange":
-                found += self._equations(line.premises)
-        return list(dict.fromkeys(found))
+                numbers += self._equations(line.premises)
+        return list(dict.fromkeys(numbers))
 
     def _source(self, line: Line) -> Source | None:
         move, cited = line.move.id, self._equations(line.premises)

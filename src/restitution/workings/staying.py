@@ -108,7 +108,7 @@ class Staying:
             for fact in facts
         )
 
-    def said(self, lines: Sequence[Line]) -> tuple[Sentence, Sentence]:
+    def sentences(self, lines: Sequence[Line]) -> tuple[Sentence, Sentence]:
         """The components that stay as a title and a sentence."""
         event = self._naming.events[lines[0].move.event or 1]
         values: list[tuple[str, lay.Layout]] = []

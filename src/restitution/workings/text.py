@@ -90,9 +90,9 @@ def _part(part: PartExplanation, width: int) -> list[_Line]:
     if part.label:
         lines += [_Line(f"({part.label})", strong=True), _Line()]
     for step in part.steps:
-        made = _step(step, width)
-        idle = made and made[0] == _Line() and not (lines and lines[-1] != _Line())
-        lines += made[1:] if idle else made
+        printed = _step(step, width)
+        idle = printed and printed[0] == _Line() and not (lines and lines[-1] != _Line())
+        lines += printed[1:] if idle else printed
     if lines and lines[-1] != _Line():
         lines.append(_Line())
     return lines
@@ -103,8 +103,8 @@ def _step(step: Step, width: int) -> list[_Line]:
     if step.picture is not None:
         return []
     if step.kind == "heading":
-        return [_Line(), *_strong(wrapped(said(step.words), width))]
-    intro = said(step.words)
+        return [_Line(), *_strong(wrapped(inline(step.words), width))]
+    intro = inline(step.words)
     if step.principle:
         intro = f"{step.principle}: {intro}" if intro else f"{step.principle}:"
     if intro:
@@ -114,7 +114,7 @@ def _step(step: Step, width: int) -> list[_Line]:
     return lines
 
 
-def said(words: Words) -> str:
+def inline(words: Words) -> str:
     """Words with their mathematics, as one string; formulas are not to be broken."""
     return "".join(word if isinstance(word, str) else _unbroken(word) for word in words)
 
@@ -191,7 +191,7 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
     if columns(left) > room:
         lines.append(" " * _INDENT + left)
         current = start
-    note = _held(said(row.note))
+    note = _held(inline(row.note))
     gap = "" if goes_on(row.note) else "   "
     # Behind a line that is alone, marks need no more room than they have.
     own = width - (columns(row.mark) + 2 if row.mark else 0)
@@ -220,16 +220,16 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
     if note and columns(lines[-1]) + columns(gap) + columns(note) <= room_behind:
         lines[-1] = f"{lines[-1]}{gap}{note}"
         note = ""
-    made = _plain(lines)
-    made[-1] = replace(made[-1], strong=row.answer)
+    rows = _plain(lines)
+    rows[-1] = replace(rows[-1], strong=row.answer)
     if note:
         # Words go on below the right side where they have room there.
         words = note.removeprefix(",").lstrip()
         right = columns(start) + 1 + max(map(columns, row.signs), default=0) + 1
         indent = right if right + columns(words) <= own else _INDENT + 2
-        made += _plain([" " * indent + each for each in wrapped(words, own - indent)])
-    made[-1] = replace(made[-1], mark=row.mark)
-    return made
+        rows += _plain([" " * indent + each for each in wrapped(words, own - indent)])
+    rows[-1] = replace(rows[-1], mark=row.mark)
+    return rows
 
 
 def _over_a_bar(row: Row, left: Fraction, width: int) -> list[_Line]:

@@ -57,44 +57,44 @@ def _part(part: PartExplanation) -> list[str]:
 
 
 def _step(step: Step) -> list[str]:
-    said = _said(step.words)
+    text = _inline(step.words)
     if step.picture is not None:
         return [f"#working-picture({literal(to_svg(step.picture))})"]
     if step.kind == "heading":
-        return [f"#block(above: 1.1em, sticky: true)[#strong[{said}]]"]
+        return [f"#block(above: 1.1em, sticky: true)[#strong[{text}]]"]
     if step.principle:
-        said = f"#emph[{words(step.principle)}:] {said}"
+        text = f"#emph[{words(step.principle)}:] {text}"
     blocks: list[str] = []
-    if said.strip():
-        line = f"#working-line([{said}], {literal(step.mark)})"
+    if text.strip():
+        line = f"#working-line([{text}], {literal(step.mark)})"
         blocks.append(f"#block(sticky: true)[{line}]" if step.rows else line)
     if step.rows:
-        made = [each for row in step.rows for each in _row(row)]
-        blocks.append("#working-rows(\n  " + ",\n  ".join(made) + ",\n)")
+        rows = [each for row in step.rows for each in _row(row)]
+        blocks.append("#working-rows(\n  " + ",\n  ".join(rows) + ",\n)")
     return blocks
 
 
 def _row(row: Row) -> list[str]:
     """Arrays of the left side, the sign, the right side and the mark."""
     left = _operand(row.operands[0])
-    note = f"#text(size: 0.9em)[{_said(row.note)}]" if row.note else ""
+    note = f"#text(size: 0.9em)[{_inline(row.note)}]" if row.note else ""
     note = note if goes_on(row.note) or not note else f" {note}"
     mark = literal(row.mark)
     if not row.signs:
         return [f"([{left}{note}], none, [], {mark})"]
-    made: list[str] = []
+    cells: list[str] = []
     broken = lines(row)
     for index, (sign, operands) in enumerate(broken):
         last = index == len(broken) - 1
         right = "".join(f"{f' ${s}$ ' if s else ''}{_operand(operand)}" for s, operand in operands)
-        made.append(
+        cells.append(
             f"([{left if index == 0 else ''}], [${sign}$], "
             f"[{right}{note if last else ''}], {mark if last else literal('')})"
         )
-    return made
+    return cells
 
 
-def _said(parts: Words) -> str:
+def _inline(parts: Words) -> str:
     return "".join(words(part) if isinstance(part, str) else to_typst(part) for part in parts)
 
 
