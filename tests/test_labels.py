@@ -145,7 +145,7 @@ def test_letters_of_components_are_those_of_the_working(name: Any) -> None:
             owners.setdefault(letter, set()).add(body)
     for part in solution.parts.values():
         for branch in part.branches:
-            for (_, body), each in motion(solution, part, branch).told.components.items():
+            for (_, body), each in motion(solution, part, branch).model.components.items():
                 letter = to_text(lay.from_sympy(each.symbol))
                 assert body in owners.get(letter, {body}), (letter, owners)
 

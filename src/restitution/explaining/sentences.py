@@ -807,6 +807,11 @@ SENTENCES: Mapping[SentenceId, str] = {
     "flight.same-time": "The path is in the direction of the velocity",
     "flight.add": "Putting the times together:",
     "derived-energy.title": "Kinetic energy",
+    "change-of-energy.why": (
+        "The component that does not change adds the same to the kinetic energy before and after, "
+        "so only the component along the line of centres counts. The energy after is put first: "
+        "what is lost is negative."
+    ),
     "derived-energy.why": (
         "Kinetic energy is half the mass times the square of the speed, and that square is the sum "
         "of the squares of the components. It has no direction: the energies of several bodies "

@@ -1,0 +1,144 @@
+"""Lines that say a definition: components, speeds, vectors by these."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from restitution.explaining.algebra import CONSTANT, Plane, Quotient
+from restitution.explaining.definitions import (
+    ZERO,
+    tie_of,
+)
+from restitution.explaining.derivation import Event, Link, Meaning
+from restitution.explaining.moves.bases import FLIPPED
+from restitution.explaining.moves.laws import is_law, is_tie
+from restitution.explaining.step import Step, alike
+from restitution.expression.tree import (
+    Apply,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Polar,
+    Quantity,
+)
+
+# What is a component, a vector put together, or a product of vectors, by their values.
+_RESOLVED: Mapping[str | None, tuple[str, ...]] = {
+    "component": ("along", "across"),
+    "assemble": ("velocity", "position"),
+    "product": ("dot",),
+}
+
+
+def is_definition(step: Step, line: Link) -> bool:
+    """Whether a line says the definition that its move names."""
+    if step.move.record == "turned":
+        return _is_turned(step, line)
+    if step.move.record in _RESOLVED or _is_size(step, line.left):
+        return _is_resolved(step, line)
+    if step.move.record in ("perpendicular", "parallel") and tie_of(line) is not None:
+        return is_tie(step, line)
+    return (step.move.record == "speed" and _is_read_off(step, line)) or is_law(step, line)
+
+
+def _is_turned(step: Step, line: Link) -> bool:
+    """A velocity by its size and the angle through which one along **i** has been turned.
+
+    To which side, a cited inequality tells. Where a line may be on either side of **i**, it is on
+    that of **j**: there the first sphere is turned away from it, and so is not who hits a wall.
+    """
+    event = step.setting.event(step.move.event)
+    if event is None or line.sign != "=" or len(step.move.bodies) != 1:
+        return False
+    body = Name(step.move.bodies[0])
+    values = {link.left: link.right for link in step.links if link.sign == "="}
+    early = values.get(step.setting.quantity(Quantity("velocity", (body,), event.number - 1)))
+    size = values.get(Quantity("speed", (body,), event.number))
+    angle = values.get(Quantity("deflection", (body,), event.number))
+    if line.left != Quantity("velocity", (body,), event.number) or early is None:
+        return False
+    if size is None or angle is None:
+        return False
+    before, after = step.world.value(early), step.world.value(line.right)
+    if not (isinstance(before, Plane) and isinstance(after, Plane) and before.y.vanishes):
+        return False
+    if before.x.vanishes or step.signs.of(before.x) != 1:
+        return False
+    side = _side_of(step, event, body)
+    if side is None:
+        return False
+    there = step.world.value(Polar(size, angle))
+    if not isinstance(there, Plane):
+        return False
+    y = there.y if side > 0 else CONSTANT(0) - there.y
+    return (
+        step.world.reduced(there.x - after.x).vanishes and step.world.reduced(y - after.y).vanishes
+    )
+
+
+def _side_of(step: Step, event: Event, body: Name) -> int | None:
+    """1 where a velocity after an event is on the side of **j**, −1 on the other, None if open."""
+    direction = Quantity("direction", (body,), event.number)
+    for link in step.links:
+        for side, other, sign in (
+            (link.left, link.right, link.sign),
+            (link.right, link.left, FLIPPED.get(link.sign, "")),
+        ):
+            if side == direction and other in (ZERO, Degrees(Fraction(0))) and sign in ("<", ">"):
+                return 1 if sign == ">" else -1
+    if event.number in step.setting.either:
+        return 1 if event.wall or body.name != event.bodies[0] else -1
+    return None
+
+
+def _is_read_off(step: Step, line: Link) -> bool:
+    """A speed by a velocity that is given by its size and an angle."""
+    for link in step.links:
+        match link:
+            case Link(Quantity("velocity", arguments, stage), "=", Polar(size)):
+                if line.sign != "=" or line.left != Quantity("speed", arguments, stage):
+                    continue
+                known, right = (step.world.scalar(each) for each in (size, line.right))
+                if (known - right).vanishes and step.signs.of(known) == 1:
+                    return True
+    return False
+
+
+def _is_size(step: Step, tree: Expression) -> bool:
+    """Whether a line gives the size of a vector as such: |**a** − **b**|."""
+    return step.move.record == "size" and isinstance(tree, Apply) and tree.function == "abs"
+
+
+def _is_resolved(step: Step, line: Link) -> bool:
+    """A component by a vector, or a vector by its components: the value is what is cited."""
+    quantity = line.left
+    if isinstance(quantity, Letter):
+        meaning = next((let for let in step.lets if let.letter == quantity.name), None)
+        if meaning is None or meaning.sense is not None:
+            return False
+        quantity = meaning.quantity
+    kinds = _RESOLVED.get(step.move.record, ())
+    known = isinstance(quantity, Quantity) and quantity.kind in kinds
+    if line.sign != "=" or not (known or _is_size(step, quantity)):
+        return False
+    others = tuple(
+        each
+        for each in step.cited
+        if not (isinstance(each.relation, Meaning) and each.relation.quantity == quantity)
+    )
+    rules = step.rules(others)
+    value, right = alike(step.world.value(quantity), step.world.value(line.right))
+    resolved = rules.put_into(value)
+    if resolved == value:
+        return False
+    if isinstance(resolved, Plane) and isinstance(right, Quotient) and right.vanishes:
+        right = Plane(right, right)  # at rest
+    if isinstance(resolved, Plane) and isinstance(right, Plane):
+        pairs = [(resolved.x, right.x), (resolved.y, right.y)]
+    elif isinstance(resolved, Quotient) and isinstance(right, Quotient):
+        pairs = [(resolved, right)]
+    else:
+        return False
+    return all(step.world.reduced(a - b).vanishes for a, b in pairs)

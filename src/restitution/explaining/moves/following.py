@@ -1,0 +1,209 @@
+"""Which move a line is tried by."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from fractions import Fraction
+
+from restitution.explaining.algebra import NotComparableError, Plane, Quotient
+from restitution.explaining.derivation import Link, MoveId, Relation, whole_of
+from restitution.explaining.moves.angles import in_radians, is_inverse, is_triangle
+from restitution.explaining.moves.bases import IDENTITIES, base_of, bases_of, condition, with_base
+from restitution.explaining.moves.combining import is_combination, is_quotient, is_sum_of_squares
+from restitution.explaining.moves.defining import is_definition
+from restitution.explaining.moves.growing import is_monotone
+from restitution.explaining.moves.identities import is_identity
+from restitution.explaining.moves.inequalities import is_comparison, is_completed
+from restitution.explaining.moves.laws import is_law
+from restitution.explaining.moves.limits import at_place
+from restitution.explaining.moves.putting import is_put, is_rearrangement
+from restitution.explaining.moves.roots import are_roots, is_rejection
+from restitution.explaining.moves.values import is_attained, is_decimal
+from restitution.explaining.solving import solves
+from restitution.explaining.step import Cited, Step
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Number,
+    Quantity,
+)
+
+
+def follows(step: Step, relation: Relation) -> bool:
+    """Whether a relation is what the move makes of what is cited.
+
+    Raises NotComparableError where that is beyond what is compared.
+    """
+    if step.move.record == "either-side":
+        return _on_either_side(step, relation)
+    if step.move.id == "put" and (case := condition(relation)) is not None:
+        return _under_condition(step, *case)
+    whole = _WHOLE.get(step.move.id)
+    if whole is not None:
+        return whole(step, relation)
+    return _by_links(step, relation)
+
+
+def _on_either_side(step: Step, relation: Relation) -> bool:
+    """What a line says of a direction or a vector, or else the same mirrored along **i**."""
+    number = step.move.event
+    if number not in step.setting.either or [len(option) for option in relation.options] != [1, 1]:
+        return False
+    (first,), (second,) = relation.options
+    axis = first.left
+    if _is_line_of(step, axis, number) and first.sign == "parallel to":
+        angle = step.world.directions.get(axis)
+        if angle is None or not _is_along(step, first, angle):
+            return False
+        own: Link | None = first
+    else:
+        base = base_of(step)
+        if len(step.cited) != 1 or base is None or len(base.options) != 1:
+            return False
+        own = whole_of(base.only)
+    if own is None or own != first or (second.left, second.sign) != (own.left, own.sign):
+        return False
+    meaning = step.setting.meanings.get(getattr(own.left, "name", ""))
+    match own.left if meaning is None else meaning.quantity:
+        case Quantity("direction", (Name(),), int()):
+            one, other = (in_radians(step, each.right) for each in (first, second))
+            return bool(one + other == 0)
+        case (
+            Quantity("velocity" | "line_of_centres")
+            | Quantity("impulse", (Name(),))
+            | Quantity("direction", (Name(),), None)
+        ):
+            a, b = (step.world.value(each.right) for each in (first, second))
+            return (
+                isinstance(a, Plane)
+                and isinstance(b, Plane)
+                and (a.x - b.x).vanishes
+                and (a.y + b.y).vanishes
+            )
+    return False
+
+
+def _is_line_of(step: Step, tree: Expression, number: int | None) -> bool:
+    """Whether a tree is the line of centres of an event, or its wall."""
+    event = step.setting.event(number)
+    if event is None:
+        return False
+    wall = Quantity("direction", (Name(event.bodies[-1]),))
+    return tree == (wall if event.wall else Quantity("line_of_centres", (), number))
+
+
+def _is_along(step: Step, line: Link, angle: Expression) -> bool:
+    """Whether a line gives the direction at an angle, with what is cited put in, by a vector."""
+    chosen = step.under(opaque=step.opaque | {line.left})
+    own = chosen.world.pointing(line.right)
+    there = chosen.rules().put_into(chosen.world.unit(angle))
+    if not (isinstance(own, Plane) and isinstance(there, Plane)):
+        return False
+    if not chosen.world.reduced(own.x * there.y - own.y * there.x).vanishes:
+        return False
+    return not there.x.vanishes and not own.x.vanishes and chosen.signs.of(own.x / there.x) == 1
+
+
+def _under_condition(step: Step, place: Link, then: Link) -> bool:
+    if not (isinstance(place.left, Letter) and place.left.name in step.setting.angles):
+        chosen = step.under(cited=(*step.cited, Cited("", Relation(((place,),)))))
+        try:
+            if any(
+                _by_links(chosen, Relation(((with_square,),)))
+                for with_square in _with_squares(chosen, then)
+            ):
+                return True
+        except NotComparableError:
+            pass  # it may still be compared at the place itself
+    return at_place(step, place, then)
+
+
+def _with_squares(step: Step, then: Link) -> Iterator[Link]:
+    """An equation, and that of the squares of both sides where both are positive."""
+    yield then
+    sides = [step.world.value(each) for each in (then.left, then.right)]
+    if all(isinstance(side, Quotient) and step.signs.of(side) == 1 for side in sides):
+        two = Number(Fraction(2))
+        yield Link(Binary("^", then.left, two), "=", Binary("^", then.right, two))
+
+
+def _by_links(step: Step, relation: Relation) -> bool:
+    """Each link by itself; a later link of a chain from the one before it."""
+    bases = bases_of(step)
+    if len(relation.options) != max(1, len(bases)):
+        return False
+    for number, links in enumerate(relation.options):
+        chosen = step if len(bases) < 2 else with_base(step, bases[number])
+        if not _chain(chosen, links):
+            return False
+    return True
+
+
+def _chain(step: Step, links: tuple[Link, ...]) -> bool:
+    before: Link | None = None
+    subject: Expression | None = None
+    for link in links:
+        if before is not None and before.right == link.left and subject is not None:
+            base = Relation(((Link(subject, before.sign, before.right),),))
+            move = replace(step.move, id=link.by or "put")
+            if link.by == "identity" and move.record not in IDENTITIES:
+                move = replace(move, record="pythagoras")
+            after = step.under(move=move, cited=(Cited("", base), *step.cited))
+            own = Link(subject, link.sign, link.right)
+        else:
+            after, own, subject = step, link, link.left
+        follows_ = _LINKS.get(after.move.id)
+        if follows_ is not None:
+            right = follows_(after, own)
+        else:
+            right = _WHOLE[after.move.id](after, Relation(((own,),)))
+        if not right:
+            return False
+        before = link
+    return True
+
+
+_LINKS: dict[MoveId, Callable[[Step, Link], bool]] = {
+    "law": is_law,
+    "define": is_definition,
+    "fact": is_put,
+    "put": is_put,
+    "rearrange": is_rearrangement,
+    "cancel": is_rearrangement,
+    "identity": is_identity,
+    "combine": is_combination,
+    "divide": is_quotient,
+    "square-add": is_sum_of_squares,
+}
+
+
+def stands(step: Step, relation: Relation) -> bool:
+    """The answer of an item: what the line before it says.
+
+    That a value is the greatest or the least takes two lines: a bound, and where it is reached.
+    """
+    base = base_of(step)
+    if base is None or len(step.cited) != (2 if step.move.record else 1):
+        return False
+    if step.move.record:
+        return relation == base and is_attained(step, relation, step.cited[1].relation)
+    return relation == base or _by_links(step.under(move=replace(step.move, id="put")), relation)
+
+
+_WHOLE: dict[MoveId, Callable[[Step, Relation], bool]] = {
+    "triangle": is_triangle,
+    "roots": are_roots,
+    "reject": is_rejection,
+    "sign": is_comparison,
+    "compare": is_comparison,
+    "solve": solves,
+    "monotone": is_monotone,
+    "complete": is_completed,
+    "inverse": is_inverse,
+    "value": is_decimal,
+    "answer": stands,
+    "shown": stands,
+}

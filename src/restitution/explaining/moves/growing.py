@@ -1,0 +1,110 @@
+"""Bounds of what only grows, or only falls, with a letter."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.explaining.derivation import Link, Meaning, Relation
+from restitution.explaining.moves.bases import FLIPPED, base_of, ends_of, equal_in, others_cited
+from restitution.explaining.moves.limits import worth_at
+from restitution.explaining.step import Step
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    letters,
+)
+from restitution.oracle import REAL
+from restitution.oracle import Relation as Claim
+
+
+def is_monotone(step: Step, relation: Relation) -> bool:
+    """The bounds of what only grows, or only falls, with a letter whose range is cited."""
+    base = base_of(step)
+    equation = None if base is None or len(base.options) != 1 else ends_of(base.only)
+    if equation is None or len(relation.options) != 1:
+        return False
+    value = step.world.expression(step.world.scalar(equation.right), step.roles)
+    ranges = _cited_ranges(step)
+    for symbol in value.free_symbols:
+        role = step.roles.get(symbol.name)
+        if role is not None and role.kind == "positive":
+            # That it is positive, and may be as great as you like, is said nowhere.
+            own = {"low": (sp.Integer(0), False), "high": (sp.oo, False)}
+            ranges[symbol.name] = {**own, **ranges.get(symbol.name, {})}
+    return any(
+        _grows_between(step, relation.only, equation.left, value, name, ends)
+        for name, ends in ranges.items()
+    )
+
+
+_Ends = dict[str, tuple[sp.Expr, bool]]
+
+
+def _cited_ranges(step: Step) -> dict[str, _Ends]:
+    """The ends of the ranges of letters that are cited, and whether they belong to them."""
+    ranges: dict[str, _Ends] = {}
+    bounds: list[Relation | Meaning] = [
+        *(each.relation for each in step.known),
+        *(each.relation for each in others_cited(step)),
+    ]
+    for relation in bounds:
+        if isinstance(relation, Meaning) or len(relation.options) != 1:
+            continue
+        for links in relation.options:
+            for link in links:
+                for side, other, sign in (
+                    (link.left, link.right, link.sign),
+                    (link.right, link.left, FLIPPED.get(link.sign, "")),
+                ):
+                    if isinstance(side, Letter) and side.name in letters(other):
+                        continue
+                    if isinstance(side, Letter) and sign in ("<", "<=", ">", ">="):
+                        end = step.world.expression(step.world.scalar(other), step.roles)
+                        which = "low" if sign in (">", ">=") else "high"
+                        ranges.setdefault(side.name, {})[which] = end, len(sign) == 2
+    return ranges
+
+
+def _grows_between(
+    step: Step,
+    links: tuple[Link, ...],
+    subject: Expression,
+    value: sp.Expr,
+    name: str,
+    ends: _Ends,
+) -> bool:
+    letter = step.roles.get(name, REAL).symbol(name)
+    slope = sp.diff(value, letter)
+    if not slope.has(letter) and slope == 0:
+        return False
+    for direction in (1, -1):
+        if step.oracle.proves(Claim(direction * slope, ">=")):
+            return all(
+                _is_end(step, link, subject, value, letter, ends, direction) for link in links
+            )
+    return False
+
+
+def _is_end(
+    step: Step,
+    link: Link,
+    subject: Expression,
+    value: sp.Expr,
+    letter: sp.Symbol,
+    ends: _Ends,
+    direction: int,
+) -> bool:
+    if link.left == subject:
+        bound, sign = link.right, str(link.sign)
+    elif link.right == subject:
+        bound, sign = link.left, FLIPPED.get(link.sign, "")
+    else:
+        return False
+    if sign not in ("<", "<=", ">", ">="):
+        return False
+    end = ends.get("low" if (sign[0] == ">") == (direction == 1) else "high")
+    if end is None or end[1] != (len(sign) == 2):
+        return False
+    there = worth_at(value, letter, end[0])
+    own = step.world.expression(step.world.scalar(bound), step.roles)
+    return there is not None and equal_in(step, there, own)

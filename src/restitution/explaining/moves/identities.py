@@ -1,0 +1,86 @@
+"""Identities of sines, cosines and tangents."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from restitution.explaining.algebra import NotComparableError, Quotient
+from restitution.explaining.derivation import Link
+from restitution.explaining.moves.angles import RATIOS
+from restitution.explaining.moves.bases import (
+    IDENTITIES,
+    base_of,
+    expected_residual,
+    from_base,
+    others_cited,
+)
+from restitution.explaining.moves.putting import by_values, matches_with
+from restitution.explaining.rules import Rules
+from restitution.explaining.step import Step
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+)
+
+
+def is_identity(step: Step, line: Link) -> bool:
+    """Whether a line is its base, rewritten by an identity or an instance of it."""
+    names = IDENTITIES.get(step.move.record or "")
+    if names is not None and _is_instance(step, line, names):
+        return True
+    step = from_base(step)
+    base = base_of(step)
+    if names is None or base is None or len(base.options) != 1:
+        return False
+    if by_values(step, line, base):
+        return False  # no identity is used
+    chosen = step.under(identities=names)
+    trees = [t for each in (line, *base.only) for t in (each.left, each.right)]
+    chosen.world.divide_angles([*trees, *(let.quantity for let in step.lets)])
+    # Where tan ½α is t, its cosine and sine are known by t: c² = 1/(1 + t²).
+    rules = chosen.rules(others_cited(step))
+    rules.complete()
+    return any(
+        _of_angle(chosen, line, each, rules)
+        if chosen.world.is_angle(each.left)
+        else matches_with(chosen, line, expected_residual(chosen, each, rules), rules, each.sign)
+        for each in base.only
+    )
+
+
+def _is_instance(step: Step, line: Link, names: frozenset[Any]) -> bool:
+    """Whether a line is the identity itself, for its angles, or for what letters stand for."""
+    if line.sign != "=":
+        return False
+    named: dict[Expression, Expression] = {
+        Letter(let.letter): let.quantity for let in step.lets if isinstance(let.quantity, Binary)
+    }
+    left, right = (
+        rebuilt(each, lambda own: named.get(own, own)) for each in (line.left, line.right)
+    )
+    line = Link(left, "=", right)
+    chosen = step.under(cited=(), known=(), identities=names)
+    chosen.world.divide_angles([line.left, line.right])
+    own, plain = chosen.residual(line), step.under(cited=(), known=()).residual(line)
+    return (
+        isinstance(own, Quotient)
+        and isinstance(plain, Quotient)
+        and own.vanishes
+        and not plain.vanishes
+    )
+
+
+def _of_angle(step: Step, line: Link, base: Link, rules: Rules) -> bool:
+    """Whether a line is what an identity makes of a ratio of two angles that are equal."""
+    for function in RATIOS:
+        ratios = Link(Apply(function, base.left), base.sign, Apply(function, base.right))
+        try:
+            expected = expected_residual(step, ratios, rules)
+            if base.sign == "=" and matches_with(step, line, expected, rules, "="):
+                return True
+        except NotComparableError:
+            continue
+    return False

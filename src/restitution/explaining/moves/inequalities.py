@@ -1,0 +1,171 @@
+"""Lines that the oracle proves by what they cite."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from restitution.explaining.algebra import NotComparableError, Plane, Quotient
+from restitution.explaining.derivation import Link, Relation
+from restitution.explaining.moves.bases import FLIPPED, equal_in
+from restitution.explaining.step import Cited, Step
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Letter,
+    Quantity,
+    walk,
+)
+from restitution.oracle import Relation as Claim
+
+
+def is_of_vectors(link: Link) -> bool:
+    """Whether an inequality is about a scalar product, such as that bodies approach."""
+    return (
+        link.sign in ("<", "<=", ">", ">=")
+        and isinstance(link.left, Quantity)
+        and (link.left.kind == "dot")
+    )
+
+
+def is_contradicted(step: Step, option: tuple[Link, ...], bound: Link) -> bool:
+    """Whether an inequality is false, with an option and all else that is cited put in."""
+    chosen = step.under(cited=(*step.cited, Cited("", Relation((option,)))))
+    try:
+        value = chosen.residual(bound, chosen.rules())
+    except NotComparableError:
+        return False
+    if isinstance(value, Plane):
+        return False
+    if value.vanishes:
+        return bound.sign in ("<", ">")
+    if any(key[0] in ("quantity", "x", "y") for key in chosen.world.keys(value.above).values()):
+        return False
+    sign = chosen.signs.of(value)
+    return sign is not None and sign != 0 and (sign > 0) == (bound.sign[0] == "<")
+
+
+def same_option(step: Step, a: tuple[Link, ...], b: tuple[Link, ...]) -> bool:
+    """Whether two options say the same, link by link."""
+    if len(a) != len(b):
+        return False
+    for one, other in zip(a, b, strict=True):
+        if one == other:
+            continue
+        if one.sign != other.sign or one.sign != "=":
+            return False
+        if step.is_multiple(step.residual(one), step.residual(other)) is None:
+            return False
+    return True
+
+
+def by_oracle(step: Step, relation: Relation) -> bool:
+    """Whether a relation is proved by what is cited, and by that alone.
+
+    Of directions, and of decimals, there is nothing to prove in this way.
+    """
+    if any(link.sign not in FLIPPED for links in relation.options for link in links):
+        return False
+    return step.oracle.proves(step.formula(relation))
+
+
+def is_comparison(step: Step, relation: Relation) -> bool:
+    """Whether an inequality is proved by the lines that are cited."""
+    lines = [each for each in step.cited if isinstance(each.relation, Relation)]
+    if len(lines) + len(step.known) > MOST_COMPARED:
+        return False
+    if any(link.sign in ("≈", "=") for links in relation.options for link in links):
+        return False
+    return is_certain(step, relation)
+
+
+def is_certain(step: Step, relation: Relation) -> bool:
+    """Whether what is cited proves a relation: of inverse tangents first by the tangents."""
+    ways = [by_oracle, between_tangents]
+    if any(
+        isinstance(each, Apply) and each.function == "arctan"
+        for links in relation.options
+        for link in links
+        for side in (link.left, link.right)
+        for each in walk(side)
+    ):
+        ways.reverse()
+    return any(way(step, relation) for way in ways)
+
+
+def between_tangents(step: Step, relation: Relation) -> bool:
+    """An angle of up to 180° between bounds of which its tangent is between the tangents.
+
+    What bounds it is at least 0 and less than 90°, and the least tangent is not negative: so the
+    angle is acute too, and grows with its tangent.
+    """
+    if len(relation.options) != 1:
+        return False
+    named: dict[Expression, Expression] = {Letter(e.letter): e.quantity for e in step.lets}
+    cited = {named.get(Letter(n), Letter(n)) for n, r in step.roles.items() if r.kind == "angle"}
+    ratios = [
+        (named.get(side.argument, side.argument), link)
+        for each in step.links
+        for link in (each, _turned(each))
+        for side in (link.left,)
+        if isinstance(side, Apply) and side.function == "tan" and link.sign in FLIPPED
+    ]
+    positive = False
+    for link in relation.only:
+        for angle, own in (
+            (link.left, link),
+            (link.right, _turned(link)),
+        ):
+            role = step.setting.of_angle(named.get(angle, angle))
+            if named.get(angle, angle) not in cited:
+                continue
+            if role is None or role.low != 0 or role.high not in (sp.pi / 2, sp.pi):
+                continue
+            tangents = [r for a, r in ratios if a == named.get(angle, angle) and r.sign == own.sign]
+            if not any(_is_tangent_below_90(step, own.right, r.right) for r in tangents):
+                return False
+            positive = positive or own.sign[0] == ">" or role.high == sp.pi / 2
+            break
+        else:
+            return False
+    return positive
+
+
+def _turned(link: Link) -> Link:
+    """A link with its sides exchanged."""
+    sign: Any = FLIPPED.get(link.sign, link.sign)
+    return Link(link.right, sign, link.left)
+
+
+def _is_tangent_below_90(step: Step, angle: Expression, ratio: Expression) -> bool:
+    """Whether a ratio is the tangent of an angle that is certain to be acute, or 0."""
+    bound, value = (
+        step.world.expression(step.world.scalar(each), step.roles) for each in (angle, ratio)
+    )
+    tangent = sp.tan(bound).replace(sp.cot, lambda x: 1 / sp.tan(x))
+    if isinstance(bound, sp.atan):
+        inside = step.oracle.proves(Claim(bound.args[0], ">="))
+    else:
+        inside = step.oracle.proves(Claim(bound, ">=")) and step.oracle.proves(
+            Claim(sp.pi / 2 - bound, ">")
+        )
+    return inside and equal_in(step, tangent, value)
+
+
+MOST_COMPARED = 3
+
+
+def is_completed(step: Step, relation: Relation) -> bool:
+    """A square and a constant, or a sum of two that is least where they are equal."""
+    if all(link.sign == "=" for links in relation.options for link in links):
+        if step.links or len(relation.options) != 1:
+            return False
+        return all(_is_identical(step, link) for link in relation.only)
+    return not step.links and by_oracle(step, relation)
+
+
+def _is_identical(step: Step, link: Link) -> bool:
+    """Whether both sides are one as soon as the letter for them is put in."""
+    value = step.residual(link, step.rules())
+    return isinstance(value, Quotient) and value.vanishes

@@ -1,0 +1,207 @@
+"""Lines that say a law, or that two directions stand in some way to each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.explaining.algebra import NotComparableError, Plane, Quotient
+from restitution.explaining.definitions import (
+    WORKED_OUT,
+    ZERO,
+    is_no_product,
+    nothing,
+    places,
+    tie_of,
+    ties,
+)
+from restitution.explaining.derivation import Event, Link
+from restitution.explaining.moves.bases import expected_residual, matches
+from restitution.explaining.moves.putting import matches_with, points_along
+from restitution.explaining.principles import RECORDS, Record
+from restitution.explaining.rules import Rules
+from restitution.explaining.senses import oriented
+from restitution.explaining.step import Step
+from restitution.expression.tree import (
+    Apply,
+    AtTime,
+    Binary,
+    Expression,
+    Name,
+    Negate,
+    Number,
+    Polar,
+    Quantity,
+)
+
+
+def is_law(step: Step, line: Link) -> bool:
+    """Whether a line is an instance of the law that its move names."""
+    return any(_is_template(step, line, template) for template in _templates(step, line))
+
+
+def _templates(step: Step, line: Link) -> Iterator[Link]:
+    """What the record of a move says."""
+    record = RECORDS.get(step.move.record or "")
+    event = step.setting.event(step.move.event)
+    if record is None or not record.serves(event) or not _take_part(step, record, event):
+        return
+    for relation in record.relations(event, step.move.bodies):
+        for link in relation.only:
+            yield step.setting.settled(link)
+    for link in WORKED_OUT.get(record.id, nothing)(step, event):
+        yield step.setting.settled(link)
+    if record.id in ("straight-line", "distance"):
+        for link in places(step, event, line):
+            yield step.setting.settled(link)
+
+
+def _take_part(step: Step, record: Record, event: Event | None) -> bool:
+    """Whether the bodies of a move meet in its event, where the record is about who meets."""
+    if event is None or (record.kind != "principle" and record.where == "any"):
+        return True
+    return record.id in WORKED_OUT or set(step.move.bodies) <= set(event.bodies)
+
+
+def records_of(step: Step) -> Iterator[Link]:
+    """What the record of a move says of its event and bodies, form by form."""
+    for link in _templates(step, Link(ZERO, "=", ZERO)):
+        yield link
+        # Of a ratio, one of the two, as the components point.
+        if isinstance(link.left, Apply) and _one_signed(step, link) is not None:
+            yield replace(link, right=Negate(link.right))
+
+
+def _is_template(step: Step, line: Link, link: Link) -> bool:
+    if step.move.record == "moves-off":
+        chosen = step.under(opaque=step.opaque | {link.left})
+        return points_along(chosen, line, link, chosen.rules())
+    if link.sign in ("parallel to", "perpendicular to"):
+        return _is_tied(step, line, link)
+    match link.left:
+        case Quantity("position", _, AtTime()):
+            # The event of the move is where this way begins, and not where it ends.
+            step = step.under(move=replace(step.move, event=None))
+    try:
+        rules = step.rules()
+        part = _one_signed(step, link)
+        if step.move.record == "straight-line":
+            _note_pace(step, link, rules)
+        if part is None:
+            expected = expected_residual(step, link, rules)
+            if step.move.id == "law" or step.move.record == "chord":
+                # A chain begins with the ratio of an angle, of which it then puts in the value.
+                return matches_with(step, line, expected, rules, link.sign)
+            return matches(step, line, expected, link.sign)
+        step.world.printed = True
+        left, right, above = (
+            rules.put_into(step.world.value(each)) for each in (link.left, link.right, part)
+        )
+    except NotComparableError:
+        return False
+    if isinstance(left, Plane) or isinstance(right, Plane) or isinstance(above, Plane):
+        return False
+    sign = oriented(step, above)
+    if sign is None and isinstance(link.left, Quantity):
+        sign = 1  # the size of an impulse, where the axis points as bodies approach
+    if sign is None:
+        return False
+    return matches(step, line, left + right if sign == -1 else left - right)
+
+
+def _note_pace(step: Step, link: Link, rules: Rules) -> None:
+    """What goes some way that is not zero has a speed there that is not zero: it is divided by."""
+    match link:
+        case Link(way, "=", Binary("*", pace, _)):
+            length, speed = (rules.put_into(step.world.value(each)) for each in (way, pace))
+            if isinstance(length, Plane) or isinstance(speed, Plane) or length.vanishes:
+                return
+            if step.signs.of(length, sure=False) is not None:
+                step.world.denominators.append(speed.above)
+
+
+def _one_signed(step: Step, link: Link) -> Expression | None:
+    """What of a template's right side is not negative, whatever the sense of components.
+
+    Of an angle of at most 90° it is the ratio; of one of up to 180°, what stands above in its
+    tangent.
+    """
+    match link:
+        case Link(Apply("tan" | "cos" | "sin" as ratio_, Quantity() as angle), "=", right):
+            role = step.setting.of_angle(angle)
+            if role is None or role.low != 0:
+                return None
+            if role.high == sp.pi / 2:
+                return right
+            if ratio_ == "tan" and isinstance(right, Binary) and right.op == "/":
+                return right.left
+        case Link(Quantity("impulse", ()), "=", right) if not isinstance(right, Apply):
+            return right
+    return None
+
+
+def _is_tied(step: Step, line: Link, template: Link) -> bool:
+    """Of two directions: parallel or perpendicular, by cross or scalar product."""
+    if line.sign != template.sign:
+        return False
+    chosen = step.under(opaque=step.opaque | {template.left})
+    rules = chosen.rules()
+    template = _from_rest(chosen, template, rules)
+    values = []
+    for each in (line, template):
+        left, right = chosen.world.pointing(each.left), chosen.world.pointing(each.right)
+        if each is template:
+            right = rules.put_into(right)
+        if not (isinstance(left, Plane) and isinstance(right, Plane)):
+            return False
+        if template.sign == "parallel to":
+            values.append(left.x * right.y - left.y * right.x)
+        else:
+            values.append(left.x * right.x + left.y * right.y)
+    own, expected = values
+    return chosen.is_multiple(own, expected) is not None
+
+
+def _from_rest(step: Step, template: Link, rules: Rules) -> Link:
+    """The change of a velocity by the direction after it, where that is cited, of who rested."""
+    match template.right:
+        case Binary("-", Quantity("velocity", (Name() as body,), int(stage)) as late, early):
+            before = rules.put_into(step.world.value(early))
+            if not (isinstance(before, Plane) and before.x.vanishes and before.y.vanishes):
+                return template
+        case _:
+            return template
+    for link in step.links:
+        match link:
+            case Link(Quantity("direction", (own,), int(event)), "=", angle):
+                if (own, event) == (body, stage):
+                    return replace(template, right=Polar(Number(Fraction(1)), angle))
+            case Link(left, "parallel to", right) if late in (left, right):
+                return replace(template, right=right if left == late else left)
+    return template
+
+
+def is_tie(step: Step, line: Link) -> bool:
+    """Whether two directions stand to each other as a line says, by the components cited."""
+    tie = tie_of(line)
+    event = step.setting.event(step.move.event)
+    if tie is None or tie[2] != step.move.record + " to":  # type: ignore[operator]
+        return False
+    rules = step.rules()
+    if isinstance(line.left, Quantity) and line.left.kind == "direction" and line.sign == "=":
+        # An angle tells the sense too.
+        along = step.setting.settled(Link(Quantity("dot", tie[:2]), ">", ZERO))
+        ahead = step.residual(along, rules)
+        if not isinstance(ahead, Quotient) or oriented(step, ahead) != 1 or ahead.vanishes:
+            return False
+    if tie[2] == "perpendicular to" and is_no_product(step, *tie[:2]):
+        return True
+    for link in ties(step, event, *tie):
+        own = step.setting.settled(link)
+        before, after = step.residual(own), step.residual(own, rules)
+        if before != after and isinstance(after, Quotient) and after.vanishes:
+            return True
+    return False

@@ -1,0 +1,106 @@
+"""Values at a place, and beyond all places."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from restitution.explaining.definitions import (
+    ZERO,
+)
+from restitution.explaining.derivation import Link
+from restitution.explaining.moves.angles import in_radians
+from restitution.explaining.moves.bases import base_of, ends_of, equal_in, last_side
+from restitution.explaining.step import Step
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Number,
+)
+from restitution.oracle import Relation as Claim
+
+
+def at_place(step: Step, place: Link, then: Link) -> bool:
+    """Whether an equation has a value where a letter has one, perhaps at an end of its range.
+
+    The place may be told by the tangent of an angle.
+    """
+    base = base_of(step)
+    equation = None if base is None or len(base.options) != 1 else ends_of(base.only)
+    meant: dict[Expression, Expression] = {Letter(e.letter): e.quantity for e in step.lets}
+    if equation is None or then.left not in (
+        equation.left,
+        rebuilt(equation.left, lambda each: meant.get(each, each)),
+    ):
+        return False
+    match place.left:
+        case Letter(name):
+            at = step.world.expression(step.world.scalar(place.right), step.roles)
+        case Binary("/", Number(1), Letter(name)) if place.right == ZERO:
+            at = sp.oo
+        case Apply("tan", Letter(name)):
+            tangent = step.world.expression(step.world.scalar(place.right), step.roles)
+            at = sp.atan(tangent)
+        case _:
+            return False
+    value, own = (
+        step.world.expression(step.world.scalar(each), step.roles)
+        for each in (equation.right, then.right)
+    )
+    value = value.xreplace(_by_their_tangents(step, value))
+    letter = next((symbol for symbol in value.free_symbols if symbol.name == name), None)
+    if letter is None:
+        return False
+    there = worth_at(value, letter, at)
+    if there is None:
+        return False
+    return equal_in(step, there, own) or equal_in(step, there, own, _not_negative(step, there))
+
+
+def _not_negative(step: Step, value: sp.Expr) -> tuple[Claim, ...]:
+    """What is cited of letters of which an expression has the size."""
+    symbols = {s for each in value.atoms(sp.Abs) for s in each.free_symbols}
+    return tuple(Claim(s, ">=") for s in symbols if s.name in step.world.nonnegative)
+
+
+def _by_their_tangents(step: Step, value: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
+    """The angles of up to 90° in an expression of which the tangents are cited, by these."""
+    tangents: dict[sp.Symbol, sp.Expr] = {}
+    for symbol in value.free_symbols:
+        role = step.setting.role(symbol.name)
+        if role.kind != "angle" or role.low != 0 or role.high != sp.pi / 2:
+            continue
+        for link in step.links:
+            if link.sign == "=" and link.left == Apply("tan", Letter(symbol.name)):
+                tangents[symbol] = sp.atan(in_radians(step, last_side(step, link)))
+    return tangents
+
+
+def worth_at(value: sp.Expr, letter: sp.Symbol, at: Any) -> sp.Expr | None:
+    """What an expression is worth where a letter has a value, or beyond all values of it.
+
+    None where it has no value there.
+    """
+    if at is sp.oo:
+        if not value.is_rational_function(letter):
+            return None
+        small = sp.Dummy("t")
+        value = sp.cancel(sp.together(value.subs(letter, 1 / small)), small)
+        letter, at = small, sp.Integer(0)
+    if at == sp.pi / 2:
+        value = _towards_a_right_angle(value, letter)
+    there = value.subs(letter, at)
+    return None if there.is_finite is False or there.has(sp.nan) else there
+
+
+def _towards_a_right_angle(value: sp.Expr, letter: sp.Symbol) -> sp.Expr:
+    """An expression in which arctan(k tan x) is 90°, as it is where x is, for a positive k."""
+    cotangent = sp.cos(letter) / sp.sin(letter)
+    return value.replace(
+        lambda x: isinstance(x, sp.atan) and sp.cancel(x.args[0] * cotangent).is_positive,
+        lambda _: sp.pi / 2,
+    )

@@ -1,0 +1,177 @@
+"""Values put in, sides rearranged, squares undone."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from restitution.explaining.algebra import CONSTANT, NotComparableError, Plane, Quotient, Value
+from restitution.explaining.derivation import Link, Relation, Sign
+from restitution.explaining.moves.bases import (
+    FLIPPED,
+    base_of,
+    expected_residual,
+    flat,
+    from_base,
+    matches,
+    others_cited,
+    without_angles,
+)
+from restitution.explaining.rules import Rules
+from restitution.explaining.step import Step
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    walk,
+)
+
+
+def is_put(step: Step, line: Link) -> bool:
+    """Whether a line is its base with values put in that are cited."""
+    step = from_base(step)
+    base = base_of(step)
+    if base is None or len(base.options) != 1:
+        return False
+    if step.move.id == "put" and len(step.cited) < 2:
+        return False
+    if step.move.id == "fact" and line.sign in ("parallel to", "perpendicular to"):
+        return line in base.only  # a direction is printed as it is given
+    rules = step.rules(others_cited(step))
+    if line.sign == "parallel to":
+        return any(points_along(step, line, each, rules) for each in base.only)
+    alone = without_angles(step)
+    if step.move.id == "put" and any(
+        matches(alone, line, expected, each.sign)
+        and (each.sign == "=" or not _is_replaced(alone, line, expected))
+        for each in flat(base.only)
+        for expected in (expected_residual(alone, each, Rules(alone.world)),)
+    ):
+        return False  # nothing is put in
+    # A value may be put in, or its name for it.
+    return any(
+        matches_with(step, line, expected_residual(step, each, rules), rules, each.sign)
+        for each in flat(base.only)
+    )
+
+
+def points_along(step: Step, line: Link, base: Link, rules: Rules) -> bool:
+    """Whether a line gives a direction of its base, with values put in: in the same sense."""
+    if base.sign != "parallel to" or line.left != base.left:
+        return False
+    own, other = step.world.pointing(line.right), step.world.pointing(base.right)
+    other = rules.put_into(other)
+    if not (isinstance(own, Plane) and isinstance(other, Plane)):
+        return False
+    if not step.world.reduced(own.x * other.y - own.y * other.x).vanishes:
+        return False
+    pairs = [(a, b) for a, b in ((own.x, other.x), (own.y, other.y)) if not b.vanishes]
+    return bool(pairs) and all(not a.vanishes and step.signs.of(a / b) == 1 for a, b in pairs)
+
+
+def _is_replaced(step: Step, line: Link, expected: Value) -> bool:
+    """Whether a quantity of an inequality stands no more in a line.
+
+    Of two positive values either is the other times what is positive.
+    """
+    own = step.residual(line)
+    if isinstance(own, Plane) or isinstance(expected, Plane):
+        return False
+    ours, theirs = (set(step.world.keys(each.above).values()) for each in (own, expected))
+    return any(key[0] in ("quantity", "x", "y") for key in theirs - ours)
+
+
+def is_rearrangement(step: Step, line: Link) -> bool:
+    """Whether a line is its base with terms moved, multiplied through or simplified."""
+    step = from_base(step)
+    base = base_of(step)
+    if base is None or len(base.options) != 1:
+        return False
+    if (
+        step.move.id == "rearrange"
+        and sum(isinstance(each.relation, Relation) for each in step.cited) > 1
+    ):
+        return _with_factor_known(step, line)
+    return any(
+        _same_direction(step, line, each)
+        or _is_squared(step, line, each)
+        or matches(step, line, expected_residual(step, each, Rules(step.world)), each.sign)
+        for each in flat(base.only)
+        if each.sign != "≈"
+    )
+
+
+def _is_squared(step: Step, line: Link, base: Link) -> bool:
+    """Whether a line has the squares of both sides: of a root, and of what is positive."""
+    if line.sign != "=" or base.sign != "=":
+        return False
+    if not any(map(_is_size_or_root, (*walk(base.left), *walk(base.right)))):
+        return False
+    values = [step.world.value(each) for link in (base, line) for each in (link.left, link.right)]
+    if not all(isinstance(value, Quotient) for value in values):
+        return False
+    a, b, c, d = values
+    if not all(step.world.reduced(x**2 - y).vanishes for x, y in ((a, c), (b, d))):  # type: ignore[operator]
+        return False
+    return _never_negative(step, base.left) and _never_negative(step, base.right)
+
+
+def _is_size_or_root(tree: Expression) -> bool:
+    return isinstance(tree, Apply) and tree.function in ("sqrt", "abs")
+
+
+def _never_negative(step: Step, tree: Expression) -> bool:
+    """Whether a side is a root or a size, or what is positive, or a product of such."""
+    match tree:
+        case Binary("*" | "/", left, right):
+            return _never_negative(step, left) and _never_negative(step, right)
+    return _is_size_or_root(tree) or step.signs.of(step.world.scalar(tree)) == 1
+
+
+def _same_direction(step: Step, line: Link, base: Link) -> bool:
+    """Whether a line gives a direction of its base by another vector."""
+    ties = ("parallel to", "perpendicular to")
+    if line.sign not in ties or base.sign not in ties or line.left != base.left:
+        return False
+    own, other = step.world.pointing(line.right), step.world.pointing(base.right)
+    if not (isinstance(own, Plane) and isinstance(other, Plane)):
+        return False
+    if line.sign != base.sign:
+        # What is perpendicular to one vector is parallel to it turned.
+        other = Plane(CONSTANT(-1) * other.y, other.x)
+    if not step.world.reduced(own.x * other.y - own.y * other.x).vanishes:
+        return False
+    pairs = ((own.x, other.x), (own.y, other.y))
+    return any(
+        not (a.vanishes or b.vanishes) and step.signs.of(a / b, sure=False) is not None
+        for a, b in pairs
+    )
+
+
+def _with_factor_known(step: Step, line: Link) -> bool:
+    return is_rearrangement(step.under(move=replace(step.move, id="cancel")), line)
+
+
+def by_values(step: Step, line: Link, base: Relation) -> bool:
+    """Whether a line is its base, with what is cited put in."""
+    rules = step.rules(others_cited(step))
+    try:
+        return any(
+            matches_with(step, line, expected_residual(step, each, rules), rules, each.sign)
+            for each in base.only
+            if not step.world.is_angle(each.left)
+        )
+    except NotComparableError:
+        return False
+
+
+def matches_with(step: Step, line: Link, expected: Value, rules: Rules, sign: Sign) -> bool:
+    """As `matches`, with values put into the line too: an identity may keep either form."""
+    if matches(step, line, expected, sign):
+        return True
+    if sign not in FLIPPED:
+        return False
+    own = step.residual(line, rules)
+    if sign == "=":
+        return line.sign == "=" and step.is_multiple(own, expected) is not None
+    k = step.is_multiple(own, expected, sign=True)
+    return k is not None and line.sign == (sign if k == 1 else FLIPPED[sign])

@@ -1,0 +1,151 @@
+"""All roots of an equation, and those that are rejected."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.explaining.algebra import CONSTANT, Plane, Quotient, Value
+from restitution.explaining.derivation import Relation
+from restitution.explaining.moves.bases import base_of, ends_of, expected_residual, others_cited
+from restitution.explaining.moves.inequalities import is_contradicted, is_of_vectors, same_option
+from restitution.explaining.step import Step
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+)
+from restitution.oracle import Oracle
+from restitution.oracle import Relation as Claim
+
+
+def are_roots(step: Step, relation: Relation) -> bool:
+    """All roots of an equation in one letter, or in one ratio."""
+    base = base_of(step)
+    if base is None or len(base.options) != 1 or any(len(links) != 1 for links in relation.options):
+        return False
+    equation = ends_of(base.only)
+    links = [links[0] for links in relation.options]
+    subject = links[0].left
+    if equation is None or any(link.left != subject or link.sign != "=" for link in links):
+        return False
+    rules = step.rules(others_cited(step))
+    polynomial = _polynomial(step, expected_residual(step, equation, rules), subject)
+    if polynomial is None:
+        return False
+    for link in links:
+        root = step.world.scalar(link.right)
+        times = 0
+        while len(polynomial) > 1:
+            quotient, rest = _divided(step, polynomial, root)
+            if not rest.vanishes:
+                break
+            polynomial, times = quotient, times + 1
+        if not times:
+            return False
+    return _never_zero(step, polynomial)
+
+
+def _polynomial(step: Step, residual: Value, subject: Expression) -> list[Quotient] | None:
+    """The coefficients of an equation in its subject, the constant one first."""
+    if isinstance(residual, Plane) or residual.vanishes:
+        return None
+    world = step.world
+    if isinstance(subject, Binary) and subject.op == "/":
+        above, below = (world.scalar(each) for each in (subject.left, subject.right))
+        if len(above.above) != 1 or len(below.above) != 1:
+            return None
+    own = world.scalar(subject)
+    above = own.above
+    if len(above) != 1 or len(own.below) != 1:
+        return None
+    (monomial,) = above
+    (under,) = own.below
+    numbers = [n for n, power in enumerate(monomial) if power]
+    if len(numbers) != 1:
+        return None
+    (number,) = numbers
+    power = monomial[number]
+    # subject = g^p/below: each term c g^(pk) rest is c rest below^k subject^k.
+    rest = Quotient(own.below, above.ring.ground_new(above.LC))
+    polynomial: dict[int, Quotient] = {}
+    others = [n for n, p in enumerate(under) if p]
+    for m, value in residual.above.items():
+        times, left = divmod(m[number], power)
+        if left:
+            return None
+        term = above.ring.from_dict({(*m[:number], 0, *m[number + 1 :]): value})
+        polynomial[times] = (
+            polynomial.get(times, CONSTANT(0)) + Quotient(term, above.ring.one) * rest**times
+        )
+    if not polynomial:
+        return None
+    coefficients = [
+        world.reduced(polynomial.get(n, CONSTANT(0))) for n in range(max(polynomial) + 1)
+    ]
+    if others:
+        # A ratio such as tan θ = sin θ/cos θ: what is left of the denominator is a common factor.
+        lead = coefficients[-1]
+        coefficients = [world.reduced(coefficient / lead) for coefficient in coefficients]
+        if any(
+            any(m[n] for n in others) for each in coefficients for m in (*each.above, *each.below)
+        ):
+            return None
+        if step.signs.of(lead) is None:
+            return None
+    return coefficients
+
+
+def _divided(
+    step: Step, polynomial: list[Quotient], root: Quotient
+) -> tuple[list[Quotient], Quotient]:
+    """A polynomial divided by x − root: quotient and remainder."""
+    result: list[Quotient] = []
+    carried = CONSTANT(0)
+    for coefficient in reversed(polynomial):
+        carried = step.world.reduced(coefficient + carried * root)
+        result.append(carried)
+    return list(reversed(result[:-1])), result[-1]
+
+
+def _never_zero(step: Step, polynomial: list[Quotient]) -> bool:
+    """Whether what is left of an equation has no root."""
+    if len(polynomial) == 1:
+        return step.signs.of(polynomial[0]) is not None
+    x = sp.Symbol("x_subject", real=True)
+    value = sp.Add(
+        *(
+            step.world.expression(coefficient, step.roles) * x**n
+            for n, coefficient in enumerate(polynomial)
+        )
+    )
+    return step.oracle.proves(Claim(value, "!="))
+
+
+def is_rejection(step: Step, relation: Relation) -> bool:
+    """Whether a line is its base without options that what is cited excludes."""
+    base = base_of(step)
+    if base is None or len(base.options) < 2:
+        return False
+    kept = [
+        n
+        for n, option in enumerate(base.options)
+        if any(same_option(step, option, own) for own in relation.options)
+    ]
+    if len(kept) != len(relation.options) or len(kept) == len(base.options):
+        return False
+    rest = step.under(cited=others_cited(step))
+    moving = [link for link in rest.links if is_of_vectors(link)]
+    for n, option in enumerate(base.options):
+        if n in kept:
+            continue
+        if moving:
+            if not any(is_contradicted(rest, option, each) for each in moving):
+                return False
+            continue
+        dropped = rest.formula(Relation((option,)))
+        oracle = Oracle(rest.roles, (*rest.facts, dropped))
+        if oracle.possible.answer == "refuted":
+            continue
+        # Where two roots are one, what is dropped says what remains.
+        if not oracle.proves(rest.formula(relation)):
+            return False
+    return True
