@@ -367,9 +367,15 @@ def _across_the_centres(
     sign = scene.model.proved_sign(scene.model.in_data(parts[1].value))
     if not sign:
         return None
+    turn = sp.pi / 2 if sign > 0 else -sp.pi / 2
     right = Binary("+" if sign > 0 else "-", angle, Degrees(Fraction(90)))
-    relation, move = chain(asked, (right, None)), Move("define", "parallel", stage, (body,))
-    pool = together(*(part.whole for part in parts), scene.frame(stage).refs)
+    known = scene.desk.known(angle)
+    steps: list[tuple[Expression, MoveId | None]] = [(right, None)]
+    if known is not None:
+        steps.append((tree_of(tidy(known.value + turn), angle=True, as_it_is=True), "put"))
+    relation, move = chain(asked, *steps), Move("define", "parallel", stage, (body,))
+    refs = () if known is None else known.refs
+    pool = together(*(part.whole for part in parts), scene.frame(stage).refs, refs)
     premises = scene.judge.needed(move, [*pool, *nonzero(scene, parts[1].value)], relation)
     return None if premises is None else scene.desk.write(move, premises, relation)
 
