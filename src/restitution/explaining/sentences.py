@@ -880,9 +880,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Usual mistakes: one size left out, and an acute angle where the scalar product is "
         "negative."
     ),
-    "derived-place.title": "The place, from its coordinates",
+    "derived-place.title": "Position, from its coordinates",
     "derived-place.why": (
-        "A place on the table is fixed by its two coordinates. Each is found by itself, as the "
+        "A position on the table is fixed by its two coordinates. Each is found by itself, as the "
         "motion in one direction does not depend on that in the other."
     ),
     "derived-place.mistakes": (
