@@ -16,7 +16,7 @@ import sys
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from restitution.first_names import install as _install
+from restitution import first_names as _first_names
 
 if TYPE_CHECKING:
     from restitution.batch.ensemble import ensemble
@@ -138,4 +138,4 @@ class _Package(ModuleType):
 
 
 sys.modules[__name__].__class__ = _Package
-_install()
+_first_names.install()
