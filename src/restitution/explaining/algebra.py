@@ -56,11 +56,11 @@ class NotComparableError(Exception):
     """A tree that cannot be made a quotient of polynomials: of more than is worth comparing."""
 
 
-@cache
 def _is_line_of_centres(tree: Expression) -> bool:
     return isinstance(tree, Quantity) and tree.kind == "line_of_centres"
 
 
+@cache
 def _ring() -> PolyRing:
     return PolyRing([f"g{n}" for n in range(_GENERATORS)], QQ)
 
