@@ -43,10 +43,16 @@ def test_it_is_told(text) -> None:
         "part a\ngiven speed(P) = 4\nfind e\npart b\ngiven impulse = 12\nfind speed(P)",
         "part a\nfind impulse\npart b\nfind energy_lost",
         "part a\ngiven speed(P) = 4\nfind e, impulse",
+        "part a\ngiven e = 1/2\nfind impulse\npart b\nfind impulse",
     ],
 )
 def test_where_nothing_is_met_again_nothing_is_told(text) -> None:
     assert notes(text) == []
+
+
+def test_it_is_told_once() -> None:
+    parts = "part a\ngiven speed(P) = 4\nfind e\npart b\nfind impulse\npart c\nfind energy_lost"
+    assert notes(parts) == [TOLD]
 
 
 def test_it_is_told_in_text_page_and_json() -> None:

@@ -55,14 +55,20 @@ SAYS = {
             "sphere C: mass m, at rest\nA hits B: along i\nB hits C: along i\n"
             "given A and B do not collide again\nfind range of e"
         ),
-        ["A and B do not collide again if A does not gain on B along the line of centres:", "² ≤"],
+        [
+            "A and B do not collide again if the gap between them along the line of centres does",
+            "² ≤",
+        ],
     ),
     "two spheres that meet again": (
         (
             "wall W: along j\nsphere A: mass m, velocity u i\nsphere B: mass 3m, at rest\n"
             "A hits B: along i, e = 1/2\nB hits W: e = f\ngiven f > 2/3\nshow A and B collide again"
         ),
-        ["A and B collide again if A gains on B along the line of centres.", "as f > ⅔"],
+        [
+            "A and B collide again if the gap between them along the line of centres closes.",
+            "as f > ⅔",
+        ],
     ),
     "a wall that is hit again": (
         (

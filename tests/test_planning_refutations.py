@@ -76,7 +76,7 @@ CLAIMS = {
     ),
     "a meeting for some masses": (
         LINE.format(c="k m") + "show A and B collide again",
-        "so A does not gain on B.",
+        "so the gap between A and B does not close.",
     ),
     "a value to three figures": (
         (

@@ -401,11 +401,11 @@ SENTENCES: Mapping[SentenceId, str] = {
         "centres, in the direction at {axis} to {unit}, after the impact."
     ),
     "collide-again.if": (
-        "{one} and {other} collide again if {first} gains on {second} along the line of centres:"
+        "{one} and {other} collide again if the gap between them along the line of centres closes:"
     ),
     "collide-again.unless": (
-        "{one} and {other} do not collide again if {first} does not gain on {second} along the "
-        "line of centres:"
+        "{one} and {other} do not collide again if the gap between them along the line of "
+        "centres does not close:"
     ),
     "collide-again.why": (
         "After an impact the spheres separate. They meet again only if the one behind, after "
@@ -511,11 +511,11 @@ SENTENCES: Mapping[SentenceId, str] = {
     "touch.apart": "{one} and {other} touch when their centres are {distance} apart:",
     # --- conditions, ranges, extrema --------------------------------------------------------------
     "meeting.collide": (
-        "{one} and {other} collide again if {first} gains on {second} along the line of centres."
+        "{one} and {other} collide again if the gap between them along the line of centres closes."
     ),
     "meeting.apart": (
-        "{one} and {other} do not collide again if {first} does not gain on {second} along the "
-        "line of centres."
+        "{one} and {other} do not collide again if the gap between them along the line of "
+        "centres does not close."
     ),
     "range.every": "So every value of {letter} is possible:",
     "extremum.approached": "as {place}, but does not reach it",
@@ -575,8 +575,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "refuted.not-more-than": "{side}, which is not more than {bound}",
     "refuted.not-equal-to": "{side}, which is not {bound}",
     "refuted.so": "{sides:and}, so {claim}",
-    "claim.gains": "{one} gains on {other}",
-    "claim.does-not-gain": "{one} does not gain on {other}",
+    "claim.gap-closes": "the gap between {one} and {other} closes",
+    "claim.gap-does-not-close": "the gap between {one} and {other} does not close",
     "refuted.instance": (
         "It is not true in general that {claim}: it fails, for instance, with {values:and}."
     ),
@@ -840,7 +840,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Usual mistakes: adding the components themselves, and leaving out the one that does not "
         "change."
     ),
-    "derived-perpendicular.title": "At right angles, the scalar product is zero",
+    "derived-perpendicular.title": (
+        "The directions are perpendicular, so the scalar product is zero"
+    ),
     "derived-perpendicular.why": (
         "Two directions are at right angles exactly if their scalar product is zero: the product "
         "of the components along one line, added to the product of those across it. Neither "

@@ -38,6 +38,7 @@ from restitution.expression.tree import (
 )
 from restitution.language.checking import check
 from restitution.problem import (
+    Compare,
     Extremum,
     Find,
     Given,
@@ -45,6 +46,7 @@ from restitution.problem import (
     Part,
     Problem,
     Range,
+    Relation,
     Show,
     Value,
     trees_of_step,
@@ -122,18 +124,36 @@ def _solved(problem: Problem) -> Solution:
         worker = _Worker(Desk(problem, part, carried))
         parts[part.label] = worker.solve()
         warnings += [warning for warning in worker.warnings if warning not in warnings]
-        warnings += _met_again(parts[part.label], relations)
+        met = _met_again(parts[part.label], relations)
+        warnings += met.values()
+        # A letter is met again once; later parts take it as this one does.
+        relations = {each: label for each, label in relations.items() if each not in met}
         relations |= _under_own_facts(parts[part.label])
         carried = carried | worker.asked_of_all()
     return Solution(problem, parts, tuple(warnings))
 
 
 def _under_own_facts(part: PartSolution) -> dict[str, str]:
-    """The letters that facts of a part alone give values to, each with the label of the part."""
+    """The letters found from the facts of a part alone, each with the label of the part.
+
+    One whose value is itself such a fact, as in ``given k = 3``, is not found.
+    """
     label = part.part.label
-    if label is None or not any(isinstance(step, Given) for step in part.part.steps):
+    given = [step for step in part.part.steps if isinstance(step, Given)]
+    if label is None or not given:
         return {}
-    return dict.fromkeys(_solved_letters(part), label)
+    relations = [each for step in given for each in step.relations]
+    data = {name for each in relations for name in _letters_with_values(each)}
+    return dict.fromkeys((name for name in _solved_letters(part) if name not in data), label)
+
+
+def _letters_with_values(relation: Relation) -> Iterator[str]:
+    """The letters for which a relation itself gives a value, as ``e = 1/2`` does."""
+    if not isinstance(relation, Compare) or set(relation.operators) != {"="}:
+        return
+    operands = relation.operands
+    if any(not has_quantity(each) and not letters(each) for each in operands):
+        yield from (each.name for each in operands if isinstance(each, Letter))
 
 
 def _solved_letters(part: PartSolution) -> list[str]:
@@ -141,8 +161,8 @@ def _solved_letters(part: PartSolution) -> list[str]:
     return [name for name in names if not name.startswith("_")]
 
 
-def _met_again(part: PartSolution, relations: dict[str, str]) -> list[str]:
-    """Notes of letters in the answers of a part that had a value in an earlier one only."""
+def _met_again(part: PartSolution, relations: dict[str, str]) -> dict[str, str]:
+    """Notes of the letters in the answers of a part that had a value in an earlier one only."""
     met = {
         symbol.name
         for item in part.items
@@ -151,11 +171,11 @@ def _met_again(part: PartSolution, relations: dict[str, str]) -> list[str]:
         for symbol in getattr(value, "free_symbols", ())
     }
     met |= {name for item in part.items if item.holds is not None for name in _letters_in(item)}
-    return [
-        f"{letter} was found in part ({relations[letter]}) from the facts of that part alone; "
-        f"in part ({part.part.label}) it is a letter again"
+    return {
+        letter: f"{letter} was found in part ({relations[letter]}) from the facts of that part "
+        f"alone; in part ({part.part.label}) it is a letter again"
         for letter in sorted(met & relations.keys() - set(_solved_letters(part)))
-    ]
+    }
 
 
 def _letters_in(item: ItemResult) -> frozenset[str]:

@@ -1,4 +1,4 @@
-"""When bodies meet again, in words: who has to gain on whom, or which way one has to move."""
+"""When bodies meet again, in words: which gap has to close, or which way one has to move."""
 
 from __future__ import annotations
 
@@ -43,22 +43,21 @@ def condition_of(
     met = [event for event in naming.events.values() if set(event.bodies) == {one, other}]
     if not met:
         return None
-    first, second = met[-1].bodies
     if inequality:
         name = "collide-again.if" if relation.happens else "collide-again.unless"
     else:
         name = "meeting.collide" if relation.happens else "meeting.apart"
-    return say(name, one=one, other=other, first=first, second=second)
+    return say(name, one=one, other=other)
 
 
-def gain_of(relation: Meets, naming: Naming) -> Sentence | None:
-    """That a sphere gains on another, or does not, where it was claimed otherwise."""
+def closing_of(relation: Meets, naming: Naming) -> Sentence | None:
+    """That the gap between spheres closes, or does not, where it was claimed otherwise."""
     pair = {relation.first.name, relation.second.name}
     met = [event for event in naming.events.values() if set(event.bodies) == pair]
     if not met or "wall" in {naming.bodies.get(each) for each in pair}:
         return None
     one, other = met[-1].bodies
-    name = "claim.does-not-gain" if relation.happens else "claim.gains"
+    name = "claim.gap-does-not-close" if relation.happens else "claim.gap-closes"
     return say(name, one=one, other=other)
 
 
@@ -96,4 +95,4 @@ def _first(derivation: Derivation, line: Line) -> int:
     return line.number
 
 
-__all__ = ["condition_of", "gain_of", "meetings"]
+__all__ = ["closing_of", "condition_of", "meetings"]

@@ -22,7 +22,7 @@ from restitution.render.text import to_text
 from restitution.vector import Vector
 from restitution.workings.ends import Ends, claim_of_meeting
 from restitution.workings.measured import as_answer
-from restitution.workings.meetings import gain_of
+from restitution.workings.meetings import closing_of
 from restitution.workings.naming import Naming
 
 _HOLDS: Mapping[str, Callable[[float], bool]] = {
@@ -113,8 +113,8 @@ def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -
     if isinstance(relation, Compare):
         sentence = _compared(note, sides, naming) or sentence
     elif isinstance(relation, Meets):
-        gain = gain_of(relation, naming)
-        sentence = sentence if gain is None else say("refuted.so", sides=sides, claim=gain)
+        closing = closing_of(relation, naming)
+        sentence = sentence if closing is None else say("refuted.so", sides=sides, claim=closing)
     if values and sides:
         return say("refuted.general", claim=claim, values=values, sides=sentence)
     if values:
