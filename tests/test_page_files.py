@@ -10,7 +10,7 @@ from pathlib import Path
 PACKAGE = Path(str(files("restitution")))
 STATIC = PACKAGE / "web/static"
 PLAYER = PACKAGE / "export/player"
-EXPLAIN = PACKAGE / "explain"
+EXPLAIN = PACKAGE / "workings"
 
 
 def texts(folder: Path, pattern: str, under: str = "") -> dict[str, str]:

@@ -812,6 +812,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "so only the component along the line of centres counts. The energy after is put first: "
         "what is lost is negative."
     ),
+    "change-of-energy.mistakes": (
+        "Usual mistake: ½m(v − u)², the square of a difference in place of the difference of "
+        "squares."
+    ),
     "derived-energy.why": (
         "Kinetic energy is half the mass times the square of the speed, and that square is the sum "
         "of the squares of the components. It has no direction: the energies of several bodies "
