@@ -99,8 +99,8 @@ def _before(solution: Solution, part: PartSolution) -> Scene | None:
     from restitution.staging.values import motion
 
     branch, still_open = part.branches[0], part.open_story
-    told = motion(solution, part, branch)
-    for happening in told.story.happenings:
+    numbers = motion(solution, part, branch)
+    for happening in numbers.story.happenings:
         if not isinstance(happening.step, Impact | Kick):
             continue
         number, sought = happening.number, set(branch.values)
@@ -111,8 +111,8 @@ def _before(solution: Solution, part: PartSolution) -> Scene | None:
             if first.centres is not None and _letters([first.centres]) & sought:
                 return None
         scene = before_and_after(
-            told,
-            sayings(told),
+            numbers,
+            sayings(numbers),
             number,
             ("before",),
             question=True,
@@ -159,19 +159,19 @@ def _pictures(solution: Solution, parts: Iterable[PartSolution]) -> Iterator[Sce
         branch = part.branches[0]
         if len(branch.numbers.happenings) == drawn:
             continue
-        told = motion(solution, part, branch)
-        said = sayings(told)
-        possible = all(is_possible(told, each.number) for each in told.story.happenings)
+        numbers = motion(solution, part, branch)
+        said = sayings(numbers)
+        possible = all(is_possible(numbers, each.number) for each in numbers.story.happenings)
         if possible and _says_more(solution, part):
-            plan = path_scene(solution, part, branch, told)
+            plan = path_scene(solution, part, branch, numbers)
             if plan is not None:
                 yield replace(plan, part=part.part.label)
-        for happening in told.story.happenings[drawn:]:
+        for happening in numbers.story.happenings[drawn:]:
             if isinstance(happening.step, Impact | Kick):
                 panels: Sequence[When] = ("before", "after")
-                panels = panels if is_possible(told, happening.number) else panels[:1]
-                scene = before_and_after(told, said, happening.number, panels)
+                panels = panels if is_possible(numbers, happening.number) else panels[:1]
+                scene = before_and_after(numbers, said, happening.number, panels)
                 yield replace(scene, part=part.part.label, event=happening.number)
-            if not is_possible(told, happening.number):
+            if not is_possible(numbers, happening.number):
                 return
-        drawn = len(told.story.happenings)
+        drawn = len(numbers.story.happenings)

@@ -59,7 +59,7 @@ _NEAR = 1e-6
 
 
 def path_scene(
-    solution: Solution, part: PartSolution, branch: Branch, told: Motion | None = None
+    solution: Solution, part: PartSolution, branch: Branch, numbers: Motion | None = None
 ) -> Scene | None:
     """The plan view of the story up to a part, by one of its solutions.
 
@@ -68,20 +68,20 @@ def path_scene(
     """
     if not _is_plannable(solution):
         return None
-    told = motion(solution, part, branch) if told is None else told
-    plan = lay_out(told.story, len(told.story.happenings) - len(part.part.events))
+    numbers = motion(solution, part, branch) if numbers is None else numbers
+    plan = lay_out(numbers.story, len(numbers.story.happenings) - len(part.part.events))
     if plan is None:
         return None
-    values = Known(solution, part, branch, told)
+    values = Known(solution, part, branch, numbers)
     drawing = _Drawing(plan, values)
     drawing.everything()
     names = list(dict.fromkeys(leg.body for leg in plan.legs))
     title = f"Plan of the paths of {listed(names)}" if len(names) > 1 else f"Path of {names[0]}"
-    return drawing.scene(title, description(plan, values), note(plan, told))
+    return drawing.scene(title, description(plan, values), note(plan, numbers))
 
 
 def path_figure(
-    solution: Solution, part: PartSolution, branch: Branch, told: Motion | None = None
+    solution: Solution, part: PartSolution, branch: Branch, numbers: Motion | None = None
 ) -> Scene | None:
     """The plan view of what a question tells: walls, places, and how the bodies come.
 
@@ -94,18 +94,18 @@ def path_figure(
     ]
     if unknown or not _is_plannable(solution):
         return None
-    told = motion(solution, part, branch) if told is None else told
-    plan = lay_out(told.story)
+    numbers = motion(solution, part, branch) if numbers is None else numbers
+    plan = lay_out(numbers.story)
     if plan is None:
         return None
     legs = tuple(
         replace(leg, lane=0.0) for leg in plan.legs if leg.after == 0 and leg.kind != "exit"
     )
     plan = replace(plan, legs=legs, side_by_side=False)
-    values = Known(solution, part, branch, told, sayings(told))
+    values = Known(solution, part, branch, numbers, sayings(numbers))
     drawing = _Drawing(plan, values)
     drawing.everything()
-    names = [name for name in told.story.spheres if name in plan.starts]
+    names = [name for name in numbers.story.spheres if name in plan.starts]
     walls = [*(wall.name for wall in plan.walls), *(circle.name for circle in plan.rounds)]
     towards = [
         f"{leg.body} moves towards {stop.wall}"

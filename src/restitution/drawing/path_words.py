@@ -20,16 +20,16 @@ _NEAR = 1e-6
 _SAME = 1e-9
 
 
-def note(plan: Plan, told: Motion) -> Layout | None:
+def note(plan: Plan, numbers: Motion) -> Layout | None:
     """The values by which letters are drawn."""
     chosen: list[Chosen] = []
     for events in _together(plan):
-        chosen += [each for each in drawn_for(told, events) if each not in chosen]
+        chosen += [each for each in drawn_for(numbers, events) if each not in chosen]
     if plan.scale is not None:
-        places = _places(told.story)
+        places = _places(numbers.story)
         chosen += [
             each
-            for each, moved in told.free
+            for each, moved in numbers.free
             if each not in chosen and (moved is None or not _in_proportion(places, _places(moved)))
         ]
     words = values_of(chosen)

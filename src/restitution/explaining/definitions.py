@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from restitution.explaining.algebra import Plane
-from restitution.explaining.derivation import Event, Link, Relation, Sign, whole_of
+from restitution.explaining.derivation import FLIPPED, Event, Link, Relation, Sign, whole_of
 from restitution.explaining.step import Step
 from restitution.explaining.trees import settled
 from restitution.explaining.turnings import turnings
@@ -451,14 +451,11 @@ def tie_of(link: Link) -> tuple[Expression, Expression, str] | None:
 
 def past_a_right_angle(link: Link) -> tuple[Expression, Expression, Sign] | None:
     """Of an angle that is more than 90°, or less: its directions, and the sign of their product."""
-    turned = _TURNED.get(link.sign)
+    turned = FLIPPED.get(link.sign)
     tie = None if turned is None else tie_of(replace(link, sign="="))
     if turned is None or tie is None or tie[2] != "perpendicular to":
         return None
     return tie[0], tie[1], turned
-
-
-_TURNED: Mapping[str, Sign] = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 
 
 def ties(

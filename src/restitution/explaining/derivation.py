@@ -48,6 +48,8 @@ MOVES: tuple[MoveId, ...] = get_args(MoveId)
 
 Sign = Literal["=", "<", "<=", ">", ">=", "!=", "≈", "parallel to", "perpendicular to"]
 SIGNS: tuple[Sign, ...] = get_args(Sign)
+# The sign of an inequality whose sides are exchanged.
+FLIPPED: Mapping[str, Sign] = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 
 
 @dataclass(frozen=True)

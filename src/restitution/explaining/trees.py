@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
-from restitution.explaining.derivation import Event, Link, Meaning, Relation
+from restitution.explaining.derivation import FLIPPED, Event, Link, Meaning, Relation
 from restitution.expression.tree import (
     LEAVES,
     PARTS,
@@ -100,7 +100,7 @@ def statement_of(relation: Relation) -> frozenset[frozenset[object]]:
 
 def _turned(link: Link) -> object:
     if link.sign in (">", ">="):
-        return ({">": "<", ">=": "<="}[link.sign], link.right, link.left)
+        return (FLIPPED[link.sign], link.right, link.left)
     if link.sign in ("=", "!=", "parallel to", "perpendicular to"):
         return (link.sign, frozenset((link.left, link.right)))
     return (link.sign, link.left, link.right)

@@ -7,13 +7,12 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.explaining.derivation import FLIPPED, Link, Meaning, Move, Ref, Relation
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import Apply, Degrees, Expression, Letter, Quantity
 from restitution.planning.angle_pairs import extents, made_of_two
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import ZERO, tree_of
-from restitution.planning.inequalities import FLIPPED
 from restitution.planning.polynomials import expanded
 
 if TYPE_CHECKING:
@@ -51,18 +50,18 @@ def _by_sign(claims: Claims, quantities: Sequence[Quantity], relation: Relation)
     if quantities != [angle]:
         return None
     tangent, letter, extent = _tangent_of(claims, angle)
-    told = Link(Apply("tan", letter), FLIPPED[sign], ZERO)
-    signed = claims.compared([tangent], Relation(((told,),)))
+    tangent_sign = Link(Apply("tan", letter), FLIPPED[sign], ZERO)
+    signed = claims.compared([tangent], Relation(((tangent_sign,),)))
     return None if signed is None else claims.judge.write(_COMPARE, [signed, *extent], relation)
 
 
 def _tangent_of(claims: Claims, angle: Quantity) -> tuple[int, Expression, tuple[Ref, ...]]:
     """The line of the tangent of an angle by its letter, with the letter and its range."""
     line = claims.worths.angle_by_letter(angle) or claims.worths.angle(angle)
-    told = claims.scene.desk.last_link(line).left
-    if not isinstance(told, Apply):
+    subject = claims.scene.desk.last_link(line).left
+    if not isinstance(subject, Apply):
         raise NotPlannedError("an angle without a tangent")
-    return claims.worths.lettered(line, told.argument)
+    return claims.worths.lettered(line, subject.argument)
 
 
 def _by_its_tangent(
@@ -78,8 +77,8 @@ def _by_its_tangent(
         return None
     tangent, letter, extent = _tangent_of(claims, angle)
     left, right = (letter if side == angle else side for side in sides)
-    told = Link(Apply("tan", left), link.sign, Apply("tan", right))
-    compared = claims.compared([tangent], Relation(((told,),)))
+    ratios = Link(Apply("tan", left), link.sign, Apply("tan", right))
+    compared = claims.compared([tangent], Relation(((ratios,),)))
     if compared is None:
         return None
     names = {each.name for each in (left, right) if isinstance(each, Letter)}
@@ -95,7 +94,7 @@ def _by_the_other(claims: Claims, quantities: Sequence[Quantity], relation: Rela
         parts = made_of_two(scene, asked)
         if parts is None:
             continue
-        made, tangents = parts
+        line_of_sum, tangents = parts
         if len(tangents) != 1:
             continue
         (tangent,) = tangents
@@ -114,7 +113,7 @@ def _by_the_other(claims: Claims, quantities: Sequence[Quantity], relation: Rela
         if angles is None:
             continue
         every = {let.letter for let in _lets(claims)} | names
-        pool = [made, angles, *extents(scene, every)]
+        pool = [line_of_sum, angles, *extents(scene, every)]
         last = claims.judge.write(_COMPARE, pool, relation)
         if last is not None:
             return last
@@ -141,7 +140,7 @@ def _in_two(claims: Claims, tree: Expression) -> sp.Expr | None:
     """A side of an inequality in letters of angles, with those put in that lines make of others."""
     scene = claims.scene
     named = {let.quantity: let.letter for let in _lets(claims)}
-    made = {
+    sums = {
         link.left: link.right
         for each in scene.desk.lines
         if isinstance(each.relation, Relation) and len(each.relation.options) == 1
@@ -151,7 +150,7 @@ def _in_two(claims: Claims, tree: Expression) -> sp.Expr | None:
 
     def change(each: Expression) -> Expression:
         letter = Letter(named[each]) if each in named else each
-        return made.get(letter, letter)
+        return sums.get(letter, letter)
 
     put = rebuilt(tree, change)
     symbols = {name: sp.Symbol(name) for name in named.values()}

@@ -88,12 +88,12 @@ def angle_to_a_line(scene: Scene, body: str, line: Expression) -> Expression | N
     """
     fact = scene.facts.get(f"velocity {body}")
     right = None if fact is None else fact.relation.only[0].right
-    told: Expression = Degrees(Fraction(0))
+    angle: Expression = Degrees(Fraction(0))
     origin: Expression | None = None
     if isinstance(right, Polar):
         if right.wall is not None:
             return None
-        told, origin = right.angle, right.origin
+        angle, origin = right.angle, right.origin
         given = scene.model.story.direction(origin or Unit("i"), 0)
     elif right is not None and any(isinstance(node, Unit) for node in walk(right)):
         given = scene.initial(body).value
@@ -101,21 +101,21 @@ def angle_to_a_line(scene: Scene, body: str, line: Expression) -> Expression | N
             return None
     else:
         return None
-    turned = scene.scalar(told)
+    turned = scene.scalar(angle)
     if all(isinstance(node, Degrees | Letter | Binary) for node in walk(line)):
         if given.x != 0 and given.y != 0:
             return None
         across = Binary("-", line, RIGHT) if given.x == 0 else line
-        told, turned = Binary("-", told, across), turned - scene.scalar(across)
+        angle, turned = Binary("-", angle, across), turned - scene.scalar(across)
     else:
         way = scene.model.story.direction(line, 0)
         if given.cross(way) != 0:
             if not isinstance(line, Unit) or given.dot(way) != 0:
                 return None
-            told, turned = Binary("-", RIGHT, told), sp.pi / 2 - turned
+            angle, turned = Binary("-", RIGHT, angle), sp.pi / 2 - turned
         elif not isinstance(line, Unit | Negate) and origin != line:
             return None
-    forms = ((told, turned), (Binary("-", STRAIGHT, told), sp.pi - turned), (None, -turned))
+    forms = ((angle, turned), (Binary("-", STRAIGHT, angle), sp.pi - turned), (None, -turned))
     for form, value in forms:
         if scene.model.decide(value, ">=", 0) and scene.model.decide(value, "<=", sp.pi / 2):
             own = tidy(value)

@@ -9,7 +9,16 @@ from typing import Self
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Meaning, Move, MoveId, Ref, Relation, Sign
+from restitution.explaining.derivation import (
+    FLIPPED,
+    Link,
+    Meaning,
+    Move,
+    MoveId,
+    Ref,
+    Relation,
+    Sign,
+)
 from restitution.explaining.moves import MOST_COMPARED
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import (
@@ -29,7 +38,6 @@ from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import ONE, ZERO, tree_of
 from restitution.planning.gaps import is_left, is_plain, write_difference
 from restitution.planning.inequalities import (
-    FLIPPED,
     is_monic,
     same,
     solve_linear,

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -21,7 +21,6 @@ from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError, Source, chain
 from restitution.planning.forms import swept, tree_of
 from restitution.planning.impacts import by_scalar_product
-from restitution.planning.inequalities import FLIPPED
 from restitution.planning.polynomials import cancelled, factored
 from restitution.planning.quantities import frame_after
 from restitution.solving.letters import roles

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Fact, Link, Move, Ref, Relation, Sign
+from restitution.explaining.derivation import FLIPPED, Fact, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import (
     Degrees,
     Expression,
@@ -22,7 +22,7 @@ from restitution.planning.deflections import scalar_product
 from restitution.planning.desk import together
 from restitution.planning.forms import ZERO, swept, tree_of
 from restitution.planning.frames import Frame
-from restitution.planning.inequalities import FLIPPED, solve_linear, turned, without_signs
+from restitution.planning.inequalities import solve_linear, turned, without_signs
 from restitution.planning.polynomials import expanded
 from restitution.planning.quantities import body_and_stage, frame_after
 from restitution.planning.squares import (

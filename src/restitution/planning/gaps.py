@@ -10,12 +10,11 @@ import sympy as sp
 
 from restitution.components import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Relation, Sign
+from restitution.explaining.derivation import FLIPPED, Link, Move, Relation, Sign
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import Apply, Binary, Expression, Number, Quantity, walk
 from restitution.planning.forms import ZERO, square, tree_of
 from restitution.planning.impacts import scene_value
-from restitution.planning.inequalities import FLIPPED
 from restitution.planning.scene import Scene
 from restitution.solving.letters import roles
 

@@ -8,7 +8,7 @@ import sympy as sp
 
 from restitution.components import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Relation, Sign
+from restitution.explaining.derivation import FLIPPED, Link, Relation, Sign
 from restitution.expression.tree import (
     Apply,
     Expression,
@@ -19,8 +19,6 @@ from restitution.planning.forms import square, tree_of
 from restitution.planning.polynomials import expanded, factored, one_fraction
 from restitution.planning.scene import Scene
 from restitution.solving.letters import roles
-
-FLIPPED: dict[str, Sign] = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 
 
 def subject_of(relation: Relation) -> Expression | None:

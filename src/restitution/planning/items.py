@@ -232,8 +232,8 @@ def _of_letters(scene: Scene, asked: Expression, name: str) -> None:
         values: dict[Expression, Expression] = {
             each: tree_of(scene.put(scene.scalar(each))[0]) for each in _ratios_in(doubled)
         }
-        told = rebuilt(doubled, lambda each: values.get(each, each))
-        steps = ((doubled, None), (told, "put"), (tree_of(value), "rearrange"))
+        doubled_values = rebuilt(doubled, lambda each: values.get(each, each))
+        steps = ((doubled, None), (doubled_values, "put"), (tree_of(value), "rearrange"))
         relation = chain(asked, *steps)  # type: ignore[arg-type]
         move = Move("identity", "double-angle")
         premises = scene.judge.needed(move, refs, relation)

@@ -8,7 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation, Sign
+from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -27,7 +27,6 @@ from restitution.planning.forms import tree_of
 from restitution.planning.givens import write_given
 from restitution.planning.impacts import residual
 from restitution.planning.inequalities import (
-    FLIPPED,
     bounds,
     certain,
     isolated,

@@ -111,11 +111,11 @@ def by_its_half(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
         return None
     half = scene.desk.write(Move("identity", "half-angle"), refs, relation)
     angle = scene.final(symbol)
-    told = chain(letter, (tree_of(angle, angle=True), None))
-    refs = scene.judge.enough(Move("inverse"), (half,), told, scene.judge.known([symbol.name]))
+    whole = chain(letter, (tree_of(angle, angle=True), None))
+    refs = scene.judge.enough(Move("inverse"), (half,), whole, scene.judge.known([symbol.name]))
     if refs is None:
         return None
-    return known_as(scene, symbol, angle, scene.desk.write(Move("inverse"), refs, told))
+    return known_as(scene, symbol, angle, scene.desk.write(Move("inverse"), refs, whole))
 
 
 def _by_one(scene: Scene, line: int, above: sp.Expr, kind: Any, symbol: sp.Symbol) -> Source | None:

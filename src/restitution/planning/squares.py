@@ -7,10 +7,10 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Fact, Link, Move, Ref, Relation, Sign
+from restitution.explaining.derivation import FLIPPED, Fact, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import Apply, Expression, Quantity, has_quantity, letters
 from restitution.planning.forms import ZERO, square, swept, tree_of
-from restitution.planning.inequalities import FLIPPED, solve_linear, without_signs
+from restitution.planning.inequalities import solve_linear, without_signs
 from restitution.planning.polynomials import cancelled, expanded, factored, one_fraction
 from restitution.planning.quantities import formula
 from restitution.planning.worths import Worths

@@ -76,8 +76,8 @@ class DataAngles:
             return
         body = fact.id.partition(" ")[2]
         of_line = " ".join(("wall", event.bodies[1]) if event.wall else ("axis", str(event.number)))
-        told = self._derivation.fact(of_line)
-        right = None if told is None else told.relation.only[-1].right
+        line_fact = self._derivation.fact(of_line)
+        right = None if line_fact is None else line_fact.relation.only[-1].right
         match fact.relation.only[-1].right, right:
             case Polar(_, Degrees(angle), None, None), Degrees(direction):
                 pass

@@ -120,6 +120,11 @@ def with_unit(value: lay.Layout, unit: str) -> lay.Layout:
     return lay.Phrase((lay.Brackets(value) if several else value, lay.Words(unit)), "\u00a0")
 
 
+def with_its_unit(value: lay.Layout, unit: str) -> lay.Layout:
+    """A value with its unit where it is a number; in letters as it is."""
+    return with_unit(value, unit) if is_plain(value) else value
+
+
 def is_plain(value: lay.Layout) -> bool:
     """Whether a value is a number, or a vector of numbers: nothing is left to be worked out."""
     match value:

@@ -12,7 +12,7 @@ from restitution.explaining.saying import Sentence, say
 from restitution.expression.tree import Apply, Binary, Expression, Negate, Polar, Quantity
 from restitution.planning.forms import tree_of
 from restitution.render import layout as lay
-from restitution.workings.measured import is_plain, vector_worth, with_unit, worth
+from restitution.workings.measured import vector_worth, with_its_unit, worth
 from restitution.workings.naming import Naming
 
 
@@ -63,10 +63,7 @@ def offset_sentence(fact: Fact, naming: Naming, given: bool) -> Sentence:
 
 def _length(naming: Naming, tree: Expression) -> lay.Layout:
     """A length, with its unit where it is a number."""
-    laid = naming.laid(tree)
-    if not is_plain(laid):
-        return laid
-    return with_unit(laid, naming.unit(Quantity("distance", ())))
+    return with_its_unit(naming.laid(tree), naming.unit(Quantity("distance", ())))
 
 
 def _path(naming: Naming, one: str, other: str, origin: Expression | None) -> Sentence:

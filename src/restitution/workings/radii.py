@@ -9,7 +9,7 @@ from restitution.explaining.saying import Sentence, say
 from restitution.expression.tree import Expression, Quantity, Unit
 from restitution.planning.forms import tree_of
 from restitution.render import layout as lay
-from restitution.workings.measured import is_plain, with_unit, worth
+from restitution.workings.measured import with_its_unit, worth
 from restitution.workings.naming import Naming
 
 
@@ -67,6 +67,4 @@ class Radii:
 
     def _length(self, laid: lay.Layout) -> lay.Layout:
         """A length, with its unit where it is a number."""
-        if not is_plain(laid):
-            return laid
-        return with_unit(laid, self._naming.unit(Quantity("distance", ())))
+        return with_its_unit(laid, self._naming.unit(Quantity("distance", ())))

@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from restitution.explaining import derivation
 from restitution.explaining.algebra import CONSTANT, NotComparableError, Plane, Quotient, Value
 from restitution.explaining.derivation import Link, Meaning, Relation, Sign, whole_of
 from restitution.explaining.rules import Rules
@@ -17,7 +18,7 @@ from restitution.expression.tree import (
 from restitution.oracle import Oracle
 from restitution.oracle import Relation as Claim
 
-FLIPPED: Mapping[str, str] = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "=": "=", "!=": "!="}
+FLIPPED: Mapping[str, str] = {**derivation.FLIPPED, "=": "=", "!=": "!="}
 IDENTITIES: Mapping[str, frozenset[Any]] = {
     "pythagoras": frozenset({"pythagoras"}),
     "double-angle": frozenset({"double-angle"}),
