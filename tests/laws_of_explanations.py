@@ -65,7 +65,8 @@ def spellings(answer: str) -> list[str]:
     """How a working may write an answer: with data in decimals, a fraction is a decimal too."""
     in_decimals = re.sub(r"\(?\b(\d+)/(\d+)\b\)?|[¼½¾⅕⅖⅗⅘⅛⅜⅝⅞]", _decimal, answer)
     in_decimals = re.sub(r"(\.\d*[1-9])0+(?!\d)", r"\1", in_decimals)  # no zeros behind decimals
-    return [answer, *(f"={start}{in_decimals}" for start in ("", "("))]
+    # A place follows "P is at", any other value an equals sign.
+    return [answer, *(f"{start}{in_decimals}" for start in ("=", "=(", "isat"))]
 
 
 def _decimal(fraction: re.Match[str]) -> str:
@@ -126,7 +127,7 @@ COMMANDS = frozenset(
     documentclass usepackage begin end setlength mathindent parindent parskip allowdisplaybreaks
     AtBeginDocument abovedisplayskip belowdisplayskip ifPDFTeX fi
     textbf emph text mathbf underline hspace fill tag quad qquad left right
-    frac tfrac sqrt surd times div pm cdot circ infty leq geq neq approx lvert rvert
+    frac tfrac sqrt surd times div pm cdot circ infty to leq geq neq approx lvert rvert
     sin cos tan sec csc cot arcsin arccos arctan
     alpha beta gamma delta epsilon varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho
     sigma tau upsilon phi varphi chi psi omega textbackslash textasciicircum textasciitilde

@@ -191,10 +191,9 @@ def table() -> dict[str, str]:
 
 
 def test_modules_that_moved_answer_to_their_first_names() -> None:
-    import restitution.motion.ensemble
-
     import restitution.batch.ensemble
     import restitution.gas
+    import restitution.motion.ensemble
     import restitution.motion.gas
 
     first, now = restitution.motion.ensemble, restitution.batch.ensemble

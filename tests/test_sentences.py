@@ -43,7 +43,7 @@ NOT_FOR_READERS = {
     "trials.py",
 }
 SOURCE = Path(restitution.examples.__file__).parent.parent
-PACKAGE = SOURCE / "explain"
+PACKAGE = SOURCE / "workings"
 MODULES = {
     path: ast.parse(path.read_text(encoding="utf-8"))
     for folder in (PACKAGE, SOURCE / "explaining")

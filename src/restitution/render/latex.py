@@ -27,7 +27,7 @@ from restitution.render.layout import (
 )
 from restitution.render.text import GREEK
 
-_SIGNS = {
+SIGNS = {  # of relations and products, in mathematical mode
     "≤": r"\leq",
     "≥": r"\geq",
     "≠": r"\neq",
@@ -88,7 +88,7 @@ def to_latex(layout: Layout) -> str:
             return _sum(terms)
         case Product(factors, times):
             if times:
-                return f" {_SIGNS[times]} ".join(to_latex(factor) for factor in factors)
+                return f" {SIGNS[times]} ".join(to_latex(factor) for factor in factors)
             return _product(factors)
         case Fraction(Number(a), Number(b)):
             return rf"\tfrac{{{a}}}{{{b}}}"
@@ -113,7 +113,7 @@ def to_latex(layout: Layout) -> str:
         case Relation(operands, signs):
             parts = [to_latex(operands[0])]
             for sign, operand in zip(signs, operands[1:], strict=True):
-                parts += [_SIGNS.get(sign, sign), to_latex(operand)]
+                parts += [SIGNS.get(sign, sign), to_latex(operand)]
             return " ".join(parts)
         case Phrase(items, separator):
             return _phrase(items, separator)

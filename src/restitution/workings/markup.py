@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from unicodedata import decomposition
 
 from restitution.explaining.saying import note
+from restitution.render.latex import SIGNS
 from restitution.render.latex import to_latex as laid_latex
 from restitution.render.layout import Layout, Sum
 from restitution.render.markdown import escape as _markdown
@@ -25,7 +26,6 @@ from restitution.workings.steps import PartExplanation, Row, Step, Words, Workin
 if TYPE_CHECKING:
     from restitution.drawing.scene import Scene
 
-_SIGNS = {"=": "=", "<": "<", ">": ">", "≤": r"\leq", "≥": r"\geq", "≠": r"\neq", "≈": r"\approx"}
 _LATEX = {
     "\\": r"\textbackslash{}",
     "{": r"\{",
@@ -47,15 +47,11 @@ _END = "\n\\end{align*}"
 _BY_SIGN = {
     "−": "-",
     "√": r"\surd",
-    "×": r"\times",
     "÷": r"\div",
     "±": r"\pm",
-    "·": r"\cdot",
     "°": r"^{\circ}",
-    "≤": r"\leq",
-    "≥": r"\geq",
-    "≠": r"\neq",
     "∞": r"\infty",
+    **SIGNS,
     **{sign: f"\\{name}" for name, sign in GREEK.items()},
 }
 
@@ -205,10 +201,10 @@ def _lines(row: Row, mark: str) -> list[str]:
         return [f"&{left}{note}{mark}"]
     parts = list(zip(row.signs, row.operands[1:], strict=True))
     room = sum(columns(operand) + 3 for operand in row.operands if operand is not None)
-    pieces = [f"{_SIGNS.get(sign, sign)} {_operand(operand)}" for sign, operand in parts]
+    pieces = [f"{SIGNS.get(sign, sign)} {_operand(operand)}" for sign, operand in parts]
     if row.answer:
         sign, operand = parts[-1]
-        pieces[-1] = rf"{_SIGNS.get(sign, sign)} \underline{{\underline{{{_operand(operand)}}}}}"
+        pieces[-1] = rf"{SIGNS.get(sign, sign)} \underline{{\underline{{{_operand(operand)}}}}}"
     lines = [" ".join(pieces)]
     if room > _LINE:
         lines = [
@@ -238,7 +234,7 @@ def _broken(sign: str, operand: Layout | None, piece: str, room: int) -> list[st
         else:
             groups[-1].append(term)
     first, *others = groups
-    lines = [f"{_SIGNS.get(sign, sign)} {_operand(Sum(tuple(first)))}"]
+    lines = [f"{SIGNS.get(sign, sign)} {_operand(Sum(tuple(first)))}"]
     for (way, middle), *rest in others:
         lines.append(rf"\qquad {{}}{way} {_operand(Sum((('+', middle), *rest)))}")
     return lines
