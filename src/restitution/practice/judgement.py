@@ -1,0 +1,90 @@
+"""What is said of a line: its verdict, the law it uses, the mistake in it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from restitution.expression.tree import Expression
+from restitution.practice.script import ANYWHERE, Scope, ScriptLine
+
+Verdict = Literal["true", "follows", "false", "asks", "unread", "remark", "unsupported"]
+Accuracy = Literal["exact", "rounded", "coarse"]
+By = Literal["statement", "declared", "default", "agreed", "inferred"]
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """What a letter, or a phrase, of a script means in a scope.
+
+    ``quantity`` is one of the statement language; it may carry a sign (``-along(velocity(A), i)``). ``words`` say it as a student would.
+    """
+
+    letter: str
+    quantity: Expression
+    words: str
+    by: By
+    scope: Scope = ANYWHERE
+
+
+@dataclass(frozen=True)
+class Use:
+    """A law of an impact, a fact or a definition that a line is an instance of.
+
+    ``principle`` is ``momentum``, ``restitution``, ``unchanged``, ``impulse``, ``energy``,
+    ``angle``, ``deflection``, ``speed``, ``fact``, ``solve``, ``arithmetic``, …; ``altered`` the id
+    of the altered law (``momentum-sign/2``) where the line is an instance of that one instead.
+    """
+
+    principle: str
+    event: int | None = None
+    bodies: tuple[str, ...] = ()
+    altered: str | None = None
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """A mistake that begins in a line.
+
+    ``id`` is a misconception (``momentum-sign``), a slip (``sign``), or None where it has no name;
+    ``variants`` the altered laws it could be, ``also`` other ids that explain it as well, ``at``
+    the text at which it stands. ``leads_to`` are values that follow from it, by item or letter.
+    """
+
+    id: str | None
+    kind: Literal["misconception", "slip", "accuracy"] | None = None
+    variants: tuple[str, ...] = ()
+    also: tuple[str, ...] = ()
+    at: str | None = None
+    sure: bool = True
+    leads_to: Mapping[str, str] | None = None
+
+
+@dataclass(frozen=True)
+class JudgedLine:
+    """A line with its verdict.
+
+    ``uses`` are the laws that it states or cannot be had without; ``link`` is the place (from 0) of
+    the link that fails; ``sources`` are the numbers of the lines above from which it follows;
+    ``read_as`` the reading that decided, in symbols.
+    """
+
+    line: ScriptLine
+    verdict: Verdict
+    accuracy: Accuracy | None = None
+    uses: tuple[Use, ...] = ()
+    read_as: str | None = None
+    link: int | None = None
+    sources: tuple[int, ...] = ()
+    mistake: Mistake | None = None
+    remark: str | None = None
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """A script judged: its lines, what its letters mean, and the letters that have to be asked."""
+
+    lines: tuple[JudgedLine, ...]
+    letters: tuple[Meaning, ...]
+    asks: tuple[str, ...] = ()
