@@ -18,7 +18,8 @@ By = Literal["statement", "declared", "default", "agreed", "inferred"]
 class Meaning:
     """What a letter, or a phrase, of a script means in a scope.
 
-    ``quantity`` is one of the statement language; it may carry a sign (``-along(velocity(A), i)``). ``words`` say it as a student would.
+    ``quantity`` is one of the statement language and may carry a sign:
+    ``-along(velocity(A), i)``. ``words`` say it as a student would.
     """
 
     letter: str
