@@ -17,21 +17,12 @@ from restitution.explaining.derivation import Event, Relation
 from restitution.explaining.notation import read_relation
 from restitution.explaining.saying import topic_of
 from restitution.explaining.sentences import SentenceId
+from restitution.explaining.templates import AXIS
+from restitution.explaining.templates import across_line as _s
+from restitution.explaining.templates import along_line as _c
 from restitution.explaining.titles import title_of
 from restitution.explaining.trees import renamed, trees_of
 from restitution.expression.tree import Quantity, walk
-
-AXIS = "line_of_centres(1)"
-
-
-def _c(body: str, stage: int) -> str:
-    """The component along the line of centres, or into the wall."""
-    return f"along(velocity({body}, {stage}), {AXIS})"
-
-
-def _s(body: str, stage: int) -> str:
-    """The component across the line of centres, or parallel to the wall."""
-    return f"across(velocity({body}, {stage}), {AXIS})"
 
 
 def _square(body: str, stage: int) -> str:
