@@ -264,7 +264,7 @@ _NAMES = {("F",): "of the first body", ("S",): "of the second body", ("F", "S"):
 
 def _sine_cosine() -> Iterator[_Plain]:
     for sign in _SIGNS:
-        senses = (f"{_signed(sign, _s('F'))} {_p('F')}",)
+        senses: tuple[str, ...] = (f"{_signed(sign, _s('F'))} {_p('F')}",)
         yield _world(
             "wall",
             _rebound(_signed(sign, _s("F"))),
