@@ -334,7 +334,9 @@ class Evaluator:
         return -value
 
     def _binary(self, tree: Binary) -> Value:
-        left, right = self.value(tree.left), self.value(tree.right)
+        return self._combined(tree, self.value(tree.left), self.value(tree.right))
+
+    def _combined(self, tree: Binary, left: Value, right: Value) -> Value:
         op = tree.op
         vectors = isinstance(left, Vector), isinstance(right, Vector)
         if op in "+-":

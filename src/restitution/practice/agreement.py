@@ -1,0 +1,321 @@
+"""Whether the two sides of a claim agree in a world, and how exactly."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from restitution.expression.evaluate import Angle, Value
+from restitution.expression.tree import Binary, Degrees, Expression, Negate, Number, walk
+from restitution.practice.arrays import Array, UnvaluedError, is_bare
+from restitution.practice.judgement import Accuracy
+from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope, Sign
+from restitution.practice.telling import NO_MEANINGS, NO_NUMBERS, Meanings
+from restitution.practice.world import World
+from restitution.problem import Problem, trees
+from restitution.vector import Vector
+
+# Of the sides of an exact line, and of what their terms are where the sides are zero.
+_RELATIVE = 1e-7
+_ROUNDING = 1e-11
+# A half unit is met by a number that is half way, whatever its last binary place.
+_SLACK = 1 + 1e-6
+# Angles that are meant as they stand, in degrees.
+_WHOLE = frozenset(map(Fraction, (0, 30, 45, 60, 90, 120, 135, 150, 180, 270, 360)))
+
+
+def agrees(
+    claim: Claim,
+    world: World,
+    meanings: Meanings = NO_MEANINGS,
+    decimals: Sequence[Decimal] = (),
+    scope: Scope = ANYWHERE,
+) -> Accuracy | None:
+    """How exactly a claim holds in every sample of a world; None where it does not hold.
+
+    Of ``x = a or b`` one has to hold. Decimals of the statement are exact; so is a line that is
+    exact with the decimals as they stand. Raises UnvaluedError where a side has no value.
+    """
+    links = [Claim(claim.left, claim.sign, right) for right in (claim.right, *claim.others)]
+    grades = [_agrees(link, world, meanings, decimals, scope) for link in links]
+    order: tuple[Accuracy, ...] = ("exact", "rounded", "coarse")
+    return next((each for each in order if each in grades), None)
+
+
+def difference(
+    claim: Claim,
+    world: World,
+    meanings: Meanings = NO_MEANINGS,
+    scope: Scope = ANYWHERE,
+    *,
+    degrees: bool = True,
+    put: Mapping[int, Array] = NO_NUMBERS,
+) -> tuple[Array, Array]:
+    """Left side less right side, and the size of what is compared, in every sample.
+
+    Both have the shape (samples, 1), or (samples, 2) for vectors. Angles are in radians and differ
+    by less than a half turn. Raises UnvaluedError where the sides are not alike.
+    """
+    how: dict[str, Any] = {"scope": scope, "degrees": degrees, "put": put}
+    left = world.value(claim.left, meanings, **how)
+    right = world.value(claim.right, meanings, **how)
+    if isinstance(left, Vector) or isinstance(right, Vector):
+        a, b = (_as_vector(each) for each in (left, right))
+        size = np.maximum(np.hypot(*a), np.hypot(*b))
+        return _columns(world, a.x - b.x, a.y - b.y), _columns(world, size, size)
+    if isinstance(left, Angle) or isinstance(right, Angle):
+        one, other = (
+            _radians(tree, value, degrees)
+            for tree, value in ((claim.left, left), (claim.right, right))
+        )
+        return _columns(world, _within_a_turn(one - other)), _columns(
+            world, np.maximum(np.abs(one), np.abs(other))
+        )
+    return _columns(world, left - right), _columns(world, np.maximum(np.abs(left), np.abs(right)))
+
+
+def is_angular(claim: Claim, world: World, meanings: Meanings, scope: Scope = ANYWHERE) -> bool:
+    """Whether a claim compares angles."""
+    sides = (world.value(each, meanings, scope) for each in (claim.left, claim.right))
+    return any(isinstance(side, Angle) for side in sides)
+
+
+def scale(
+    claim: Claim, world: World, meanings: Meanings = NO_MEANINGS, scope: Scope = ANYWHERE
+) -> Array:
+    """The sizes of the terms of both sides, added up, shape (samples, 1).
+
+    Against these a difference counts where the sides themselves are zero.
+    """
+    total = np.zeros((world.samples, 1))
+    for tree in (claim.left, claim.right):
+        for term in _terms(tree):
+            value = world.value(term, meanings, scope)
+            if isinstance(value, Vector):
+                value = np.hypot(value.x, value.y)
+            elif isinstance(value, Angle):
+                value = value.measure()
+            total = total + np.abs(_columns(world, value))
+    return total
+
+
+# --- one link -------------------------------------------------------------------------------------
+
+
+def _agrees(
+    claim: Claim, world: World, meanings: Meanings, decimals: Sequence[Decimal], scope: Scope
+) -> Accuracy | None:
+    best: Accuracy | None = None
+    for degrees in (True, False) if _has_bare_angle(claim) else (True,):
+        apart, size = difference(claim, world, meanings, scope, degrees=degrees)
+        if np.isnan(apart).any():
+            continue
+        tolerance = _RELATIVE * size + _ROUNDING * _magnitude(world)
+        if _holds(claim.sign, apart, tolerance):
+            return "exact"
+        if claim.sign == "=" and np.all(np.abs(apart) <= 1e-6 * _magnitude(world)):
+            terms = scale(claim, world, meanings, scope)
+            if _holds("=", apart, _ROUNDING * terms):
+                return "exact"
+        if claim.sign in ("<", ">") and np.any(np.abs(apart) <= tolerance):
+            continue
+        if best is None:
+            best = _rounded(claim, world, meanings, decimals, scope, degrees)
+    return best
+
+
+def _rounded(
+    claim: Claim,
+    world: World,
+    meanings: Meanings,
+    decimals: Sequence[Decimal],
+    scope: Scope,
+    degrees: bool,
+) -> Accuracy | None:
+    """How exactly a claim holds within half a unit of the last place of what was typed."""
+    if claim.sign == "!=":
+        return None
+    angular = degrees and is_angular(claim, world, meanings, scope)
+    fine, coarse = _half_units(claim, world.problem, decimals, angular)
+    apart, _ = difference(claim, world, meanings, scope, degrees=degrees)
+    tolerance: Array = 0.0
+    for grade, half_units in (("rounded", fine), ("coarse", coarse)):
+        for column, (value, half) in half_units.items():
+            tolerance = tolerance + _moved(
+                claim, world, meanings, scope, degrees, column, value, half
+            )
+        if half_units and _holds(claim.sign, apart, tolerance * _SLACK, closed=True):
+            return grade  # type: ignore[return-value]
+    return None
+
+
+def _moved(
+    claim: Claim,
+    world: World,
+    meanings: Meanings,
+    scope: Scope,
+    degrees: bool,
+    column: int,
+    value: float,
+    half: float,
+) -> Array:
+    """By how much the difference of the sides changes within half a unit of one decimal."""
+    ends = [
+        difference(claim, world, meanings, scope, degrees=degrees, put={column: value + step})[0]
+        for step in (-half, half)
+    ]
+    apart, _ = difference(claim, world, meanings, scope, degrees=degrees)
+    changes = (each - apart for each in ends)
+    if is_angular(claim, world, meanings, scope):
+        changes = (_within_a_turn(each) for each in changes)
+    moved = np.maximum(*map(np.abs, changes))
+    return np.where(np.isnan(moved), 0.0, moved)
+
+
+def _holds(sign: Sign, apart: Array, tolerance: Array, *, closed: bool = False) -> bool:
+    """Whether the sides stand so in every sample, within a tolerance."""
+    if sign == "=":
+        return bool(np.all(np.abs(apart) <= tolerance))
+    if sign == "!=":
+        return bool(np.all(np.abs(apart) > tolerance))
+    if apart.shape[1] != 1:
+        return False
+    below = apart if sign in ("<", "<=") else -apart
+    if sign in ("<=", ">=") or closed:
+        return bool(np.all(below <= tolerance))
+    return bool(np.all(below < -tolerance))
+
+
+# --- decimals -------------------------------------------------------------------------------------
+
+_Half = Mapping[int, tuple[float, float]]
+
+
+def _half_units(
+    claim: Claim, problem: Problem, decimals: Sequence[Decimal], angular: bool
+) -> tuple[_Half, _Half]:
+    """The decimals of a claim that are not exact, by column: with 3 figures or more, and fewer.
+
+    Whole degrees that are not those of the statement are rounded ones.
+    """
+    given = numbers_of(problem)
+    columns = {
+        node.place.column for node in _numbers((claim.left, claim.right)) if node.place is not None
+    }
+    fine: dict[int, tuple[float, float]] = {}
+    coarse: dict[int, tuple[float, float]] = {}
+    for decimal in decimals:
+        if decimal.column in columns and decimal.value not in given:
+            chosen = fine if decimal.figures >= 3 else coarse
+            chosen[decimal.column] = float(decimal.value), float(decimal.half_unit)
+    for node in _whole_degrees(claim, angular):
+        known = node.place is None or node.place.column in {**fine, **coarse}
+        if not known and node.value not in given and node.value not in _WHOLE:
+            assert node.place is not None
+            fine[node.place.column] = float(node.value), 0.5
+    return fine, coarse
+
+
+def _numbers(sides: Iterable[Expression]) -> Iterator[Number | Degrees]:
+    return (node for tree in sides for node in walk(tree) if isinstance(node, Number | Degrees))
+
+
+def _whole_degrees(claim: Claim, angular: bool) -> Iterator[Number | Degrees]:
+    """The angles typed to the nearest degree: with a degree sign, or as terms of a side."""
+    for side in (claim.left, claim.right):
+        terms = tuple(_terms(side)) if angular and is_bare(side) else ()
+        for node in _numbers((side,)):
+            if node.value.denominator == 1 and (isinstance(node, Degrees) or node in terms):
+                yield node
+
+
+@lru_cache(maxsize=64)
+def _numbers_of(problem: Problem) -> Collection[Fraction]:
+    typed = {node.value for node in _numbers(trees(problem))}
+    quotients = {
+        node.left.value / node.right.value
+        for tree in trees(problem)
+        for node in walk(tree)
+        if isinstance(node, Binary)
+        and node.op == "/"
+        and isinstance(node.left, Number)
+        and isinstance(node.right, Number)
+        and node.right.value
+    }
+    return frozenset(typed | quotients)
+
+
+def numbers_of(problem: Problem) -> Collection[Fraction]:
+    """The numbers that stand in a statement: what a student copies from it is exact."""
+    try:
+        return _numbers_of(problem)
+    except TypeError:  # what Python put in has no hash to be remembered by
+        return _numbers_of.__wrapped__(problem)
+
+
+# --- sides ----------------------------------------------------------------------------------------
+
+
+def _has_bare_angle(claim: Claim) -> bool:
+    """Whether the unit of a number may matter: some number stands alone, or in a sum."""
+    return any(
+        is_bare(tree) or _bare_within(tree) for tree in (claim.left, claim.right, *claim.others)
+    )
+
+
+@lru_cache(maxsize=4096)
+def _bare_within(tree: Expression) -> bool:
+    return any(
+        isinstance(node, Binary)
+        and node.op in ("+", "-")
+        and (is_bare(node.left) != is_bare(node.right))
+        for node in walk(tree)
+    )
+
+
+def _radians(tree: Expression, value: Value, degrees: bool) -> Array:
+    if isinstance(value, Angle):
+        return value.measure()
+    return np.radians(value) if degrees and is_bare(tree) else value
+
+
+def _within_a_turn(radians: Array) -> Array:
+    """An angle from -180° to 180°."""
+    return np.mod(radians + np.pi, 2 * np.pi) - np.pi
+
+
+def _as_vector(value: Value) -> Vector:
+    if isinstance(value, Vector):
+        return value
+    if isinstance(value, Angle) or np.any(np.asarray(value) != 0):
+        raise UnvaluedError("a vector and a number are compared")
+    return Vector(np.float64(0), np.float64(0))
+
+
+def _columns(world: World, *values: Array) -> Array:
+    return np.stack([world.spread(value) for value in values], axis=1)
+
+
+def _terms(tree: Expression) -> Iterator[Expression]:
+    """The terms of a sum."""
+    if isinstance(tree, Negate):
+        yield from _terms(tree.operand)
+    elif isinstance(tree, Binary) and tree.op in ("+", "-"):
+        yield from _terms(tree.left)
+        yield from _terms(tree.right)
+    else:
+        yield tree
+
+
+def _magnitude(world: World) -> float:
+    """The largest of the speeds of a world, and 1 if they are small."""
+    known = world._known.get("magnitude")
+    if known is None:
+        vectors = (*world.start.values(), *world.after.values())
+        sizes = [float(np.max(np.abs(each))) for v in vectors for each in v]
+        known = world._known["magnitude"] = max(1.0, *(x for x in sizes if np.isfinite(x)), 1.0)
+    return float(known)

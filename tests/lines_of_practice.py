@@ -1,0 +1,60 @@
+"""Lines as data for the tests of practice, from text of the statement language."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from functools import lru_cache
+
+import restitution as r
+from restitution.expression import read_expression
+from restitution.expression.tree import Expression
+from restitution.practice.sampling import true_worlds
+from restitution.practice.script import Claim, Decimal
+from restitution.practice.world import World
+from restitution.solving.solution import Solution
+
+_SIGN = re.compile(r"<=|>=|=|<|>")
+_DECIMAL = re.compile(r"(?<![\w.])\d+\.\d+")
+NAMES = ("A", "B", "C", "P", "Q", "W", "V")
+
+
+@lru_cache(maxsize=16)
+def solved(text: str) -> Solution:
+    return r.solve(r.parse(text))
+
+
+def world_of(text: str, part: str | None = None) -> World:
+    """The only true world of a part of a statement."""
+    (world,) = true_worlds(solved(text), part)
+    return world
+
+
+def read(text: str, column: int = 0) -> Expression:
+    return read_expression(" " * column + text, names=set(NAMES))
+
+
+def claim(text: str) -> tuple[Claim, tuple[Decimal, ...]]:
+    """``left = right`` with its decimals, columns counted in the text."""
+    sign = _SIGN.search(text)
+    assert sign is not None, text
+    left, right = read(text[: sign.start()]), read(text[sign.end() :], sign.end())
+    found = (
+        Decimal(
+            match.start() + 1,
+            Fraction(match[0]),
+            len(match[0].replace(".", "").lstrip("0")),
+            Fraction(1, 2 * 10 ** len(match[0].split(".")[1])),
+        )
+        for match in _DECIMAL.finditer(text)
+    )
+    return Claim(left, sign[0], right), tuple(found)  # type: ignore[arg-type]
+
+
+def meanings(table: Mapping[str, str]) -> dict[str, Expression]:
+    return {letter: read(text) for letter, text in table.items()}
+
+
+def claims(texts: Iterable[str]) -> list[Claim]:
+    return [claim(text)[0] for text in texts]
