@@ -318,12 +318,34 @@ class Moment(NamedTuple):
     part: Part
 
 
+class AlteredEquation(NamedTuple):
+    """``left = right``, which holds at an impact in place of a law, of some bodies."""
+
+    law: Literal["momentum", "restitution", "unchanged"]
+    bodies: tuple[str, ...]
+    left: Expression
+    right: Expression
+
+
+@dataclass(frozen=True)
+class AlteredImpact:
+    """The equations that hold in place of laws at the impact with this number.
+
+    ``senses`` are scalars that must not be negative, or nobody would take these equations.
+    """
+
+    number: int
+    equations: tuple[AlteredEquation, ...]
+    senses: tuple[Expression, ...] = ()
+
+
 @dataclass(frozen=True)
 class Problem:
     """A whole question. ``parts[0]`` holds what stands before the first ``part`` line.
 
     ``notes`` tell how doubtful notation was read. Spheres, walls and points stand in the
-    order of their first declaration, each with everything said of it anywhere.
+    order of their first declaration, each with everything said of it anywhere. ``altered`` are
+    the impacts at which other laws hold: the world of a mistake.
     """
 
     title: str | None = None
@@ -332,6 +354,7 @@ class Problem:
     points: tuple[Point, ...] = ()
     parts: tuple[Part, ...] = (Part(None, ()),)
     notes: tuple[Note, ...] = field(default=(), compare=False)
+    altered: tuple[AlteredImpact, ...] = ()
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -342,6 +365,10 @@ class Problem:
     def events(self) -> tuple[Event, ...]:
         """Every event of the story, in order."""
         return tuple(event for part in self.parts for event in part.events)
+
+    def altered_at(self, number: int) -> AlteredImpact | None:
+        """What is altered at an impact; None where the laws hold."""
+        return next((each for each in self.altered if each.number == number), None)
 
     def steps(self) -> Iterator[tuple[Part, Step]]:
         """Every step of the story with its part, in order."""

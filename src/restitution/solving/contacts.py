@@ -68,6 +68,8 @@ def rests_on(values: Iterable[Scalar], names: Collection[str]) -> bool:
 
 def is_sought(story: Story, number: int, *values: Scalar) -> bool:
     """Whether the place of event ``number`` is sought, where a root of ``values`` would give it."""
+    if story.problem.altered:
+        return False
     chooses = getattr(story.unknowns, "seeks_contact", None)
     return chooses is not None and story.field.exact and bool(chooses(number, values))
 

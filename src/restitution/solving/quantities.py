@@ -173,6 +173,9 @@ def impulse_on(story: Story, name: str, event: Happening) -> Vector:
     """The impulse on a body in an event: a vector, in N s."""
     if isinstance(event.step, Arrival):
         return Vector(story.field.zero, story.field.zero)
+    if event.altered and name in story.spheres:
+        change: Vector = (event.after[name] - event.before[name]) * story.mass(name)
+        return change
     assert event.impulse is not None
     total = event.impulse
     if event.impulse_mass is not None:
@@ -197,7 +200,8 @@ def _energy(story: Story, name: str, stage: int) -> Scalar:
 def energy_lost(story: Story, event: Happening) -> Scalar:
     """Kinetic energy of all spheres lost in an event, in J."""
     step = event.step
-    if isinstance(step, Impact) and event.centres is not None and not event.unknown_line:
+    by_law = not event.unknown_line and not event.altered
+    if isinstance(step, Impact) and event.centres is not None and by_law:
         u1 = event.before[step.first]
         m1 = story.mass(step.first)
         if step.second in story.walls:

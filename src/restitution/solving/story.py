@@ -53,6 +53,7 @@ from restitution.problem import (
 )
 from restitution.shapes import Circle, Line, Segment, Shape
 from restitution.solving import bodies, contacts, places, quantities
+from restitution.solving.altered_impacts import AlteredLaws
 from restitution.solving.conditions import AnyOf, Condition, Equation
 from restitution.solving.neat import neat
 from restitution.vector import Vector
@@ -109,6 +110,7 @@ class Happening:
     impulse_mass: str | None = None  # the body whose mass the impulse is still to be multiplied by
     time: Scalar = None
     unknown_line: bool = False
+    altered: bool = False  # other equations than the laws hold
 
     @property
     def bodies(self) -> tuple[str, ...]:
@@ -162,6 +164,7 @@ class Story:
         self.fault: ImpossibleError | None = None  # proved, and worse than a clash of facts
         # Velocities just before events to whose places, being sought, they lead.
         self.arriving: dict[tuple[int, str], Vector] = {}
+        self.altered_laws: dict[int, AlteredLaws] = {}
         self.needs_numbers = False  # something is asked that formulas do not say, or not for all
         self.implied = False  # places are counted from the first impact, as the text gives none
         self.lets = lets
@@ -646,7 +649,11 @@ class Story:
         closing = self.rational(u.dot(c))
         what = f"{name} is moving away from {wall.name}, or along it"
         self._approach((name, wall.name), u, c, closing, unknown, what)
-        if unknown:
+        altered = self._altered(number, step, {name: u}, c, closing, e, unknown)
+        if altered is not None:
+            v = altered[name]
+            push = self.neat(u - v)
+        elif unknown:
             v, push = self.neat(u - c), c
             self.equations.append(
                 Equation(c.dot(c) - (1 + e) * closing, "Newton's experimental law", kind="law")
@@ -669,6 +676,7 @@ class Story:
             impulse_mass=name,
             time=time,
             unknown_line=unknown,
+            altered=altered is not None,
         )
 
     def _impact_of_spheres(self, number: int, step: Impact) -> Happening:
@@ -707,7 +715,11 @@ class Story:
         if self._of_statement and (own is not None or self.still(approach)):
             self._require_approach(step, c, own, closing, what)
         self._approach((first, second), approach, c, closing, unknown, what, own)
-        if unknown:
+        altered = self._altered(number, step, {first: u1, second: u2}, c, closing, e, unknown)
+        if altered is not None:
+            v1, v2 = altered[first], altered[second]
+            push = self.neat((v2 - u2) * m2)
+        elif unknown:
             # The impulse itself is along the line of centres: linear in what is unknown.
             v1, v2 = self.neat(u1 - c / m1), self.neat(u2 + c / m2)
             push = c
@@ -739,7 +751,34 @@ class Story:
             impulse=push,
             time=time if time is not None else places.meeting_time(self, number),
             unknown_line=unknown,
+            altered=altered is not None,
         )
+
+    def _altered(
+        self,
+        number: int,
+        step: Impact,
+        before: Mapping[str, Vector],
+        c: Vector,
+        closing: Scalar,
+        e: Scalar,
+        unknown: bool,
+    ) -> Mapping[str, Vector] | None:
+        """The velocities after an impact at which other laws hold; None where the laws do."""
+        altered = self.problem.altered_at(number)
+        if altered is None or self.frames is not None:
+            return None
+        if not unknown:
+            sign = self.sign(closing)
+            c = c * closing if sign is None else c * self.field.number(Fraction(sign or 1))
+        laws = AlteredLaws(self, altered, step, before, c, e)
+        laws.require_senses()
+        self.altered_laws[number] = laws
+        if not unknown:
+            return laws.velocities()
+        after, equations = laws.velocities_on_unknown_line()
+        self.equations += equations
+        return after
 
     def _require_approach(
         self, step: Impact, c: Vector, own: Scalar, closing: Scalar, what: str
