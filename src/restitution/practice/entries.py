@@ -1,0 +1,77 @@
+"""What a student has claimed so far, line by line, and what may be concluded from it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from restitution.explaining.trees import exchanged
+from restitution.expression.tree import Expression, Letter, Quantity, letters, walk
+from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope
+
+Meanings = Mapping[str, Expression]
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A claim that stands in a line of a script, as it was read, with its letters' meanings.
+
+    ``wrong`` tells that it is neither true nor follows; ``right`` that it is true in fact.
+    """
+
+    number: int
+    claim: Claim
+    meanings: Meanings = field(default_factory=dict, compare=False)
+    scope: Scope = ANYWHERE
+    decimals: tuple[Decimal, ...] = ()
+    right: bool = True
+    wrong: bool = False
+
+    @property
+    def is_value(self) -> bool:
+        """Whether it gives a letter or a quantity a value without letters."""
+        return (
+            self.claim.sign == "="
+            and isinstance(self.claim.left, Letter | Quantity)
+            and is_numeric(self.claim.right)
+        )
+
+
+def is_numeric(tree: Expression) -> bool:
+    """Whether a tree is of numbers alone."""
+    return not any(isinstance(each, Letter | Quantity) for each in walk(tree))
+
+
+def names_of(claim: Claim) -> frozenset[str]:
+    """The letters and phrases of a claim."""
+    sides = (claim.left, claim.right, *claim.others)
+    return frozenset().union(*map(letters, sides))
+
+
+def same_relation(one: Claim, other: Claim) -> bool:
+    """Whether two claims are the same as they stand, perhaps with their sides exchanged."""
+    if one.sign != other.sign:
+        return False
+    return (one.left, one.right) in ((other.left, other.right), (other.right, other.left))
+
+
+def is_root_of(claim: Claim, entry: Entry) -> Claim | None:
+    """What an earlier equation says where a letter has the value of a claim; None where neither.
+
+    ``x = 3`` beside ``x² = 9`` gives ``3² = 9``.
+    """
+    if claim.sign != "=" or not isinstance(claim.left, Letter) or entry.claim.sign != "=":
+        return None
+    if claim.left.name not in names_of(entry.claim) or entry.is_value:
+        return None
+    put = {claim.left: claim.right}
+    return Claim(exchanged(entry.claim.left, put), "=", exchanged(entry.claim.right, put))
+
+
+def sources_of(claim: Claim, entries: Sequence[Entry]) -> tuple[int, ...]:
+    """The numbers of the lines that are not true and share a letter with a claim, at most three."""
+    names = names_of(claim)
+    untrue = [entry for entry in entries if not entry.right]
+    sharing = [entry.number for entry in untrue if names_of(entry.claim) & names]
+    chosen = sharing or [entry.number for entry in untrue[-1:]]
+    return tuple(dict.fromkeys(chosen[-3:]))
