@@ -200,9 +200,7 @@ def _factors(tree: Expression) -> Iterator[Edit]:
 
 def _letters_of(claim: Claim) -> Changes:
     """One letter of a claim written for another."""
-    names = sorted(
-        {each.name for side in (claim.left, claim.right) for each in letters_in(side)}
-    )
+    names = sorted({each.name for side in (claim.left, claim.right) for each in letters_in(side)})
 
     def changes(tree: Expression) -> Iterator[Edit]:
         if isinstance(tree, Letter) and " " not in tree.name:

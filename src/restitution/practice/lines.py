@@ -1,0 +1,45 @@
+"""How a line was read: its claims as mathematics on one line of text."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+
+from restitution.expression.tree import Expression, Letter, walk
+from restitution.expression.writing import write_expression
+from restitution.practice.script import Claim
+from restitution.render.layout import Layout, Words
+from restitution.render.layout.statements import from_tree
+from restitution.render.text import to_text
+
+_SIGNS = {"<=": "≤", ">=": "≥", "!=": "≠"}
+
+
+def read_as(claims: Sequence[Claim]) -> str | None:
+    """Claims as they were read: a chain is written once, others are parted by commas."""
+    text, last = "", None
+    for claim in claims:
+        sign = _SIGNS.get(claim.sign, claim.sign)
+        right = " or ".join(text_of(each) for each in (claim.right, *claim.others))
+        if last is not None and claim.left == last:
+            text += f" {sign} {right}"
+        else:
+            text += f"{', ' if text else ''}{text_of(claim.left)} {sign} {right}"
+        last = claim.right
+    return text or None
+
+
+@lru_cache(maxsize=4096)
+def text_of(tree: Expression) -> str:
+    """A tree as people write it; phrases stand in it as typed."""
+    if isinstance(tree, Letter) and " " in tree.name:
+        return tree.name
+    if any(isinstance(each, Letter) and not each.name.isidentifier() for each in walk(tree)):
+        return write_expression(tree)
+    return to_text(_layout(tree))
+
+
+def _layout(tree: Expression) -> Layout:
+    if isinstance(tree, Letter) and " " in tree.name:
+        return Words(tree.name)
+    return from_tree(tree)
