@@ -64,7 +64,7 @@ def is_root_of(claim: Claim, entry: Entry) -> Claim | None:
         return None
     if claim.left.name not in names_of(entry.claim) or entry.is_value:
         return None
-    put = {claim.left: claim.right}
+    put: dict[Expression, Expression] = {claim.left: claim.right}
     return Claim(exchanged(entry.claim.left, put), "=", exchanged(entry.claim.right, put))
 
 
