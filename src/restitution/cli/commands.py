@@ -198,6 +198,12 @@ _Marks = Annotated[
     typer.Option("--marks", help="Marks as in Further Mechanics 1, in M4, as Cambridge, or none."),
 ]
 _TimeLimit = Annotated[float, typer.Option(metavar="SECONDS", help="For each file; 0 is no limit.")]
+_Mistake = Annotated[
+    str | None,
+    typer.Option(
+        "--as", metavar="ID", help="In the world of a mistake; restitution mistakes lists them."
+    ),
+]
 _F = TypeVar("_F", bound=StrEnum)
 
 
@@ -231,6 +237,7 @@ def solve(
     check: Annotated[
         bool, typer.Option("--check", help="Follow every line of the working, and say so.")
     ] = False,
+    mistake: _Mistake = None,
     time_limit: _TimeLimit = TIME_LIMIT,
     debug: Annotated[bool, typer.Option("--debug", hidden=True)] = False,
 ) -> None:
@@ -238,7 +245,17 @@ def solve(
     if debug:
         os.environ["RESTITUTION_DEBUG"] = "1"
     asked = Solving(
-        tuple(files), form, output, part, answers_only, time_limit, marks, working, route, check
+        tuple(files),
+        form,
+        output,
+        part,
+        answers_only,
+        time_limit,
+        marks,
+        working,
+        route,
+        check,
+        mistake,
     )
     with _refusing():
         status = solving.solve(asked, context.obj)

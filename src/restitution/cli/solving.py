@@ -39,6 +39,7 @@ _FIELDS = {
     "--time-limit": "time_limit",
     "--marks": "marks",
     "--route": "route",
+    "--as": "mistake",
 }
 _SWITCHES = {"--answers-only": "answers_only", "--working": "working", "--check": "check"}
 _ROUTES = ("1", "2", "3")
@@ -59,6 +60,7 @@ class Solving:
     working: bool = False
     route: int = 1
     check: bool = False
+    mistake: str | None = None
 
 
 def plainly(arguments: Sequence[str]) -> Solving | None:
@@ -118,10 +120,28 @@ def require_together(asked: Solving) -> None:
             f"the working as data needs --format json; {asked.form.value} has it in words",
             "--working",
         )
+    if asked.mistake is not None:
+        require_mistake(asked.mistake)
+        if asked.form not in (Format.text, Format.json):
+            raise RefusedError("the world of a mistake is written as text or json", "--format")
+        for option, wanted in (("--working", asked.working), ("--check", asked.check)):
+            if wanted:
+                raise RefusedError("with --as there is no working", option)
     if asked.answers_only:
         for option, wanted in (("--working", asked.working), ("--check", asked.check)):
             if wanted:
                 raise RefusedError("with --answers-only there is no working", option)
+
+
+def require_mistake(name: str) -> None:
+    """Raises RefusedError for a mistake that is not there."""
+    from restitution.errors import StatementError
+    from restitution.explaining.misconceptions import misconception
+
+    try:
+        misconception(name)
+    except StatementError as error:
+        raise RefusedError(error.message, "--as") from None
 
 
 def solve(asked: Solving, early: Worker | None) -> int:
@@ -146,6 +166,7 @@ def solve(asked: Solving, early: Worker | None) -> int:
         asked.working,
         asked.route,
         asked.check,
+        asked.mistake,
     )
     worst = 0
     with interruptible(), worker_of(early) as worker, target.written():

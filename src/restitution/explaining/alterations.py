@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from itertools import product
 
+from restitution.explaining.alteration import Alteration, AlteredLaw, AlteredResult, Where
 from restitution.explaining.templates import AXIS, across_line, along_line
-from restitution.solving.alteration import Alteration, AlteredLaw, AlteredResult, Where
 
 _Body = str
 _Plain = tuple[Where, tuple[AlteredLaw, ...], tuple[AlteredResult, ...], tuple[str, ...], str]

@@ -11,11 +11,12 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from restitution.explaining.alteration import Alteration
 from restitution.explaining.derivation import Event
 from restitution.explaining.facts import events_of, staged
 from restitution.explaining.misconceptions import VariantAt, variant_at
 from restitution.explaining.trees import exchanged, rebuilt, settled
-from restitution.expression.tree import Expression, Letter, Quantity
+from restitution.expression.tree import Binary, Expression, Letter, Quantity
 from restitution.problem import (
     Aligned,
     AlteredEquation,
@@ -32,9 +33,10 @@ from restitution.problem import (
     Show,
     Step,
 )
-from restitution.solving.alteration import Alteration
 
 Change = Callable[[Expression], Expression]
+# Mistakes about a fact: nobody makes them where the quantity itself is asked for.
+_OF_RATIOS = frozenset({"energy-ratio-as-speed"})
 
 
 @dataclass(frozen=True)
@@ -66,7 +68,7 @@ def altered(
         changed = replace(problem, altered=tuple(_impact(each) for each in at))
     results = _results(problem, at, events)
     if results:
-        changed = _rewritten(changed, results, events)
+        changed = _rewritten(changed, results, events, wanted.mistake in _OF_RATIOS)
     return AlteredProblem(wanted, changed, at) if changed != problem else None
 
 
@@ -106,9 +108,15 @@ def _with_coefficient(e: Expression) -> Change:
 
 
 def _rewritten(
-    problem: Problem, put: Mapping[Expression, Expression], events: tuple[Event, ...]
+    problem: Problem,
+    put: Mapping[Expression, Expression],
+    events: tuple[Event, ...],
+    ratios: bool = False,
 ) -> Problem:
-    """The problem with others in place of some of its quantities, wherever it speaks of them."""
+    """The problem with others in place of some of its quantities, wherever it speaks of them.
+
+    With ``ratios`` in its facts alone, and where a quotient is asked for.
+    """
     parts = []
     told = 0
     for part in problem.parts:
@@ -119,7 +127,11 @@ def _rewritten(
                 steps.append(step)
                 continue
 
-            def change(tree: Expression, now: int = told) -> Expression:
+            def change(
+                tree: Expression, now: int = told, given: bool = isinstance(step, Given)
+            ) -> Expression:
+                if ratios and not given and not (isinstance(tree, Binary) and tree.op == "/"):
+                    return tree
                 plain = settled(staged(problem, tree, now), events)
                 other = exchanged(plain, put)
                 return tree if other == plain else other

@@ -8,15 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from difflib import get_close_matches
 from functools import cache
 from typing import Literal
 
+from restitution.errors import StatementError
+from restitution.explaining.alteration import Alteration, LawName
 from restitution.explaining.alterations import alterations_of
 from restitution.explaining.derivation import Event, Link, Relation
 from restitution.explaining.notation import read_relation, read_tree
+from restitution.explaining.principles import RECORDS
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import Expression, Name, Quantity
-from restitution.solving.alteration import Alteration, LawName
 
 World = Literal["motion", "result", "none"]
 _BODIES = dict.fromkeys(("X", "F", "S"), "sphere")
@@ -431,6 +434,24 @@ SLIPS: Mapping[str, Slip] = {
 }
 
 
+def misconception(name: str) -> Misconception:
+    """A misconception by its id, or that of one of its variants.
+
+    Raises StatementError for an id that is not there, with the nearest one, or with all.
+    """
+    base, _, number = name.partition("/")
+    if base not in MISCONCEPTIONS:
+        near = get_close_matches(base, MISCONCEPTIONS, 1)
+        hint = f"did you mean {near[0]}?" if near else f"there are {', '.join(MISCONCEPTIONS)}"
+        raise StatementError(f"there is no mistake '{base}': {hint}")
+    found = MISCONCEPTIONS[base]
+    if number and all(each.id != name for each in found.variants):
+        count = len(found.variants)
+        known = f"its variants are {base}/1 to {base}/{count}" if count else "it has no variants"
+        raise StatementError(f"there is no mistake '{name}': {known}")
+    return found
+
+
 def alteration(id_: str) -> Alteration:
     """A variant by its id, such as ``momentum-sign/2``. Raises KeyError for one not there."""
     mistake = id_.partition("/")[0]
@@ -446,6 +467,23 @@ def variants_at(event: Event, events: Iterable[Event] = ()) -> tuple[VariantAt, 
     if event.kind != "impact":
         return ()
     return _variants_at(event, _last_wall(event, events))
+
+
+def laws_at(event: Event) -> tuple[LawAt, ...]:
+    """The true laws of an impact, in the form in which variants replace them."""
+    if event.kind != "impact":
+        return ()
+    unchanged = RECORDS["unchanged"]
+    kept = tuple(
+        LawAt("unchanged", (body,), unchanged.relations(event, (body,))[0])
+        for body in (event.bodies[:1] if event.wall else event.bodies)
+    )
+    if event.wall:
+        (relation,) = RECORDS["restitution-wall"].relations(event, event.bodies[:1])
+        return (*kept, LawAt("restitution", event.bodies[:1], relation))
+    laws: tuple[LawName, ...] = ("momentum", "restitution")
+    of_both = (LawAt(law, event.bodies, RECORDS[law].relations(event, ())[0]) for law in laws)
+    return (*kept, *of_both)
 
 
 def variant_at(wanted: Alteration, event: Event, events: Iterable[Event] = ()) -> VariantAt | None:

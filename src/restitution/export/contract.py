@@ -172,10 +172,14 @@ def _part(label: str | None, items: list[Object]) -> Object:
     return {"part": label, "items": items}
 
 
-def _item(part: PartSolution, item: ItemResult, unit: str) -> Object:
-    error = item.error
-    if error is None and not item.answers and item.proof is None:
-        error = part.error
+def _item(part: PartSolution, one: ItemResult, unit: str) -> Object:
+    unanswered = one.error is None and not one.answers and one.proof is None
+    return item(one, unit, part.error if unanswered else one.error)
+
+
+def item(item: ItemResult, unit: str, error: RestitutionError | None = None) -> Object:
+    """The object of an item; ``error`` is that of its part where it has none of its own."""
+    error = error or item.error
     return {
         "line": item.line,
         "text": item.text,

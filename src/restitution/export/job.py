@@ -44,6 +44,7 @@ class Writing:
     ``part`` is the label of the one part wanted, or None for all; ``styled`` is text with bold type
     for a terminal. ``marks`` is the style of marks; ``working`` adds the derivation of each part to
     JSON. ``route`` chooses among the ways to the answers, and ``check`` has each line followed.
+    ``mistake`` is the id of a mistake, or of one of its variants, in whose world it is solved.
     """
 
     form: Format = "text"
@@ -55,6 +56,7 @@ class Writing:
     working: bool = False
     route: int = 1
     check: bool = False
+    mistake: str | None = None
 
 
 @dataclass(frozen=True)
@@ -66,9 +68,13 @@ class Drawing:
 
 @dataclass(frozen=True)
 class Playing:
-    """Its motion to be played on a page: that of the part with a label, or of all parts (None)."""
+    """Its motion to be played on a page: that of the part with a label, or of all parts (None).
+
+    With a ``mistake``, an id, the altered motion is played beside it.
+    """
 
     part: str | None = None
+    mistake: str | None = None
 
 
 @dataclass(frozen=True)
@@ -225,6 +231,11 @@ def serve(job: Job) -> Reply:
     reply["warnings"] += late
     answered = contract.all_answered(reply)
     match job.task:
+        case Writing(mistake=str(mistake)):
+            from restitution.export.altered import written
+
+            text = written(reply, solution, mistake, job.task, job.limit)
+            return Reply(text, True, errors, tuple(reply["warnings"]), tired=tired)
         case Writing("json", working=False, check=False):
             return Reply(contract.to_json(reply) + "\n", answered, tired=tired)
         case Writing("json"):

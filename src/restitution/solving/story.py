@@ -53,7 +53,7 @@ from restitution.problem import (
 )
 from restitution.shapes import Circle, Line, Segment, Shape
 from restitution.solving import bodies, contacts, places, quantities
-from restitution.solving.altered_impacts import AlteredLaws
+from restitution.solving.alteration import AlteredLaws
 from restitution.solving.conditions import AnyOf, Condition, Equation
 from restitution.solving.neat import neat
 from restitution.vector import Vector
