@@ -19,7 +19,8 @@ class Meaning:
     """What a letter, or a phrase, of a script means in a scope.
 
     ``quantity`` is one of the statement language and may carry a sign:
-    ``-along(velocity(A), i)``. ``words`` say it as a student would.
+    ``-along(velocity(A), i)``. ``words`` say it as a student would. ``since`` is the number of the
+    line from which it holds, until the same letter has another meaning.
     """
 
     letter: str
@@ -27,6 +28,7 @@ class Meaning:
     words: str
     by: By
     scope: Scope = ANYWHERE
+    since: int = 0
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,346 @@
+"""What a letter of a student's may mean: the quantities of a story, each with how usual it is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Literal
+
+from restitution.expression.quantities import Nature
+from restitution.expression.tree import (
+    GREEK,
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Name,
+    Negate,
+    Quantity,
+    Unit,
+)
+from restitution.problem import Event, Impact, Kick, Part, Problem, Wall
+from restitution.shapes import Circle
+
+Kind = Literal[
+    "component",
+    "speed",
+    "velocity",
+    "relative",
+    "angle",
+    "tangent",
+    "deflection",
+    "impulse",
+    "energy",
+    "mass",
+    "coefficient",
+    "time",
+    "distance",
+    "direction",
+    "ratio",
+    "definition",
+]
+
+AXES: tuple[Expression, ...] = (Unit("i"), Unit("j"))
+# What the sense against i, j or the first body's way to the second costs.
+_TURNED = 0.1
+_RIGHT_ANGLE, _TWO_RIGHT_ANGLES = Degrees(Fraction(90)), Degrees(Fraction(180))
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A quantity that a letter may mean.
+
+    ``body`` and ``event`` are those it belongs to (event 0: before the first), ``axis`` is what a
+    component is taken along; ``start`` tells that it belongs to the start and is known from the
+    statement. ``cost`` grows from 0 for the most usual to 1 for the least usual.
+    """
+
+    quantity: Expression
+    kind: Kind
+    nature: Nature
+    body: str | None = None
+    event: int | None = None
+    axis: Expression | None = None
+    start: bool = False
+    cost: float = 0.0
+
+    @property
+    def sensed(self) -> bool:
+        """Whether it has a sense that may be turned."""
+        if self.kind in ("component", "relative", "velocity", "direction"):
+            return True
+        return (self.kind == "impulse" and self.axis is not None) or self.nature == "vector"
+
+    def turned(self) -> Candidate:
+        """The same quantity in the other sense."""
+        return Candidate(
+            turned(self.quantity),
+            self.kind,
+            self.nature,
+            self.body,
+            self.event,
+            self.axis,
+            self.start,
+            self.cost + _TURNED,
+        )
+
+
+def turned(tree: Expression) -> Expression:
+    """An expression with the other sign."""
+    return tree.operand if isinstance(tree, Negate) else Negate(tree)
+
+
+def candidates(problem: Problem, part: Part | None = None) -> tuple[Candidate, ...]:
+    """Every quantity of the events up to and with a part that a letter may mean."""
+    return tuple(_all(problem, _events(problem, part)))
+
+
+def _events(problem: Problem, part: Part | None) -> list[Event]:
+    steps = (step for step, _, _ in problem.timeline(part))
+    return [step for step in steps if isinstance(step, Event)]
+
+
+def _all(problem: Problem, events: Sequence[Event]) -> Iterator[Candidate]:
+    unknown = {sphere.name for sphere in problem.spheres if sphere.velocity is None}
+    for sphere in problem.spheres:
+        stages = [0, *(n for n, event in enumerate(events, 1) if sphere.name in bodies_of(event))]
+        for place, stage in enumerate(stages):
+            start = stage == 0 and sphere.name not in unknown
+            following = stages[place + 1] if place + 1 < len(stages) else None
+            yield from _of_motion(problem, events, sphere.name, stage, following, start)
+        yield Candidate(Quantity("mass", (Name(sphere.name),)), "mass", "scalar", sphere.name)
+    for number, event in enumerate(events, 1):
+        yield from _of_event(problem, event, number)
+    yield from _of_the_whole(problem, events)
+
+
+def bodies_of(event: Event) -> tuple[str, ...]:
+    """The names of the bodies of an event, walls among them."""
+    return (event.first, event.second) if isinstance(event, Impact) else (event.body,)
+
+
+def wall_of(problem: Problem, event: Event | None) -> Wall | None:
+    """The wall that is struck in an event."""
+    names = bodies_of(event) if event is not None else ()
+    return next((wall for wall in problem.walls if wall.name in names), None)
+
+
+def velocity(body: str, stage: int) -> Quantity:
+    """The velocity of a body after so many events."""
+    return Quantity("velocity", (Name(body),), stage)
+
+
+def line(event: Event, number: int) -> Expression:
+    """The line of centres of an impact as an axis: i or j where the statement says so."""
+    along = event.along if isinstance(event, Impact) else None
+    match along:
+        case Unit():
+            return along
+        case Negate(Unit() as axis):
+            return axis
+    return Quantity("line_of_centres", (), number)
+
+
+def components(
+    problem: Problem, event: Event | None, number: int, of: Expression
+) -> Iterator[tuple[Expression, Expression, float]]:
+    """The components of a vector that people use at an event: with their axes and costs."""
+    wall = wall_of(problem, event)
+    if wall is not None and not isinstance(wall.shape, Circle):
+        yield Quantity("across", (of, Name(wall.name))), Name(wall.name), 0.0
+        yield Quantity("along", (of, Name(wall.name))), Name(wall.name), 0.1
+    elif isinstance(event, Impact):
+        axis = line(event, number)
+        yield Quantity("along", (of, axis)), axis, 0.0
+        if not isinstance(axis, Unit):
+            yield Quantity("across", (of, axis)), axis, 0.1
+    for unit in AXES:
+        yield Quantity("along", (of, unit)), unit, 0.1
+
+
+def _of_motion(
+    problem: Problem,
+    events: Sequence[Event],
+    body: str,
+    stage: int,
+    following: int | None,
+    start: bool,
+) -> Iterator[Candidate]:
+    """What a body's motion after one event and before the next has."""
+    v, far = velocity(body, stage), 0.3 if stage == 0 else 0.0
+    seen: set[Expression] = set()
+    for number in (stage, following):
+        event = events[number - 1] if number else None
+        if number is None or (event is None and following is not None):
+            continue
+        late = far if number == stage else far + 0.05
+        for quantity, axis, cost in components(problem, event, number, v):
+            if quantity not in seen:
+                seen.add(quantity)
+                yield Candidate(
+                    quantity, "component", "scalar", body, stage, axis, start, cost + late
+                )
+        for quantity, cost in _angles(problem, event, number, v):
+            if quantity not in seen:
+                seen.add(quantity)
+                yield Candidate(quantity, "angle", "angle", body, stage, None, start, cost + late)
+                tangent = Apply("tan", quantity)
+                yield Candidate(
+                    tangent, "tangent", "scalar", body, stage, None, start, cost + late + 0.2
+                )
+    name = Name(body)
+    speed, energy = Quantity("speed", (name,), stage), Quantity("energy", (name,), stage)
+    yield Candidate(speed, "speed", "scalar", body, stage, None, start, far + 0.1)
+    yield Candidate(v, "velocity", "vector", body, stage, None, start, far)
+    yield Candidate(energy, "energy", "scalar", body, stage, None, False, far + 0.1)
+
+
+def _angles(
+    problem: Problem, event: Event | None, number: int, v: Expression
+) -> Iterator[tuple[Expression, float]]:
+    """The angles of a velocity at an event, with their costs."""
+    wall = wall_of(problem, event)
+    lines: list[tuple[Expression, float]] = []
+    if wall is not None:
+        lines = [(Name(wall.name), 0.0)]
+    elif isinstance(event, Impact):
+        lines = [(Quantity("line_of_centres", (), number), 0.0)]
+    for axis, cost in lines:
+        angle = Quantity("angle", (v, axis))
+        yield angle, cost
+        yield Binary("-", _RIGHT_ANGLE, angle), cost + 0.15
+        yield Binary("-", _TWO_RIGHT_ANGLES, angle), cost + 0.4
+    for unit in AXES:
+        angle = Quantity("angle", (v, unit))
+        yield angle, 0.2
+        yield Quantity("angle", (v, Negate(unit))), 0.3
+
+
+def _of_event(problem: Problem, event: Event, number: int) -> Iterator[Candidate]:
+    """What belongs to one event."""
+    spheres = [s.name for s in problem.spheres if s.name in bodies_of(event)]
+    if isinstance(event, Impact | Kick):
+        yield Candidate(
+            Quantity("impulse", (), number), "impulse", "scalar", None, number, None, cost=0.0
+        )
+        for body in spheres:
+            yield from _of_impulse(problem, event, number, body)
+            before, after = (
+                Quantity("energy", (Name(body),), stage) for stage in (number - 1, number)
+            )
+            loss = Binary("-", before, after)
+            yield Candidate(loss, "energy", "scalar", body, number, cost=0.3)
+            yield Candidate(turned(loss), "energy", "scalar", body, number, cost=0.4)
+            yield Candidate(
+                Quantity("deflection", (Name(body),), number),
+                "deflection",
+                "angle",
+                body,
+                number,
+                cost=0.1,
+            )
+        yield Candidate(Quantity("energy_lost", (), number), "energy", "scalar", None, number)
+    if isinstance(event, Impact):
+        yield from _of_impact(problem, event, number, spheres)
+
+
+def _of_impulse(problem: Problem, event: Event, number: int, body: str) -> Iterator[Candidate]:
+    on = Quantity("impulse", (Name(body),), number)
+    yield Candidate(on, "impulse", "vector", body, number, cost=0.1)
+    for quantity, axis, cost in components(problem, event, number, on):
+        yield Candidate(quantity, "impulse", "scalar", body, number, axis, cost=cost + 0.1)
+
+
+def _of_impact(
+    problem: Problem, event: Impact, number: int, spheres: Sequence[str]
+) -> Iterator[Candidate]:
+    yield Candidate(Quantity("restitution", (), number), "coefficient", "scalar", None, number)
+    centres = Quantity("line_of_centres", (), number)
+    yield Candidate(centres, "direction", "vector", None, number)
+    for unit in AXES:
+        angle = Quantity("angle", (centres, unit))
+        yield Candidate(angle, "angle", "angle", None, number, cost=0.3)
+        tangent = Apply("tan", angle)
+        yield Candidate(tangent, "tangent", "scalar", None, number, cost=0.4)
+    if len(spheres) == 2:
+        for stage, start in ((number, False), (number - 1, number == 1)):
+            first, second = (velocity(body, stage) for body in spheres)
+            between = Quantity("angle", (first, second))
+            yield Candidate(between, "angle", "angle", None, stage, None, start, 0.3)
+            difference = Binary("-", first, second)
+            yield Candidate(difference, "relative", "vector", None, stage, None, False, 0.3)
+            yield Candidate(
+                Quantity("along", (difference, line(event, number))),
+                "relative",
+                "scalar",
+                None,
+                stage,
+                None,
+                False,
+                0.4,
+            )
+    for body in spheres:
+        ratio = Binary(
+            "/", *(Quantity("speed", (Name(body),), stage) for stage in (number, number - 1))
+        )
+        yield Candidate(ratio, "ratio", "scalar", body, number, cost=0.5)
+
+
+def _of_the_whole(problem: Problem, events: Sequence[Event]) -> Iterator[Candidate]:
+    """What belongs to all bodies, or to no one event."""
+    last = len(events)
+    for stage in range(last + 1):
+        total = Quantity("energy", (), stage)
+        yield Candidate(total, "energy", "scalar", None, stage, cost=0.2)
+    if last > 1:
+        whole = Quantity("total_energy_lost", (), last)
+        yield Candidate(whole, "energy", "scalar", None, last, cost=0.1)
+    for number in range(1, last + 1):
+        then = Quantity("time", (), number)
+        yield Candidate(then, "time", "scalar", None, number)
+        for earlier in range(1, number):
+            between = Binary("-", then, Quantity("time", (), earlier))
+            yield Candidate(between, "time", "scalar", None, number, cost=0.1)
+
+
+# --- what a letter may be by its look -------------------------------------------------------------
+
+_VELOCITIES: tuple[Kind, ...] = ("component", "speed", "velocity", "relative")
+_ANGLES: tuple[Kind, ...] = ("angle", "deflection")
+_BY_LETTER: dict[str, tuple[Kind, ...]] = {
+    **dict.fromkeys("IJQ", ("impulse",)),
+    **dict.fromkeys("RFSP", ("impulse", *_VELOCITIES)),
+    **dict.fromkeys(("KE", "ke", "Ek", "E", "K", "L", "KE_lost", "loss"), ("energy",)),
+    **dict.fromkeys(("m", "M"), ("mass", "tangent")),
+    **dict.fromkeys(("e", "f", "epsilon"), ("coefficient", *_VELOCITIES)),
+    "t": ("time", "tangent", *_VELOCITIES),
+    "T": ("time", "tangent", "energy"),
+    **dict.fromkeys("kr", ("ratio", "coefficient", "tangent", *_VELOCITIES)),
+    **dict.fromkeys("n", ("direction", "ratio", *_VELOCITIES)),
+    **dict.fromkeys("dsD", ("distance", "time", "deflection", *_VELOCITIES)),
+    **dict.fromkeys(("lambda", "mu"), ("impulse", "ratio", "tangent", *_ANGLES)),
+}
+
+
+def kinds_of(letter: str, in_angle: bool) -> tuple[Kind, ...]:
+    """The kinds of quantity that a letter may mean by its look and by where it stands.
+
+    ``in_angle`` tells that it stands inside a trigonometric function.
+    """
+    if in_angle:
+        return _ANGLES
+    base = letter.rstrip("'").partition("_")[0]
+    if base in _BY_LETTER:
+        return _BY_LETTER[base]
+    return _ANGLES if base in GREEK else _VELOCITIES
+
+
+def earlier(letter: str) -> bool:
+    """Whether a letter is one that people take for what is before an impact: u, u_A, U_1."""
+    return letter[:1] in ("u", "U")
+
+
+def suffix(letter: str) -> str:
+    """What stands below a letter: ``A`` of v_A."""
+    return letter.rstrip("'").partition("_")[2]

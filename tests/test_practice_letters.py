@@ -1,0 +1,232 @@
+"""What a student's letters mean: declared, usual, inferred; the letters box."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+from functools import lru_cache
+from itertools import pairwise
+
+import pytest
+
+import restitution as r
+from restitution.errors import StatementError
+from restitution.expression import read_expression, write_expression
+from restitution.expression.tree import Expression
+from restitution.practice.declaring import letters_from_mapping, letters_from_text
+from restitution.practice.interpretation import Interpretations
+from restitution.practice.letters import meanings_of
+from restitution.practice.letters_box import letters_box
+from restitution.practice.script import (
+    ANYWHERE,
+    Claim,
+    Decimal,
+    Declaration,
+    Link,
+    Scope,
+    Script,
+    ScriptLine,
+)
+from restitution.problem import Problem
+from restitution.solving.solution import Solution
+
+SPHERES = """\
+sphere A: mass 2, velocity 4i - 3j
+sphere B: mass 5, velocity -i + 2j
+A hits B: along i, e = 2/5
+find velocity(A), velocity(B), impulse
+"""
+WALL = """\
+wall W: along i
+sphere P: mass 3, velocity 8 at 35° to W
+P hits W: e = 3/4
+find speed(P), angle(velocity(P), W)
+"""
+TWO_WALLS = """\
+wall AB: along i
+wall BC: along 70°
+sphere P: velocity u at 40° to AB
+P hits AB: e = 2/3
+P hits BC: e = 1/4
+find speed(P)
+"""
+
+
+@lru_cache
+def solved(statement: str) -> tuple[Problem, Solution]:
+    problem = r.parse(statement)
+    return problem, r.solve(problem)
+
+
+def script_of(text: str, problem: Problem, scopes: Mapping[int, Scope] | None = None) -> Script:
+    """Lines of plain relations in the language of statements: a small double of the reader."""
+    names = {each.name for each in (*problem.spheres, *problem.walls)}
+    lines = []
+    for number, line in enumerate(text.splitlines(), 1):
+        column, sides = 1, []
+        for side in line.split("="):
+            shift = len(side) - len(side.lstrip())
+            sides.append(read_expression(side.strip(), names=names, column=column + shift))
+            column += len(side) + 1
+        decimals = tuple(
+            Decimal(
+                match.start() + 1,
+                Fraction(match.group()),
+                len(match.group().replace(".", "").lstrip("0")),
+                Fraction(1, 2 * 10 ** len(match.group(1))),
+            )
+            for match in re.finditer(r"\d*\.(\d+)", line)
+        )
+        links = tuple(Link((Claim(a, "=", b),), 1, len(line), decimals) for a, b in pairwise(sides))
+        scope = (scopes or {}).get(number, ANYWHERE)
+        lines.append(ScriptLine(number, line, "relations", scope=scope, links=links))
+    return Script(tuple(lines))
+
+
+def inferred(
+    statement: str,
+    text: str,
+    declared: Mapping[str, tuple[Expression, ...]] | None = None,
+    scopes: Mapping[int, Scope] | None = None,
+) -> Interpretations:
+    problem, solution = solved(statement)
+    return meanings_of(script_of(text, problem, scopes), problem, solution, None, declared)
+
+
+def quantities(each: Interpretations, line: int = 99) -> dict[str, str]:
+    return {name: write_expression(tree) for name, tree in each.best.trees(line).items()}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "2v + 5w = 2*4 - 5\nw - v = 2/5*5",
+        "2v + 5w = 3\nv = w - 2\nv = -1\nw = 1",
+        "2x + 5y = 2*4 + 5*-1\ny - x = 2\ny = 1",
+        "2v_1 + 5v_2 = 3\nv_2 - v_1 = 2",
+    ],
+)
+def test_components_after_are_inferred_from_the_two_laws(text: str) -> None:
+    found = inferred(SPHERES, text)
+    first, second = sorted(found.best.trees(1))
+    assert quantities(found)[first] == "along(velocity(A, 1), i)"
+    assert quantities(found)[second] == "along(velocity(B, 1), i)"
+    assert not found.asks
+
+
+def test_a_sense_is_turned_where_the_equation_of_momentum_says_so() -> None:
+    found = inferred(SPHERES, "-2v + 5w = 3\nw + v = 2\nv = 1")
+    assert quantities(found) == {
+        "v": "-along(velocity(A, 1), i)",
+        "w": "along(velocity(B, 1), i)",
+    }
+
+
+def test_a_wrong_equation_of_momentum_does_not_turn_the_letters() -> None:
+    found = inferred(SPHERES, "2v + 5w = 13\nw - v = 2\n7w = 17")
+    assert quantities(found)["w"] == "along(velocity(B, 1), i)"
+    assert all(write_expression(each.trees(1)["w"]) != "speed(A, 1)" for each in found)
+
+
+def test_a_speed_and_an_angle_at_a_wall() -> None:
+    found = inferred(WALL, "v cos(beta) = 8 cos(35°)\nv sin(beta) = 3/4*8 sin(35°)")
+    assert quantities(found)["v"] == "speed(P, 1)"
+    assert quantities(found)["beta"] == "angle(velocity(P, 1), W)"
+
+
+def test_an_angle_to_the_normal_is_one() -> None:
+    found = inferred(WALL, "v sin(t) = 8 cos(35°)\nv cos(t) = 6 sin(35°)")
+    assert quantities(found)["t"] == "90° - angle(velocity(P, 1), W)"
+
+
+def test_a_declared_letter_is_not_inferred() -> None:
+    problem, _ = solved(SPHERES)
+    declared = letters_from_mapping({"v": "along(velocity(B), i)"}, problem)
+    found = inferred(SPHERES, "2v + 5w = 3\nw - v = 2", declared)
+    meaning = found.best.at(1)["v"]
+    assert (write_expression(meaning.quantity), meaning.by) == (
+        "along(velocity(B, 1), i)",
+        "declared",
+    )
+
+
+def test_what_no_line_explains_has_to_be_asked() -> None:
+    assert inferred(SPHERES, "3k + q = 17.3").asks == {"k", "q"}
+
+
+def test_a_known_value_that_fits_no_quantity_defines_a_letter() -> None:
+    found = inferred(SPHERES, "n = (-3i + 4j)/5\nv = 1/7")
+    assert {each.letter: each.by for each in found.best.meanings} == {
+        "n": "declared",
+        "v": "declared",
+    }
+
+
+def test_a_usual_letter_has_its_meaning_also_in_a_wrong_line() -> None:
+    found = inferred(SPHERES, "v_A = 17")
+    assert found.best.at(1)["v_A"].by == "default"
+    assert quantities(found)["v_A"] == "along(velocity(A, 1), i)"
+
+
+def test_a_quantity_of_the_start_is_only_for_u() -> None:
+    assert "4" not in quantities(inferred(SPHERES, "u = 4"))["u"]
+    found = inferred(SPHERES, "x = 4")
+    assert found.best.at(1)["x"].by == "declared"
+
+
+def test_a_heading_opens_a_scope() -> None:
+    text = "v cos(b) = u cos(40°)\nv sin(b) = 2/3*u sin(40°)\nv cos(c) = v cos(c)"
+    scopes = {1: Scope(event=1), 2: Scope(event=1), 3: Scope(event=2)}
+    found = inferred(TWO_WALLS, text, scopes=scopes)
+    assert quantities(found, 1)["v"] == "speed(P, 1)"
+
+
+def test_a_letter_of_the_statement_is_fixed_until_it_comes_again() -> None:
+    problem, solution = solved(TWO_WALLS)
+    plain = script_of("x = 1\ny = 2\nz = u", problem)
+    take = Declaration("u", (read_expression("5"),), "5")
+    lines = (
+        ScriptLine(1, "take u = 5", "declaration", declarations=(take,)),
+        *plain.lines[1:],
+    )
+    found = meanings_of(Script(lines), problem, solution)
+    assert [dict(found.best.fixed(number)) for number in (1, 2, 3)] == [{"u": 5}, {"u": 5}, {}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["v along", "12: speed(A)", "v: speed(Q)", "v:", "v: speed(A)\nv: speed(B)", "v: quux blah"],
+)
+def test_a_bad_line_of_a_letters_file_is_an_error_with_its_line(text: str) -> None:
+    with pytest.raises(StatementError) as error:
+        letters_from_text(text, solved(SPHERES)[0])
+    assert error.value.line == text.count("\n") + 1
+
+
+def test_letters_of_a_file_have_canonical_names() -> None:
+    text = "vA: speed(A)\nβ = angle(velocity(A), i)  # a remark\n\nv_{1}: speed(B)\nv': speed(A)"
+    assert list(letters_from_text(text, solved(SPHERES)[0])) == ["v_A", "beta", "v_1", "v'"]
+
+
+def test_the_letters_box_has_the_letters_of_the_working() -> None:
+    rows = letters_box(*solved(SPHERES))
+    assert [(row.letter, row.meaning, row.turned) for row in rows] == [
+        ("v", "along(velocity(A, 1), i)", "-along(velocity(A, 1), i)"),
+        ("w", "along(velocity(B, 1), i)", "-along(velocity(B, 1), i)"),
+    ]
+    assert rows[0].words == "component of A in the direction of i after"
+    assert rows[0].turned_words == "component of A in the direction of −i after"
+
+
+def test_the_letters_box_has_speeds_and_angles_where_the_question_speaks_of_them() -> None:
+    rows = {row.meaning: row for row in letters_box(*solved(WALL))}
+    assert rows["speed(P, 1)"].words == "speed of P after"
+    assert rows["angle(velocity(P, 1), W)"].turned is None
+
+
+def test_what_the_letters_box_says_is_read_again() -> None:
+    problem, solution = solved(WALL)
+    rows = letters_box(problem, solution)
+    again = letters_from_mapping({row.letter: row.meaning for row in rows}, problem)
+    assert [write_expression(again[row.letter][0]) for row in rows] == [r.meaning for r in rows]
