@@ -293,3 +293,18 @@ def test_each_solution_has_a_world() -> None:
     ]
     for world in worlds:
         assert np.allclose(world.scalar(read("speed(A)/u")), 0.6)
+
+
+def test_a_free_letter_may_be_fixed() -> None:
+    (world,) = true_worlds(solved(LETTERS), fixed={"u": Fraction(5)})
+    assert np.allclose(world.letters["u"], 5)
+    assert len(set(world.letters["e"])) == world.samples
+    assert true_worlds(solved(LETTERS), fixed={"e": Fraction(2)}) == ()
+
+
+def test_letters_take_many_values_at_once() -> None:
+    (world,) = true_worlds(solved(LETTERS))
+    values = {"v": np.arange(3.0)[:, None, None], "w": np.arange(2.0)[None, :, None]}
+    found = world.value(read("v + w u"), values=values)
+    assert found.shape == (3, 2, world.samples)
+    assert np.allclose(found[2, 1], 2 + world.letters["u"])

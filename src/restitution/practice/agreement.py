@@ -19,6 +19,8 @@ from restitution.practice.world import World
 from restitution.problem import Problem, trees
 from restitution.vector import Vector
 
+GRADES: tuple[Accuracy, ...] = ("exact", "rounded", "coarse")
+NOT = len(GRADES)
 # Of the sides of an exact line, and of what their terms are where the sides are zero.
 _RELATIVE = 1e-7
 _ROUNDING = 1e-11
@@ -40,10 +42,29 @@ def agrees(
     Of ``x = a or b`` one has to hold. Decimals of the statement are exact; so is a line that is
     exact with the decimals as they stand. Raises UnvaluedError where a side has no value.
     """
+    worst = max(grades(claim, world, meanings, decimals, scope), default=NOT)
+    return None if worst >= NOT else GRADES[worst]
+
+
+def grades(
+    claim: Claim,
+    world: World,
+    meanings: Meanings = NO_MEANINGS,
+    decimals: Sequence[Decimal] = (),
+    scope: Scope = ANYWHERE,
+) -> Array:
+    """How exactly a claim holds in each sample: places in `GRADES`, or `NOT`, shape (samples,).
+
+    All samples have the unit of angle in which the claim holds best. Raises UnvaluedError where a
+    side has no value.
+    """
     links = [Claim(claim.left, claim.sign, right) for right in (claim.right, *claim.others)]
-    grades = [_agrees(link, world, meanings, decimals, scope) for link in links]
-    order: tuple[Accuracy, ...] = ("exact", "rounded", "coarse")
-    return next((each for each in order if each in grades), None)
+    found = [
+        _grades(link, world, meanings, decimals, scope, degrees)
+        for link in links
+        for degrees in ((True, False) if _has_bare_angle(link) else (True,))
+    ]
+    return min(found, key=lambda each: (each.max(), each.sum()))
 
 
 def difference(
@@ -106,51 +127,35 @@ def scale(
 # --- one link -------------------------------------------------------------------------------------
 
 
-def _agrees(
-    claim: Claim, world: World, meanings: Meanings, decimals: Sequence[Decimal], scope: Scope
-) -> Accuracy | None:
-    best: Accuracy | None = None
-    for degrees in (True, False) if _has_bare_angle(claim) else (True,):
-        apart, size = difference(claim, world, meanings, scope, degrees=degrees)
-        if np.isnan(apart).any():
-            continue
-        tolerance = _RELATIVE * size + _ROUNDING * _magnitude(world)
-        if _holds(claim.sign, apart, tolerance):
-            return "exact"
-        if claim.sign == "=" and np.all(np.abs(apart) <= 1e-6 * _magnitude(world)):
-            terms = scale(claim, world, meanings, scope)
-            if _holds("=", apart, _ROUNDING * terms):
-                return "exact"
-        if claim.sign in ("<", ">") and np.any(np.abs(apart) <= tolerance):
-            continue
-        if best is None:
-            best = _rounded(claim, world, meanings, decimals, scope, degrees)
-    return best
-
-
-def _rounded(
+def _grades(
     claim: Claim,
     world: World,
     meanings: Meanings,
     decimals: Sequence[Decimal],
     scope: Scope,
     degrees: bool,
-) -> Accuracy | None:
-    """How exactly a claim holds within half a unit of the last place of what was typed."""
-    if claim.sign == "!=":
-        return None
+) -> Array:
+    """The grades of one equation or inequality."""
+    apart, size = difference(claim, world, meanings, scope, degrees=degrees)
+    tolerance = _RELATIVE * size + _ROUNDING * _magnitude(world)
+    if claim.sign == "=" and (apart != 0).any() and (np.abs(apart) <= 1e-6 * size.max()).any():
+        terms = scale(claim, world, meanings, scope)
+        tolerance = np.maximum(tolerance, _ROUNDING * terms)
+    found = np.where(_holding(claim.sign, apart, tolerance), 0, NOT)
+    equal = claim.sign in ("<", ">") and np.any(np.abs(apart) <= tolerance)
+    if not found.any() or equal or claim.sign == "!=":
+        return found
     angular = degrees and is_angular(claim, world, meanings, scope)
     fine, coarse = _half_units(claim, world.problem, decimals, angular)
-    apart, _ = difference(claim, world, meanings, scope, degrees=degrees)
-    tolerance: Array = 0.0
-    for grade, half_units in (("rounded", fine), ("coarse", coarse)):
+    tolerance = np.zeros_like(apart)
+    for grade, half_units in ((1, fine), (2, coarse)):
         for column, (value, half) in half_units.items():
-            tolerance = tolerance + _moved(
-                claim, world, meanings, scope, degrees, column, value, half
-            )
-        if half_units and _holds(claim.sign, apart, tolerance * _SLACK, closed=True):
-            return grade  # type: ignore[return-value]
-    return None
+            put = ({column: value - half}, {column: value + half})
+            tolerance = tolerance + _moved(claim, world, meanings, scope, degrees, apart, put)
+        if half_units:
+            close = _holding(claim.sign, apart, tolerance * _SLACK, closed=True)
+            found = np.where(close, np.minimum(found, grade), found)
+    return found
 
 
 def _moved(
@@ -159,16 +164,13 @@ def _moved(
     meanings: Meanings,
     scope: Scope,
     degrees: bool,
-    column: int,
-    value: float,
-    half: float,
+    apart: Array,
+    put: Sequence[Mapping[int, Array]],
 ) -> Array:
-    """By how much the difference of the sides changes within half a unit of one decimal."""
+    """By how much the difference of the sides changes where a decimal is put at either end."""
     ends = [
-        difference(claim, world, meanings, scope, degrees=degrees, put={column: value + step})[0]
-        for step in (-half, half)
+        difference(claim, world, meanings, scope, degrees=degrees, put=each)[0] for each in put
     ]
-    apart, _ = difference(claim, world, meanings, scope, degrees=degrees)
     changes = (each - apart for each in ends)
     if is_angular(claim, world, meanings, scope):
         changes = (_within_a_turn(each) for each in changes)
@@ -176,18 +178,18 @@ def _moved(
     return np.where(np.isnan(moved), 0.0, moved)
 
 
-def _holds(sign: Sign, apart: Array, tolerance: Array, *, closed: bool = False) -> bool:
-    """Whether the sides stand so in every sample, within a tolerance."""
+def _holding(sign: Sign, apart: Array, tolerance: Array, *, closed: bool = False) -> Array:
+    """In which samples the sides stand so, within a tolerance."""
     if sign == "=":
-        return bool(np.all(np.abs(apart) <= tolerance))
+        return np.all(np.abs(apart) <= tolerance, axis=1)
     if sign == "!=":
-        return bool(np.all(np.abs(apart) > tolerance))
+        return np.any(np.abs(apart) > tolerance, axis=1)
     if apart.shape[1] != 1:
-        return False
+        return np.zeros(len(apart), dtype=bool)
     below = apart if sign in ("<", "<=") else -apart
     if sign in ("<=", ">=") or closed:
-        return bool(np.all(below <= tolerance))
-    return bool(np.all(below < -tolerance))
+        return np.all(below <= tolerance, axis=1)
+    return np.all(below < -tolerance, axis=1)
 
 
 # --- decimals -------------------------------------------------------------------------------------

@@ -21,6 +21,7 @@ from restitution.solving.part import Numbers
 from restitution.solving.solution import Branch, PartSolution, Solution
 from restitution.solving.story import lets_of
 
+NO_VALUES: Mapping[str, Fraction] = {}
 SAMPLES = 4
 _TRIES = 240
 # As many samples are drawn as leave a choice, and those are kept that show least by chance.
@@ -30,25 +31,34 @@ _NEAR = 0.02
 _FAILURES = (RestitutionError, UndefinedError, ArithmeticError, LookupError)
 
 
-def true_worlds(solution: Solution, part: str | PartSolution | None = None) -> tuple[World, ...]:
+def true_worlds(
+    solution: Solution,
+    part: str | PartSolution | None = None,
+    fixed: Mapping[str, Fraction] = NO_VALUES,
+) -> tuple[World, ...]:
     """The worlds of a part, one for each of its solutions; none where it has none.
 
     Letters that are free take scattered values that satisfy all facts; a letter of the statement
-    that has one value only has it in every sample. Raises KeyError for a part that is not there.
+    that has one value only has it in every sample. ``fixed`` are values for free letters, angles in
+    radians; where they are impossible, so is the solution, and it is left out. Raises KeyError for a part that is not there.
     """
     solved = part if isinstance(part, PartSolution) else solution.parts[part]
-    return tuple(_world(solution, solved, branch) for branch in solved.branches)
+    worlds = (_world(solution, solved, branch, fixed) for branch in solved.branches)
+    return tuple(world for world in worlds if world is not None)
 
 
-def _world(solution: Solution, solved: PartSolution, branch: Branch) -> World:
+def _world(
+    solution: Solution, solved: PartSolution, branch: Branch, fixed: Mapping[str, Fraction]
+) -> World | None:
     roles = _roles(solution, solved, branch)
     free = sorted(set(roles) - set(branch.values) - set(lets_of(solution.problem, solved.part)))
     angles = frozenset(name for name, role in roles.items() if role.kind == "angle")
     seed = f"{solution.problem.title} {solved.part.label} {branch.number} {sorted(roles)}"
     rng = random.Random(seed)
     worlds: list[World] = []
+    put = {name: FIELD.number(value) for name, value in fixed.items() if name in free}
     for picked in _draws(free, roles, branch, rng):
-        values = _admitted(branch, picked, roles)
+        values = _admitted(branch, {**picked, **put}, roles)
         if values is None:
             continue
         try:
@@ -58,6 +68,8 @@ def _world(solution: Solution, solved: PartSolution, branch: Branch) -> World:
             continue
         if len(worlds) == _DRAWN:
             break
+    if not worlds and put:
+        return None
     if not worlds:
         sampled = dict(branch.sample)
         masses = {name: roles[name] for name in roles if name not in sampled}

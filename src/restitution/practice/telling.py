@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 Meanings = Mapping[str, Expression]
 NO_MEANINGS: Meanings = {}
 NO_NUMBERS: Mapping[int, Array] = {}
+NO_VALUES: Mapping[str, Value] = {}
 
 
 @dataclass(frozen=True)
@@ -65,10 +66,17 @@ class Telling:
 
     field: Arrays = FIELD
 
-    def __init__(self, world: World, meanings: Meanings = NO_MEANINGS, degrees: bool = True):
+    def __init__(
+        self,
+        world: World,
+        meanings: Meanings = NO_MEANINGS,
+        degrees: bool = True,
+        values: Mapping[str, Value] = NO_VALUES,
+    ) -> None:
         self.world = world
         self.meanings = meanings
         self.degrees = degrees
+        self.values = values
         self.problem = world.problem
         self.spheres: Mapping[str, Sphere] = _bodies(world.problem)[0]
         self.walls: Mapping[str, Wall] = _bodies(world.problem)[1]
@@ -91,6 +99,8 @@ class Telling:
         )
 
     def _letter(self, name: str, now: int) -> Value:
+        if name in self.values:
+            return self.values[name]
         if name in self.meanings and name not in self._open:
             return self._opened(name, self.meanings[name], now)
         known = self.world.letters
@@ -260,8 +270,9 @@ class Telling:
 
     def quantity(self, tree: Quantity, now: int) -> Value:
         """The value of a quantity asked for after ``now`` events."""
-        if self.meanings and not letters(tree).isdisjoint(self.meanings):
-            return self._quantity(tree, now)
+        for own in (self.meanings, self.values):
+            if own and not letters(tree).isdisjoint(own):
+                return self._quantity(tree, now)
         return self._kept((tree, now), lambda: self._quantity(tree, now))
 
     def _quantity(self, tree: Quantity, now: int) -> Value:

@@ -19,7 +19,7 @@ from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import Expression, Name
 from restitution.practice.arrays import Array, UnvaluedError
 from restitution.practice.script import ANYWHERE, Scope
-from restitution.practice.telling import NO_MEANINGS, NO_NUMBERS, Meanings, Stop, Telling
+from restitution.practice.telling import NO_MEANINGS, NO_NUMBERS, NO_VALUES, Meanings, Stop, Telling
 from restitution.practice.turning import turned, unit
 from restitution.problem import Event, Let, Part, Problem
 from restitution.shapes import Circle
@@ -93,15 +93,18 @@ class World:
         now: int | None = None,
         degrees: bool = True,
         put: Mapping[int, Array] = NO_NUMBERS,
+        values: Mapping[str, Value] = NO_VALUES,
     ) -> Value:
         """The value of a tree: an array, a Vector of arrays, or an Angle.
 
         ``meanings`` are those of the student's letters and phrases; bare numbers beside angles are
         in degrees, or, where ``degrees`` is False, in radians. ``put`` replaces numbers of the
-        tree by the columns at which they stand. What is not real is nan. Raises UnvaluedError for
+        tree by the columns at which they stand. ``values`` are those of letters, before any
+        meaning: arrays of which the last axis is that of the samples, vectors of them, or angles;
+        more axes before it are kept. What is not real is nan. Raises UnvaluedError for
         a letter that has no meaning, and for what makes no sense.
         """
-        told = Telling(self, meanings, degrees)
+        told = Telling(self, meanings, degrees, values)
         with np.errstate(all="ignore"):
             try:
                 return told.evaluator(self.now(scope) if now is None else now, put).value(tree)
