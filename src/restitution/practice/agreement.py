@@ -168,9 +168,7 @@ def _moved(
     put: Sequence[Mapping[int, Array]],
 ) -> Array:
     """By how much the difference of the sides changes where a decimal is put at either end."""
-    ends = [
-        difference(claim, world, meanings, scope, degrees=degrees, put=each)[0] for each in put
-    ]
+    ends = [difference(claim, world, meanings, scope, degrees=degrees, put=each)[0] for each in put]
     changes = (each - apart for each in ends)
     if is_angular(claim, world, meanings, scope):
         changes = (_within_a_turn(each) for each in changes)

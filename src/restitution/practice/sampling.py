@@ -40,7 +40,8 @@ def true_worlds(
 
     Letters that are free take scattered values that satisfy all facts; a letter of the statement
     that has one value only has it in every sample. ``fixed`` are values for free letters, angles in
-    radians; where they are impossible, so is the solution, and it is left out. Raises KeyError for a part that is not there.
+    radians; where they are impossible, so is the solution, and it is left out. Raises
+    KeyError for a part that is not there.
     """
     solved = part if isinstance(part, PartSolution) else solution.parts[part]
     worlds = (_world(solution, solved, branch, fixed) for branch in solved.branches)

@@ -1,0 +1,267 @@
+"""Which law a line uses: the smallest set of laws on which it holds, in random states."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from restitution.expression.tree import Expression, Letter, Name, Quantity, children, walk
+from restitution.practice.agreement import NOT, grades
+from restitution.practice.judgement import Use
+from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope
+from restitution.practice.states import Block, States, states
+from restitution.practice.telling import NO_MEANINGS, Meanings, Telling
+from restitution.practice.world import World
+from restitution.problem import Impact
+
+_ENERGIES = frozenset({"energy", "energy_lost", "total_energy_lost"})
+_ANGLES = frozenset({"angle", "direction"})
+Laws = tuple[tuple[str, tuple[str, ...]], ...]
+_RESULTS = ("impulse", "energy", "deflection")
+
+
+def uses_of(
+    claim: Claim,
+    world: World,
+    meanings: Meanings = NO_MEANINGS,
+    decimals: Sequence[Decimal] = (),
+    scope: Scope = ANYWHERE,
+    *,
+    altered: bool = False,
+) -> tuple[Use, ...]:
+    """The laws of which a line is an instance; first its principle, then laws that it needs.
+
+    The world is the true one, or the student's own. With ``altered``, a line that holds under no
+    right law has a use for each altered law of which it is an instance. An inequality, and a line
+    that holds nowhere, has none. Raises UnvaluedError where a side has no value.
+    """
+    if claim.sign != "=" or claim.others:
+        return ()
+    found = _Trial(claim, states(world), meanings, decimals, scope)
+    uses = found.uses()
+    if uses or not altered:
+        return uses
+    return _Trial(claim, states(world, altered=True), meanings, decimals, scope).altered()
+
+
+class _Trial:
+    """A line tried on all random states of a world."""
+
+    def __init__(
+        self,
+        claim: Claim,
+        tried: States,
+        meanings: Meanings,
+        decimals: Sequence[Decimal],
+        scope: Scope,
+    ) -> None:
+        self.states, self.world = tried, tried.world
+        self.quantities = tuple(_quantities(claim, self.world, meanings))
+        self.now = self.world.now(scope)
+        self.plain = not self.quantities and _is_arithmetic(claim)
+        self.uses_letters = _has_letters(claim, meanings)
+        found = grades(claim, self.world, meanings, decimals, scope)
+        self.true = bool((found[: tried.rows] < NOT).all())
+        self.holding = tried.holding(found < NOT)
+
+    def uses(self) -> tuple[Use, ...]:
+        """The laws of the latest event on which the line depends."""
+        if self.plain:
+            return (Use("arithmetic"),)
+        for number in sorted({block.event for block in self.states.blocks}, reverse=True):
+            lawful = self._blocks(number)
+            if lawful and not lawful[0].laws and self._holds(lawful[0]):
+                continue
+            best = next((block for block in lawful if self._holds(block)), None)
+            if best is None:
+                if self._fact(number):
+                    return (Use("fact", number),)
+                continue
+            return self._named(best)
+        if self.true and self._loose_everywhere():
+            return (Use(self._definition(), self._event(), self._bodies(None)),)
+        return (Use("fact"),) if self.true else ()
+
+    def altered(self) -> tuple[Use, ...]:
+        """The altered laws of which the line is an instance, of the latest event that has some."""
+        found: dict[int, list[Use]] = {}
+        for block, holds in zip(self.states.blocks, self.holding, strict=True):
+            if holds and block.variant is not None and block.law is not None:
+                law = block.law
+                use = Use(law.law, block.event, law.bodies, block.variant.id)
+                found.setdefault(block.event, []).append(use)
+        return tuple(dict.fromkeys(found[max(found)])) if found else ()
+
+    def _blocks(self, number: int) -> list[Block]:
+        return [
+            block
+            for block in self.states.blocks
+            if block.event == number and block.variant is None and not block.given
+        ]
+
+    def _holds(self, block: Block) -> bool:
+        return bool(self.holding[self.states.places[id(block)]])
+
+    def _fact(self, number: int) -> bool:
+        return any(
+            holds and block.given and block.event == number
+            for block, holds in zip(self.states.blocks, self.holding, strict=True)
+        )
+
+    def _loose_everywhere(self) -> bool:
+        return all(
+            holds
+            for block, holds in zip(self.states.blocks, self.holding, strict=True)
+            if not block.laws and block.variant is None and not block.given
+        )
+
+    # --- names --------------------------------------------------------------------------------
+
+    def _named(self, best: Block) -> tuple[Use, ...]:
+        told = best.laws if len(best.laws) == 1 else self._telling(best)
+        laws = tuple(Use(law, best.event, bodies) for law, bodies in told)
+        if len(told) > 1 and self._fact(best.event):
+            return (Use("fact", best.event, self._bodies(best.event)), *laws)
+        name = self._principle(best.event, told)
+        if [name] == [use.principle for use in laws]:
+            return laws
+        return (Use(name, best.event, self._bodies(best.event)), *laws)
+
+    def _telling(self, best: Block) -> Laws:
+        """The laws without those that say of a component that is zero that it stays so."""
+        told = Telling(self.world, degrees=False)
+        line = self.world.lines.get(best.event)
+        if line is None:
+            return best.laws
+
+        def moves(name: str) -> bool:
+            across = self.world.spread(told.velocity(name, best.event - 1).cross(line))
+            return bool(np.any(np.abs(across[: self.states.rows]) > 1e-9))
+
+        kept = tuple(
+            (law, bodies) for law, bodies in best.laws if law != "unchanged" or moves(bodies[0])
+        )
+        return kept or best.laws
+
+    def _principle(self, event: int, told: Laws) -> str:
+        kinds = self._kinds(event)
+        laws = {law for law, _ in told}
+        result = next((name for name in _RESULTS if name in kinds), None)
+        if result is not None:
+            return result
+        if laws == {"unchanged"}:
+            if "component" in kinds and len(kinds & {"speed", "angle"}) == 1:
+                return "speed" if "speed" in kinds else "angle"
+            return "unchanged"
+        if len(told) == 1:
+            return told[0][0]
+        if kinds == {"speed"} or (kinds == {"angle"} and not self.uses_letters):
+            return next(iter(kinds))
+        return "solve"
+
+    def _definition(self) -> str:
+        kinds = self._kinds(0)
+        for name in (*_RESULTS, "angle", "speed"):
+            if name in kinds:
+                return name
+        return "component" if self.quantities else "arithmetic"
+
+    def _kinds(self, event: int) -> set[str]:
+        """What kinds of quantities a line speaks of at an event and after it."""
+        return {
+            kind
+            for each in self.quantities
+            if (kind := _kind(each)) in _RESULTS or self._stage(each) >= event
+            if kind is not None
+        }
+
+    def _stage(self, tree: Quantity) -> int:
+        """After which event a quantity is meant; of a component, the velocity in it."""
+        inside = [each for each in walk(tree) if isinstance(each, Quantity)]
+        stages = [
+            self.now if each.stage is None else each.stage if isinstance(each.stage, int) else 0
+            for each in inside
+            if each.kind not in ("along", "across", "angle", "dot", "line_of_centres", "mass")
+        ]
+        return max(stages, default=0)
+
+    def _event(self) -> int | None:
+        stages = [self._stage(each) for each in self.quantities]
+        return max(stages, default=0) or None
+
+    def _bodies(self, event: int | None) -> tuple[str, ...]:
+        """The spheres that a line names, in the order of the event."""
+        named = {
+            node.name
+            for each in self.quantities
+            for node in walk(each)
+            if isinstance(node, Name) and node.name in self.world.start
+        }
+        step = self.world.events[event - 1] if event else None
+        if isinstance(step, Impact):
+            own = (step.first, step.second)
+            return tuple(name for name in own if name in named)
+        return tuple(sorted(named))
+
+
+# --- what a line speaks of ------------------------------------------------------------------------
+
+
+def _kind(tree: Quantity) -> str | None:
+    if tree.kind in _ENERGIES:
+        return "energy"
+    if tree.kind in _ANGLES:
+        return "angle"
+    if tree.kind in ("along", "across"):
+        return "component"
+    known = ("impulse", "deflection", "speed", "velocity")
+    return tree.kind if tree.kind in known else None
+
+
+def _quantities(claim: Claim, world: World, meanings: Meanings) -> Iterator[Quantity]:
+    """The quantities of a line, outermost ones alone, with its letters put into words."""
+    for side in (claim.left, claim.right):
+        yield from _outermost(side, world, meanings, frozenset())
+
+
+def _outermost(
+    tree: Expression, world: World, meanings: Meanings, opened: frozenset[str]
+) -> Iterator[Quantity]:
+    if isinstance(tree, Quantity):
+        if tree.kind == "dot":
+            for each in tree.arguments:
+                yield from _outermost(each, world, meanings, opened)
+        else:
+            yield tree
+        return
+    if isinstance(tree, Letter):
+        if tree.name not in opened:
+            yield from _of_letter(tree.name, world, meanings, opened | {tree.name})
+        return
+    for each in children(tree):
+        yield from _outermost(each, world, meanings, opened)
+
+
+def _of_letter(
+    name: str, world: World, meanings: Meanings, opened: frozenset[str]
+) -> Iterator[Quantity]:
+    if name in meanings:
+        yield from _outermost(meanings[name], world, meanings, opened)
+    elif name in world.lets:
+        yield from _outermost(world.lets[name][0].expression, world, meanings, opened)
+
+
+def _is_arithmetic(claim: Claim) -> bool:
+    return not any(
+        isinstance(node, Letter) for side in (claim.left, claim.right) for node in walk(side)
+    )
+
+
+def _has_letters(claim: Claim, meanings: Meanings) -> bool:
+    """Whether a line has letters of the statement in it."""
+    return any(
+        isinstance(node, Letter) and node.name not in meanings
+        for side in (claim.left, claim.right)
+        for node in walk(side)
+    )
