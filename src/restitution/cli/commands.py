@@ -65,6 +65,9 @@ _SOLVE = """Solve questions and write down the working.
     restitution solve ball.impact --format html --output ball.html
     restitution solve *.impact --format json > answers.jsonl
     restitution examples corner | restitution solve -
+    restitution solve ball.impact --as restitution-parallel
+
+With --as, the answers that a mistake leads to.
 
 A file that cannot be read does not stop the others. Exit status: 0; 1 if an
 item has no answer; 2 if a file could not be read. A "show" that is refuted
@@ -104,8 +107,10 @@ step from impact to impact, slow motion, components before and after.
     restitution play ball.impact
     restitution play ball.impact -o ball.html --open
     restitution examples corner | restitution play - -o corner.html
+    restitution play ball.impact --as restitution-parallel
 
-Letters are at values that the page tells.
+With --as, the motion of a mistake is played beside the true one, and what is
+wrong with it is told. Letters are at values that the page tells.
 """
 
 _SERVE = """Open the page: state an impact, see it, play with it.
@@ -137,6 +142,17 @@ its parts ask of the story, or the lines of the working with their moves.
     restitution trace ball.impact --stage tree
     restitution trace ball.impact --stage equations
     restitution examples corner | restitution trace - --stage derivation
+"""
+
+_MISTAKES = """List the mistakes that students make, or tell of one.
+
+\b
+    restitution mistakes
+    restitution mistakes momentum-sign
+    restitution solve ball.impact --as momentum-sign
+    restitution play ball.impact --as momentum-sign
+
+Each is a law, or a result, that is altered.
 """
 
 _EXAMPLES = """List the examples, or print one.
@@ -393,6 +409,7 @@ def play(
         str | None, typer.Option(metavar="LABEL", help="Only this part of the question.")
     ] = None,
     show: Annotated[bool, typer.Option("--open", help="Open the page in the browser.")] = False,
+    mistake: _Mistake = None,
     time_limit: _TimeLimit = TIME_LIMIT,
 ) -> None:
     """Write the page that plays the motion of one file."""
@@ -402,10 +419,13 @@ def play(
     if output is None:
         stem = "standard-input" if file == "-" else Path(file).name.removesuffix(".impact")
         output = f"{stem}-motion.html"
+    if mistake is not None:
+        with _refusing():
+            solving.require_mistake(mistake)
     if show and output == "-":
         raise typer.BadParameter("a page that is opened needs a file", param_hint="--open")
     with interruptible(), worker_of(context.obj) as worker:
-        done = answer(worker, file, Playing(part), _limit(time_limit))
+        done = answer(worker, file, Playing(part, mistake), _limit(time_limit))
         for message in done.messages:
             say(message)
         if done.content is None:
@@ -509,6 +529,12 @@ def serve(
 # --- check, examples, language ----------------------------------------------------------------
 
 
+def _complete_mistake(incomplete: str) -> list[str]:
+    from restitution.explaining.misconceptions import MISCONCEPTIONS
+
+    return [name for name in MISCONCEPTIONS if name.startswith(incomplete)]
+
+
 @app.command(help=_CHECK)
 def check(
     files: _Files,
@@ -541,6 +567,26 @@ def check(
                 say("\n".join([f"{shown_name(file)}: warning: {note}", *hint(text, note)]))
             typer.echo(f"{shown_name(file)}: {_summary(problem)}")
     raise typer.Exit(worst)
+
+
+@app.command(help=_MISTAKES)
+def mistakes(
+    name: Annotated[
+        str | None,
+        typer.Argument(metavar="[ID]", help="Tell of this one.", autocompletion=_complete_mistake),
+    ] = None,
+) -> None:
+    """List the mistakes, or tell of one."""
+    from restitution.cli.files import terminal_width
+    from restitution.explaining.listing import about_mistake, all_mistakes
+
+    try:
+        columns = terminal_width()
+        text = all_mistakes(columns) if name is None else about_mistake(name, columns)
+    except StatementError as error:
+        say(error.message)
+        raise typer.Exit(UNREADABLE) from None
+    typer.echo(text, nl=False)
 
 
 @app.command(help=_TRACE)

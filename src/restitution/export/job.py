@@ -269,12 +269,12 @@ def serve(job: Job) -> Reply:
 
             svg = picture(solution, event)
             return Reply(svg, answered, errors, tuple(reply["warnings"]), tired=tired)
-        case Playing(part):
+        case Playing(part, mistake):
             from restitution.export.player import play
             from restitution.export.player.data import is_hurried
 
             budget = None if job.limit is None else job.limit * _WRITING
-            played = play(solution, part, seconds=budget)
+            played = play(solution, part, seconds=budget, as_=mistake)
             tired = tired or is_hurried(played.data)
             return Reply(played.html, answered, errors, tuple(reply["warnings"]), tired=tired)
         case Setting(form, options):

@@ -74,11 +74,14 @@ class PartMotion:
         return tuple(track.name for track in self.motion.tracks)
 
 
-def motions(solution: Solution, part: str | None = None) -> tuple[PartMotion, ...]:
+def motions(
+    solution: Solution, part: str | None = None, wanted: Mapping[str, Any] | None = None
+) -> tuple[PartMotion, ...]:
     """Every motion of a solved problem, or of the part with that label, in the order told.
 
     One for each part and each of its solutions; spheres that have nothing to do with one another,
-    and no places, are shown apart. Raises KeyError for a part that is not there; what kept the
+    and no places, are shown apart. ``wanted`` are values for letters that are taken where they are
+    possible. Raises KeyError for a part that is not there; what kept the
     problem from being solved; and UnsupportedError, with the reason, where no motion can be shown.
     """
     if part is not None and part not in solution.parts:
@@ -92,7 +95,7 @@ def motions(solution: Solution, part: str | None = None) -> tuple[PartMotion, ..
             reasons.append(each.error)
         for branch in each.branches:
             try:
-                _add(part_motions, list(_of_branch(solution, each, branch)))
+                _add(part_motions, list(_of_branch(solution, each, branch, wanted)))
             except UnsupportedError as error:
                 reasons.append(error)
     if not part_motions:
@@ -132,8 +135,10 @@ def _all_numbers(motion: Motion) -> Iterator[float]:
             yield from (piece.start, piece.end, *piece.place, *piece.velocity)
 
 
-def _of_branch(solution: Solution, part: PartSolution, branch: Branch) -> Iterator[PartMotion]:
-    numbers = values.motion(solution, part, branch)
+def _of_branch(
+    solution: Solution, part: PartSolution, branch: Branch, wanted: Mapping[str, Any] | None
+) -> Iterator[PartMotion]:
+    numbers = values.motion(solution, part, branch, wanted)
     own = len(part.part.events)
     since = len(numbers.story.happenings) - own
     timed = not any(
@@ -221,12 +226,15 @@ def _placed(
     end = max([last + tail, *(1.05 * time for time in _asked(story))])
     scale = WIDTH / extent
     stage = settled(Stage(story, moves, given, masses, where, times, radius, scale, 0.0, end))
-    return _possible(cleared(stage)), tuple(numbered(stage))
+    return _possible(cleared(stage), story), tuple(numbered(stage))
 
 
-def _possible(attempt: Attempt) -> Motion:
-    """The motion of an attempt. Raises UnsupportedError where bodies are in the way."""
-    if attempt.in_the_way is not None:
+def _possible(attempt: Attempt, story: Story) -> Motion:
+    """The motion of an attempt. Raises UnsupportedError where bodies are in the way.
+
+    Where laws are altered, they pass through each other.
+    """
+    if attempt.in_the_way is not None and not story.problem.altered:
         raise _no(f"{attempt.in_the_way}, which the question does not tell")
     return attempt.motion
 
@@ -275,7 +283,7 @@ def _freely(
     if best is None:
         raise _no("no places fit to all that is told")
     attempt, stage = best
-    return _possible(attempt), tuple(numbered(stage))
+    return _possible(attempt, story), tuple(numbered(stage))
 
 
 def _clearest(

@@ -88,12 +88,21 @@ class Motion:
         return floats(self.story.happenings[number - 1].after[body])
 
 
-def motion(solution: Solution, part: PartSolution, branch: Branch) -> Motion:
-    """One part by one of its solutions, in numbers that satisfy all that is given."""
+def motion(
+    solution: Solution,
+    part: PartSolution,
+    branch: Branch,
+    wanted: Mapping[str, Any] | None = None,
+) -> Motion:
+    """One part by one of its solutions, in numbers that satisfy all that is given.
+
+    ``wanted`` are values for the free letters that are taken where they are possible.
+    """
     model_ = model(solution.problem, part.part, branch, part.roles, protected_letters(part.part))
     named = frozenset(lets_of(solution.problem, part.part)) - protected_letters(part.part)
     roles = {name: role for name, role in part.roles.items() if name not in named}
-    pleasant, values, story = _representative(branch, roles)
+    chosen_values = None if wanted is None else _as_wanted(branch, roles, wanted)
+    pleasant, values, story = chosen_values or _representative(branch, roles)
     numbers = dict(values)
     for key, name in model_.unknowns.names.items():
         numbers[name] = values.get(f"_{key}", model_.sample.get(name))
@@ -166,6 +175,21 @@ def _chosen(name: str, pleasant: Fraction | None, value: Any, role: Role) -> Cho
 
 
 # --- representative values ------------------------------------------------------------------------
+
+
+def _as_wanted(
+    branch: Branch, roles: Mapping[str, Role], wanted: Mapping[str, Any]
+) -> tuple[dict[str, Fraction], dict[str, Any], Story] | None:
+    """The story at some values of the free letters; None where they are not possible."""
+    free = [name for name in roles if name not in branch.values]
+    if not wanted.keys() >= set(free):
+        return None
+    values = {name: wanted[name] for name in free}
+    try:
+        values |= {name: at(value, values) for name, value in branch.values.items()}
+        return {}, values, branch.tell(Numbers(values))
+    except _FAILURES:
+        return None
 
 
 def _representative(

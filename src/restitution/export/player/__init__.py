@@ -69,13 +69,18 @@ class Playable:
 
 
 def play(
-    motion: Solution | Motion | Run, part: str | None = None, *, seconds: float | None = None
+    motion: Solution | Motion | Run,
+    part: str | None = None,
+    *,
+    seconds: float | None = None,
+    as_: str | None = None,
 ) -> Playable:
     """The motion of a solved problem (of all its parts, or the one with that label), or another.
 
     After so many ``seconds`` spent on exact values of a problem, what is left of them is given as
     decimals only, and a note says so. Letters of a problem are at
-    representative values, which the page tells.
+    representative values, which the page tells. With ``as_``, the id of a mistake such as
+    ``restitution-parallel`` or of one of its variants, the motion in its world is played beside it.
 
     Raises StatementError for anything else, KeyError for a part that is not there, what kept the
     problem from being solved, and UnsupportedError with the reason where no motion can be shown.
@@ -94,6 +99,10 @@ def play(
         raise StatementError(
             f"a Solution, a Motion or a Run can be played, not a {type(motion).__name__}"
         )
+    if as_ is not None:
+        from restitution.export.player.beside import of_mistake
+
+        return Playable(of_mistake(motion, as_, part, seconds))
     return Playable(of_solution(motion, part, seconds))
 
 

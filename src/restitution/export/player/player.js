@@ -49,6 +49,10 @@ class Player {
     });
     this.picture = new Picture();
     this.card = new Card();
+    // The motion of a mistake, beside the true one and at the same time.
+    this.shadow = new Clock({ moved() {}, met() {}, turned() {} });
+    this.other = new Picture();
+    this.otherCard = new Card();
     this.values = new Values();
     this.build(heading);
     this.load(data);
@@ -70,6 +74,21 @@ class Player {
     this.live = html("p", { class: "live", "aria-live": "polite" });
     this.notes = html("p", { class: "notes" });
     const options = [this.slow, this.velocities, this.components, this.trails];
+    this.frame = html("div", { class: "frame" }, this.picture.node);
+    this.trueLabel = html("p", { class: "label" }, "The true motion");
+    const mistaken = html("p", { class: "label" }, "With the mistake:");
+    this.mistaken = html("div", { class: "mistaken" }, mistaken, this.otherCard.node);
+    this.otherLabel = html("p", { class: "label" });
+    this.says = html("ul", { class: "says" });
+    this.beside = html(
+      "div",
+      { class: "beside" },
+      this.otherLabel,
+      html("div", { class: "frame" }, this.other.node),
+    );
+    const first = html("div", { class: "first" }, this.trueLabel, this.frame);
+    const both = html("div", { class: "both" }, first, this.beside);
+    this.pictures = html("div", { class: "pictures" }, both, this.says);
     this.root.classList.add("restitution-player");
     this.root.replaceChildren(
       html("header", {}, this.title, this.drawn, this.choice),
@@ -79,13 +98,13 @@ class Player {
         html(
           "div",
           { class: "left" },
-          html("div", { class: "frame" }, this.picture.node),
+          this.pictures,
           this.transport.timeline,
           this.transport.node,
           html("div", { class: "options" }, ...options.map(({ node }) => node), ask),
           this.notes,
         ),
-        html("div", { class: "right" }, this.card.node, this.values.node),
+        html("div", { class: "right" }, this.card.node, this.mistaken, this.values.node),
       ),
       this.live,
       this.help,
@@ -160,13 +179,38 @@ class Player {
     this.picture.node.setAttribute("aria-label", label);
     this.values.lay(motion);
     this.card.key = null;
+    this.compare(motion.beside ?? null);
     this.live.textContent = "";
     this.width = 0;
     this.resize();
   }
 
+  // Shows the motion of a mistake beside the true one, with what is wrong with it, or none.
+  compare(beside) {
+    for (const each of [this.trueLabel, this.beside, this.says, this.mistaken]) {
+      each.hidden = beside === null;
+    }
+    this.pictures.classList.toggle("two", beside !== null);
+    if (beside === null) return;
+    this.shadow.load(beside.motion, 1);
+    this.otherCard.key = null;
+    this.otherLabel.textContent = `With the mistake ${beside.label}`;
+    this.says.replaceChildren(...beside.says.map((text) => html("li", {}, text)));
+    const label = `The motion with the mistake. ${beside.says.join(" ")}`;
+    this.other.node.setAttribute("aria-label", label);
+  }
+
+  // A view in which both motions are seen whole.
+  wide(width, height) {
+    const { motion } = this;
+    const { motion: other } = motion.beside;
+    const all = (part) => [...motion[part], ...other[part]];
+    const [spheres, walls, events, points] = ["spheres", "walls", "events", "points"].map(all);
+    return this.picture.whole({ ...motion, spheres, walls, events, points }, width, height);
+  }
+
   resize() {
-    const frame = this.picture.node.parentNode;
+    const { frame } = this;
     const width = Math.floor(frame.clientWidth);
     if (!width || (width === this.width && innerHeight === this.seen)) return;
     this.width = width;
@@ -175,7 +219,10 @@ class Player {
     // Neither a strip nor a tower, and with its controls on one screen.
     const shape = Math.max(1.15, Math.min(2.1, (right - left) / (top - bottom || 1e-9)));
     const height = Math.max(190, Math.min(width / shape, 0.62 * innerHeight));
-    this.picture.lay(this.motion, width, Math.round(height));
+    const { beside = null } = this.motion;
+    const view = beside && this.wide(width, Math.round(height));
+    this.picture.lay(this.motion, width, Math.round(height), view);
+    if (beside) this.other.lay(beside.motion, width, Math.round(height), view);
     this.transport.lay(width);
     this.draw();
     reachable(this.card.body);
@@ -214,14 +261,23 @@ class Player {
     if (!this.width) return;
     const { now, playing } = this.clock;
     const { focus, moment, shown, number } = this.clock.scene();
-    this.picture.show(now, focus, moment, {
+    const wanted = {
       velocities: this.velocities.box.checked,
       components: this.components.box.checked,
       trails: this.trails.box.checked,
-    });
+    };
+    this.picture.show(now, focus, moment, wanted);
     this.card.show(shown, number, moment ? shown.time : now);
+    if (this.motion.beside) this.drawOther(now, wanted);
     this.values.show(now, playing);
     this.transport.show();
+  }
+
+  drawOther(now, wanted) {
+    this.shadow.now = now;
+    const { focus, moment, shown, number } = this.shadow.scene();
+    this.other.show(now, focus, moment, wanted);
+    this.otherCard.show(shown, number, moment ? shown.time : now);
   }
 }
 
