@@ -1,0 +1,88 @@
+"""Bare numbers that are degrees: in a sine, in a sum of angles, beside an angle."""
+
+from __future__ import annotations
+
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    Pair,
+    Pi,
+    Quantity,
+    walk,
+)
+
+_ANGLE_WORDS = frozenset(("angle", "deflection", "direction"))
+
+
+def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
+    """Whether a tree is an angle; ``angles`` are the letters that are."""
+    match tree:
+        case Degrees():
+            return True
+        case Letter(name):
+            return name in angles or bool(_ANGLE_WORDS & set(name.split()))
+        case Apply(function, _):
+            return function.startswith("arc")
+        case Quantity(kind):
+            return kind in ("angle", "deflection", "direction")
+        case Negate(operand):
+            return is_angle(operand, angles)
+        case Binary("+" | "-", left, right):
+            return is_angle(left, angles) or is_angle(right, angles)
+        case Binary("*", left, right):
+            return is_angle(left, angles) != is_angle(right, angles)
+        case Binary("/", left, right):
+            return is_angle(left, angles) and not is_angle(right, angles)
+    return False
+
+
+def angular(tree: Expression, angles: frozenset[str]) -> Expression:
+    """A tree that is an angle, with its bare numbers as degrees: ``90 - a`` and ``2 × 30``."""
+    match tree:
+        case Number(value):
+            return Degrees(value, place=tree.place)
+        case Negate(operand):
+            return Negate(angular(operand, angles), place=tree.place)
+        case Binary("+" | "-" as op, left, right):
+            return Binary(op, angular(left, angles), angular(right, angles), place=tree.place)
+        case Binary("*", left, right) if _is_numeric(tree):
+            return Binary("*", left, angular(right, angles), place=tree.place)
+        case Binary("/", left, right) if _is_numeric(tree):
+            return Binary("/", angular(left, angles), right, place=tree.place)
+        case Binary("*" | "/" as op, left, right) if is_angle(left, angles):
+            return Binary(op, angular(left, angles), right, place=tree.place)
+        case Binary("*", left, right) if is_angle(right, angles):
+            return Binary("*", left, angular(right, angles), place=tree.place)
+    return tree
+
+
+def _is_numeric(tree: Expression) -> bool:
+    """Whether a tree is made of bare numbers alone."""
+    return all(isinstance(each, Number | Binary | Negate) for each in walk(tree))
+
+
+def in_degrees(tree: Expression, angles: frozenset[str]) -> Expression:
+    """A tree in which bare numbers in a sum with an angle are degrees."""
+    match tree:
+        case Binary("+" | "-" as op, left, right):
+            if is_angle(tree, angles) and not _has_pi(tree):
+                return angular(tree, angles)
+            return Binary(op, in_degrees(left, angles), in_degrees(right, angles), place=tree.place)
+        case Binary(op, left, right):
+            return Binary(op, in_degrees(left, angles), in_degrees(right, angles), place=tree.place)
+        case Negate(operand):
+            return Negate(in_degrees(operand, angles), place=tree.place)
+        case Apply(function, argument):
+            return Apply(function, in_degrees(argument, angles), place=tree.place)
+        case Pair(x, y):
+            return Pair(in_degrees(x, angles), in_degrees(y, angles), place=tree.place)
+    return tree
+
+
+def _has_pi(tree: Expression) -> bool:
+    return any(isinstance(each, Pi) for each in walk(tree))

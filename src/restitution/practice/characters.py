@@ -1,0 +1,175 @@
+"""What is typed on phones and pasted from anywhere, as plain characters with their columns."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from dataclasses import dataclass
+
+_SAME: dict[str, str] = {
+    **dict.fromkeys("−–—‐‑‒﹣－➖", "-"),
+    **dict.fromkeys("×✕✖⨯⨉", "*"),
+    **dict.fromkeys("⋅∙•∗·⸱・", "·"),
+    **dict.fromkeys("÷∕⁄➗", "/"),
+    **dict.fromkeys("≤⩽≦", "<="),
+    **dict.fromkeys("≥⩾≧", ">="),
+    "≠": "!=",
+    **dict.fromkeys("≈≃≅≡≒", "="),
+    **dict.fromkeys("⇒⟹→⟶⇨➜➔➡∴⇔↔", " => "),
+    "∵": " because ",
+    **dict.fromkeys("°º˚", "°"),
+    **dict.fromkeys("’′´`‘ʹ", "'"),
+    "″": "''",
+    **dict.fromkeys("∣｜¦", "|"),
+    **dict.fromkeys('“”„"✓✔✗✘☑↑↓∠…', " "),
+    "⊥": " perp ",
+    **dict.fromkeys("∥‖", " parallel "),
+    "∆": " change in ",
+    "Δ": " change in ",
+    **dict.fromkeys("∑Σ", " total "),
+    "@": " at ",
+    "&": " and ",
+    "\t": "   ",
+    "ß": "β",
+    "∓": "±",
+    "ı": "i",
+    "ȷ": "j",
+    "∞": " infinity ",
+    "⟨": "(",
+    "⟩": ")",
+    "←": " ",
+}
+_FRACTIONS = re.compile(r"(\d*)([½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅐⅛⅜⅝⅞⅑⅒])")
+_RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾ⁿ"
+_LOWERED = "₀₁₂₃₄₅₆₇₈₉ₐₑₓ"
+_RAISED_PLAIN = str.maketrans(_RAISED, "0123456789+-()n")
+_LOWERED_PLAIN = str.maketrans(_LOWERED, "0123456789aex")
+
+_LATEX_BRACES = re.compile(r"\\(?:d|t)?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
+_LATEX_ROOT = re.compile(r"\\sqrt\s*\{([^{}]*)\}")
+_LATEX_COLUMN = re.compile(
+    r"\\begin\{[pb]matrix\}(.*?)\\\\(.*?)\\end\{[pb]matrix\}|\\binom\s*\{([^{}]*)\}\s*\{([^{}]*)\}"
+)
+_LATEX_TEXT = re.compile(r"\\(?:text|mathrm|mathbf|mathit|underline|vec|hat|bar)\s*\{([^{}]*)\}")
+_LATEX_SIGNS = {
+    "times": "*",
+    "cdot": "·",
+    "div": "/",
+    "leq": "<=",
+    "le": "<=",
+    "geq": ">=",
+    "ge": ">=",
+    "neq": "!=",
+    "ne": "!=",
+    "approx": "=",
+    "Rightarrow": "=>",
+    "implies": "=>",
+    "therefore": "=>",
+    "to": "=>",
+    "pm": "±",
+    "circ": "°",
+    "degree": "°",
+    "left": "",
+    "right": "",
+    "quad": "  ",
+    "qquad": "  ",
+    "lvert": "|",
+    "rvert": "|",
+    "mid": "|",
+    "prime": "'",
+}
+_LATEX_WORD = re.compile(r"\\([A-Za-z]+)")
+
+
+@dataclass(frozen=True)
+class Plain:
+    """A line in plain characters; ``columns`` has the column, from 1, of each of them."""
+
+    text: str
+    columns: tuple[int, ...]
+
+    def column(self, offset: int) -> int:
+        """The column of an offset; that behind the last character at the end."""
+        if offset < len(self.columns):
+            return self.columns[offset]
+        return self.columns[-1] + 1 if self.columns else 1
+
+
+def plain(line: str) -> Plain:
+    """A line as typed, with every variant of a sign made one and accents taken off."""
+    text = _without_latex(line) if "\\" in line or "$" in line else line
+    if text.isascii() and "\t" not in text and not _changes(text):
+        return Plain(text, tuple(range(1, len(text) + 1)))
+    characters: list[str] = []
+    columns: list[int] = []
+
+    def add(more: str, column: int) -> None:
+        characters.extend(more)
+        columns.extend([column] * len(more))
+
+    offset = 0
+    while offset < len(text):
+        match = _FRACTIONS.match(text, offset)
+        if match and match[0] and (offset == 0 or text[offset - 1] not in "0123456789."):
+            whole, sign = match[1], match[2]
+            above, below = unicodedata.normalize("NFKC", sign).split("⁄")
+            add(f"({whole}+{above}/{below})" if whole else f"({above}/{below})", offset + 1)
+            offset = match.end()
+            continue
+        character = text[offset]
+        if character in _RAISED or character in _LOWERED:
+            end = offset
+            kinds = _RAISED if character in _RAISED else _LOWERED
+            while end < len(text) and text[end] in kinds:
+                end += 1
+            stretch = text[offset:end]
+            if kinds is _RAISED:
+                inside = stretch.translate(_RAISED_PLAIN)
+                add(f"^{inside}" if inside.isdigit() else f"^({inside})", offset + 1)
+            else:
+                add("_" + stretch.translate(_LOWERED_PLAIN), offset + 1)
+            offset = end
+            continue
+        add(_plain_character(character), offset + 1)
+        offset += 1
+    return Plain("".join(characters), tuple(columns))
+
+
+def _changes(text: str) -> bool:
+    return any(sign in text for sign in '@&`"')
+
+
+def _plain_character(character: str) -> str:
+    same = _SAME.get(character)
+    if same is not None:
+        return same
+    if character.isascii() or character == "√":
+        return character
+    if unicodedata.combining(character):
+        return ""
+    compatible = unicodedata.normalize("NFKC", character)
+    if compatible in _SAME:
+        return _SAME[compatible]
+    simple = unicodedata.normalize("NFKD", compatible)
+    bare = "".join(each for each in simple if not unicodedata.combining(each))
+    if not bare or unicodedata.category(character) in ("So", "Cf", "Cc", "Zs", "Zl", "Zp", "Mn"):
+        return bare if bare.isascii() and bare.strip() else " "
+    return bare
+
+
+def _without_latex(text: str) -> str:
+    """The usual signs of LaTeX as plain text; columns are then those of the plain text."""
+    text = text.replace("$", " ").replace("\\,", " ").replace("\\;", " ").replace("\\!", "")
+    text = _LATEX_COLUMN.sub(_column_of, text)
+    for _ in range(6):
+        text, first = _LATEX_TEXT.subn(r"\1", text)
+        text, second = _LATEX_ROOT.subn(r"sqrt(\1)", text)
+        text, third = _LATEX_BRACES.subn(r"((\1)/(\2))", text)
+        if not first + second + third:
+            break
+    return _LATEX_WORD.sub(lambda match: _LATEX_SIGNS.get(match[1], f" {match[1]} "), text)
+
+
+def _column_of(match: re.Match[str]) -> str:
+    above, below = (match[1], match[2]) if match[1] is not None else (match[3], match[4])
+    return f"({above},{below})"

@@ -1,0 +1,336 @@
+"""A line of tokens as segments of mathematics, and the words and signs between them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+from restitution.practice.phrases import names_quantity
+from restitution.practice.tokens import Token
+from restitution.practice.vocabulary import (
+    DIRECTIONS,
+    EQUALS,
+    HEADS,
+    PHRASE_WORDS,
+    STAGES,
+    SWALLOWING,
+)
+from restitution.problem import Problem
+
+_TRAILING = frozenset(
+    ("of", "the", "in", "to", "from", "for", "on", "with", "its", "by", "between", "at", "and")
+    + ("just", "immediately", "which", "it", "that", "their", "moves", "moving", "into", "makes")
+    + ("made", "s", "given", "line", "through", "sum", "one", "two", "three", "side", "both")
+)
+_BEFORE_AXIS = frozenset(
+    ("along", "of", "to", "in", "direction", "parallel", "perpendicular", "perp", "the", "with")
+    + ("from", "and", "-", "positive", "negative")
+)
+_BEHIND_AXIS = frozenset(
+    ("component", "components", "comp", "comps", "direction", "dir", "dirn", "axis", "cpt")
+)
+_STARTS = frozenset(
+    ("total", "overall", "combined", "resultant", "relative", "horizontal", "vertical", "line")
+)
+_NEAR_A_NAME = frozenset(
+    ("after", "before", "at", "for", "to", "from", "with", "of", "by", "hits", "wall", "sphere")
+    + ("ball", "particle", "strikes", "point", "on", "and", "between", "about", "spheres", "then")
+    + ("towards", "so", "since", "hence", "that", "means", "as", "because")
+)
+_OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "phrase", "function", "("))
+_CLOSING = frozenset(("number", "letter", "name", "unit", "pi", ")", "phrase", "percent"))
+
+
+@dataclass(frozen=True)
+class Segment:
+    """Tokens without words; ``before`` are the words and signs that part it from the last one."""
+
+    tokens: tuple[Token, ...]
+    before: tuple[str, ...] = ()
+
+    @property
+    def has_relation(self) -> bool:
+        """Whether it states something."""
+        return any(token.kind == "relation" for token in self.tokens)
+
+    @property
+    def is_phrase(self) -> bool:
+        """Whether it is nothing but the name of a quantity, or of a body."""
+        return len(self.tokens) == 1 and self.tokens[0].kind in ("phrase", "name")
+
+
+def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[Token]:
+    """The tokens, with the words that name a quantity made one token each."""
+    found: list[Token] = []
+    place = 0
+    while place < len(tokens):
+        end = _phrase_end(tokens, place, problem)
+        if end > place:
+            found.append(_phrase(tokens[place:end], text))
+            place = end
+            continue
+        token = tokens[place]
+        found.append(_prose_name(found, token, tokens[place + 1 : place + 2]))
+        place += 1
+    return [_equality(found, place) for place in range(len(found))]
+
+
+def _phrase(tokens: Sequence[Token], text: str) -> Token:
+    """A phrase as a token: its words in small letters, but for names, as its name."""
+    words = [each.text if each.kind in ("name", "unit") else each.text.lower() for each in tokens]
+    joined = re.sub(r"- ([ij])\b", r"-\1", " ".join(words).replace(" - c", " c"))
+    first, last = tokens[0], tokens[-1]
+    name = joined if " " in joined else f"the {joined}"
+    return replace(first, kind="phrase", text=text[first.start : last.end], end=last.end, name=name)
+
+
+def _phrase_end(tokens: Sequence[Token], place: int, problem: Problem) -> int:
+    """Where a phrase that begins at a place ends; the place itself where none does."""
+    if not _begins_phrase(tokens, place):
+        return place
+    end, depth = place, 0
+    while end < len(tokens) and end - place < 16 and _goes_on(tokens, place, end):
+        end += 1
+    while end > place and _is_trailing(tokens, end - 1):
+        end -= 1
+    stretch = tokens[place:end]
+    if depth or not any(each.kind == "word" for each in stretch):
+        return place
+    words = [each.text for each in stretch]
+    if end > place and names_quantity(words, problem):
+        return end
+    return place
+
+
+def _begins_phrase(tokens: Sequence[Token], place: int) -> bool:
+    token = tokens[place]
+    if token.kind in ("unit", "letter", "times"):
+        return token.text in ("i", "j", "x", "y", "X", "Y") and _has_axis_behind(tokens, place)
+    if token.kind != "word":
+        return False
+    low = token.text.lower()
+    known = low in HEADS or low in DIRECTIONS or low in STAGES or low in _STARTS
+    return known and low not in ("right", "left", "up", "down", "turned", "end", "normal", "change")
+
+
+def _has_axis_behind(tokens: Sequence[Token], place: int) -> bool:
+    behind = place + 1
+    if behind < len(tokens) and tokens[behind].kind == "-":
+        behind += 1
+    return behind < len(tokens) and tokens[behind].text.lower() in _BEHIND_AXIS
+
+
+def _goes_on(tokens: Sequence[Token], place: int, end: int) -> bool:
+    """Whether the token at an end still belongs to the phrase that began at a place."""
+    token = tokens[end]
+    before = tokens[end - 1].text.lower() if end > place else ""
+    if token.kind == "word":
+        low = token.text.lower()
+        if low in PHRASE_WORDS or re.fullmatch(r"\d(?:st|nd|rd|th)", low):
+            return True
+        return low == "a" or (low.isalpha() and token.text.isupper() and len(low) <= 3)
+    if token.kind == "name":
+        behind = tokens[end + 1] if end + 1 < len(tokens) else None
+        return before != "and" or behind is None or behind.kind not in ("relation", "+")
+    if token.kind in ("unit", "letter", "times") and token.text in ("i", "j", "x", "y"):
+        return end == place or before in _BEFORE_AXIS or _has_axis_behind(tokens, end)
+    if token.kind == "-":
+        behind = tokens[end + 1] if end + 1 < len(tokens) else None
+        if behind is None:
+            return False
+        if behind.text.lower() in _BEHIND_AXIS and before in ("i", "j", "x", "y"):
+            return True
+        return behind.kind == "unit" and before in _BEFORE_AXIS and behind.gap == 0
+    return False
+
+
+def _is_trailing(tokens: Sequence[Token], place: int) -> bool:
+    token = tokens[place]
+    return token.kind == "-" or (token.kind == "word" and token.text.lower() in _TRAILING)
+
+
+def _prose_name(found: Sequence[Token], token: Token, behind: Sequence[Token]) -> Token:
+    """A name behind a word of prose is one itself: ``after AB``, ``so B moves``."""
+    if token.kind != "name" or not found or found[-1].kind != "word":
+        return token
+    if behind and behind[0].kind in ("relation", "+", "-", "*", "/", "^", ":"):
+        return token
+    return replace(token, kind="word") if found[-1].text in _NEAR_A_NAME else token
+
+
+def _equality(tokens: Sequence[Token], place: int) -> Token:
+    """``is`` between two values is a sign of equality, ``of`` behind a number a product."""
+    token = tokens[place]
+    if token.kind != "word" or not 0 < place < len(tokens) - 1:
+        return token
+    before, behind = tokens[place - 1], tokens[place + 1]
+    opens = behind.kind in _OPERANDS or behind.kind in ("-", "|")
+    if token.text in EQUALS and before.kind in _CLOSING and opens:
+        return replace(token, kind="relation", name="=")
+    if token.text == "of" and before.kind in ("number", "percent", ")") and opens:
+        return replace(token, kind="times")
+    return token
+
+
+def segments(tokens: Sequence[Token]) -> list[Segment]:
+    """The segments of a line, with what parts them."""
+    found: list[Segment] = []
+    pending: list[Token] = []
+    before: list[str] = []
+    loose = _loose_brackets(tokens)
+    depth = 0
+    for place, token in enumerate(tokens):
+        if place in loose:
+            separator = True
+        elif token.kind == "(":
+            depth, separator = depth + 1, False
+        elif token.kind == ")":
+            depth, separator = max(0, depth - 1), False
+        else:
+            separator = _separates(tokens, place, depth, pending)
+        if not separator:
+            pending.append(token)
+            continue
+        if pending:
+            found.append(Segment(tuple(pending), tuple(before)))
+            pending, before = [], []
+        before.append(token.text.lower() if token.kind in ("word", "phrase") else token.text)
+    if pending:
+        found.append(Segment(tuple(pending), tuple(before)))
+    return [each for each in map(_without_swallowed, found) if each.tokens]
+
+
+def words_behind(tokens: Sequence[Token]) -> tuple[str, ...]:
+    """The words behind the last mathematics of a line."""
+    words: list[str] = []
+    for token in reversed(tokens):
+        if token.kind != "word":
+            break
+        words.append(token.text)
+    return tuple(reversed(words))
+
+
+def _separates(tokens: Sequence[Token], place: int, depth: int, pending: Sequence[Token]) -> bool:
+    token = tokens[place]
+    if token.kind in ("word", "arrow", "stop"):
+        return True
+    if token.kind in (";", ","):
+        return depth == 0
+    if token.kind == ":":
+        return not _is_proportion(tokens, place)
+    if token.kind == "phrase" and pending and pending[-1].kind in (*_CLOSING, "measure", "degrees"):
+        return not _is_factor(tokens, place, pending)
+    return False
+
+
+def _is_proportion(tokens: Sequence[Token], place: int) -> bool:
+    """Whether a colon is one between numbers: ``3:5``."""
+    if not 0 < place < len(tokens) - 1:
+        return False
+    return (
+        tokens[place - 1].kind == "number"
+        and tokens[place + 1].kind == "number"
+        and (tokens[place].gap == 0 and tokens[place + 1].gap == 0)
+    )
+
+
+def _is_factor(tokens: Sequence[Token], place: int, pending: Sequence[Token]) -> bool:
+    """Whether a phrase behind an operand is multiplied by it: ``e approach``."""
+    words = tokens[place].name.split()
+    if not set(words) & HEADS.keys():
+        return False
+    behind = tokens[place + 1].kind if place + 1 < len(tokens) else ""
+    if behind == "relation" and any(each.kind == "relation" for each in pending):
+        return False
+    return pending[-1].kind in ("letter", "number", "percent")
+
+
+def _loose_brackets(tokens: Sequence[Token]) -> set[int]:
+    """The brackets that hold words or a relation: a remark, not a group."""
+    loose: set[int] = set()
+    open_at: list[int] = []
+    for place, token in enumerate(tokens):
+        if token.kind == "(":
+            open_at.append(place)
+        elif token.kind == ")" and open_at:
+            first = open_at.pop()
+            inside = tokens[first + 1 : place]
+            if any(each.kind in ("relation", "arrow") for each in inside) or (
+                any(each.kind == "word" for each in inside)
+            ):
+                loose |= {first, place}
+    return loose
+
+
+def _without_swallowed(segment: Segment) -> Segment:
+    """A segment without what belongs to the prose before it: ``divide by m  2v + 3w = 6``."""
+    if not segment.before or segment.before[-1] not in SWALLOWING or not segment.has_relation:
+        return segment
+    tokens = segment.tokens
+    end = 1
+    while end < len(tokens) and tokens[end].gap == 0:
+        end += 1
+    if end >= len(tokens) or end > 4 or any(each.kind == "relation" for each in tokens[:end]):
+        return segment
+    begins = tokens[end].kind in _OPERANDS or tokens[end].kind == "|"
+    return Segment(tokens[end:], segment.before) if begins else segment
+
+
+def split_at_spaces(segment: Segment) -> Iterator[tuple[Segment, bool]]:
+    """A segment parted where several relations stand beside each other.
+
+    ``q = 1/6   p = -1/3`` is two; so is ``v = 3 w = 4``, in which the second may also be the end
+    of a chain: the flag says that it is doubtful.
+    """
+    tokens = segment.tokens
+    places = [n for n, token in enumerate(tokens) if token.kind == "relation"]
+    cuts: list[tuple[int, bool]] = []
+    for first, second in pairwise(places):
+        cut = _cut(tokens, first, second)
+        if cut is not None:
+            cuts.append(cut)
+    start = 0
+    doubtful = False
+    for place, doubt in cuts:
+        yield Segment(tokens[start:place], segment.before), doubtful
+        start, doubtful = place, doubt
+    yield Segment(tokens[start:], segment.before), doubtful
+
+
+def _cut(tokens: Sequence[Token], first: int, second: int) -> tuple[int, bool] | None:
+    """Where a side between two relations is parted, and whether that is doubtful."""
+    depth, gaps = 0, []
+    for place in range(first + 1, second):
+        kind = tokens[place].kind
+        if kind == ")":
+            depth -= 1
+        if depth == 0 and place > first + 1 and tokens[place].gap and _may_part(tokens, place):
+            gaps.append(place)
+        if kind == "(":
+            depth += 1
+    wide = [place for place in gaps if tokens[place].gap >= 2]
+    if wide:
+        return max(wide, key=lambda place: tokens[place].gap), False
+    for place in gaps:
+        left_of, right = tokens[:first], tokens[place:second]
+        simple = _is_simple(right) and _is_simple(left_of[-len(right) - 3 :])
+        if simple and not any(each.kind == "letter" for each in tokens[first + 1 : place]):
+            return place, False
+    return None
+
+
+def _may_part(tokens: Sequence[Token], place: int) -> bool:
+    before, token = tokens[place - 1], tokens[place]
+    return before.kind in (*_CLOSING, "measure", "degrees") and (
+        token.kind in _OPERANDS or token.kind == "|" or (token.kind == "-" and token.gap >= 2)
+    )
+
+
+def _is_simple(tokens: Sequence[Token]) -> bool:
+    """Whether a side is a letter, or a sine, cosine or tangent of one: something to be found."""
+    kinds = [each.kind for each in tokens if each.kind not in ("(", ")")]
+    if kinds == ["letter"] or kinds == ["phrase"]:
+        return True
+    return kinds[:1] == ["function"] and kinds[1:] in (["letter"], ["^", "number", "letter"])

@@ -1,0 +1,430 @@
+"""What the segments of a line state: relations in all their readings, declarations, values."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from itertools import product
+
+from restitution.expression.tree import (
+    Apply,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Number,
+    Pi,
+    letters,
+    walk,
+)
+from restitution.practice.angles import angular, is_angle
+from restitution.practice.characters import Plain
+from restitution.practice.grammar import Side, UnreadableError, is_vector, read_sides
+from restitution.practice.phrases import is_phrase, read_phrase
+from restitution.practice.script import Claim, Decimal, Declaration, Link, Sign
+from restitution.practice.segments import Segment, split_at_spaces
+from restitution.practice.tokens import Token, Usage
+from restitution.practice.vocabulary import DECLARES
+from restitution.problem import Problem
+
+MAX_CLAIMS = 24
+_OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "function", "("))
+
+
+@dataclass(frozen=True)
+class Past:
+    """What a line may go on from: the last right side, and a left side that waits for one."""
+
+    side: tuple[Side, ...] = ()
+    waiting: tuple[Side, ...] = ()
+    sign: Sign = "="
+
+
+@dataclass
+class Statements:
+    """What a line states. ``body`` is a sphere that labels it."""
+
+    links: tuple[Link, ...] = ()
+    declarations: tuple[Declaration, ...] = ()
+    values: tuple[Expression, ...] = ()
+    fault: str | None = None
+    column: int | None = None
+    body: str | None = None
+    past: Past = field(default_factory=Past)
+
+
+def read_statements(
+    segments: Sequence[Segment],
+    usage: Usage,
+    problem: Problem,
+    number: int,
+    line: Plain,
+    past: Past,
+) -> Statements:
+    """What the segments of a line state; ``past`` is what the line above left to go on from."""
+    reader = _Reader(usage, problem, number, line, past)
+    for place, segment in enumerate(segments):
+        try:
+            reader.segment(segment, segments[place + 1 : place + 2])
+        except UnreadableError as error:
+            if segment.has_relation and reader.statements.fault is None:
+                reader.statements.fault = f"expected {error.expected}"
+                reader.statements.column = error.column
+    reader.finish()
+    return reader.statements
+
+
+class _Reader:
+    def __init__(
+        self, usage: Usage, problem: Problem, number: int, line: Plain, past: Past
+    ) -> None:
+        self.usage, self.problem, self.number, self.line = usage, problem, number, line
+        self.past = past
+        self.statements = Statements()
+        self.links: list[Link] = []
+        self.label: Token | None = None
+        self.declares = False
+        self.defines = False
+        self.waiting: tuple[Side, ...] = ()
+        self.waiting_sign: Sign = "="
+        self.pending_letters: list[Letter] = []
+
+    def finish(self) -> None:
+        """Puts together what was read."""
+        self.statements.links = tuple(self.links)
+        if self.label is not None and self.label.kind == "name" and not self.links:
+            self.statements.body = self.body_of(self.label)
+        last = self.past.side if not self.links else self._last_sides()
+        self.statements.past = Past(last, self.waiting, self.waiting_sign)
+
+    def _last_sides(self) -> tuple[Side, ...]:
+        found = dict.fromkeys(claim.right for claim in self.links[-1].readings)
+        return tuple(Side(tree) for tree in found)
+
+    def body_of(self, token: Token) -> str | None:
+        """The sphere that a label names."""
+        return token.name if token.name in self.usage.spheres else None
+
+    # -- segments -----------------------------------------------------------------------------
+
+    def segment(self, segment: Segment, following: Sequence[Segment]) -> None:
+        """Reads a segment: a label, a value, or relations."""
+        words = set(segment.before)
+        if words & DECLARES:
+            self.declares = True
+        elif words & {"so", "hence", "therefore", "=>", ";", "then"}:
+            self.declares = False
+        self.defines = "where" in words or (self.defines and not words - {",", "and"})
+        if segment.is_phrase and following and not self._is_alternative(segment):
+            self.label = segment.tokens[0]
+            return
+        label = self._label(segment)
+        if label is not None:
+            self.label, segment = label, Segment(segment.tokens[1:], segment.before)
+        if not segment.has_relation:
+            self.value(segment)
+            return
+        for part, _ in split_at_spaces(segment):
+            self.relations(part)
+
+    def _is_alternative(self, segment: Segment) -> bool:
+        return bool(set(segment.before) & {"or", "and"}) and bool(self.links)
+
+    def _label(self, segment: Segment) -> Token | None:
+        """A phrase with mathematics directly behind it."""
+        first = segment.tokens[0]
+        if first.kind != "phrase" or len(segment.tokens) < 2:
+            return None
+        return first if segment.tokens[1].kind in (*_OPERANDS, "|") else None
+
+    def sides(self, tokens: Sequence[Token]) -> tuple[Side, ...]:
+        """The readings of a side."""
+        end = tokens[-1] if tokens else None
+        column = self.line.column(end.end) if end else self.line.column(len(self.line.text))
+        return read_sides(tokens, self.usage, self.number, column)
+
+    def value(self, segment: Segment) -> None:
+        """A segment without a relation: a further value, the value of a label, or a remark."""
+        tokens = segment.tokens
+        if self.pending(segment):
+            return
+        sides = self.sides(tokens)
+        words = set(segment.before)
+        if self.label is not None:
+            self.labelled(sides, tokens)
+            return
+        listed = words & {"or", ","} and not words - {"or", ",", "and", "either"}
+        if self.links and listed and self.further(sides):
+            return
+        if self.past.waiting and not self.links:
+            self.link(self.past.waiting, self.past.sign, sides, tokens)
+            return
+        if len(tokens) == 1 and tokens[0].kind == "letter" and isinstance(sides[0].tree, Letter):
+            self.pending_letters.append(sides[0].tree)
+        if not isinstance(sides[0].tree, Name):
+            self.statements.values += (sides[0].tree,)
+
+    def pending(self, segment: Segment) -> bool:
+        """A letter with a colon before a phrase: ``v: component of A after``."""
+        token = segment.tokens[0]
+        if not (segment.is_phrase and self.pending_letters):
+            return False
+        if token.kind == "phrase" and ":" in segment.before:
+            self.declare(self.pending_letters[-1], token)
+            return True
+        return False
+
+    def labelled(self, sides: tuple[Side, ...], tokens: Sequence[Token]) -> None:
+        """The value of a label: ``A: 3i - 2j``, ``KE after: 12``."""
+        assert self.label is not None
+        label, self.label = self.label, None
+        self.link((Side(self.label_tree(label, sides)),), "=", sides, tokens, label)
+
+    def label_tree(self, label: Token, sides: tuple[Side, ...]) -> Expression:
+        """A label as a letter; a body's name is its velocity or its speed."""
+        if label.kind == "phrase":
+            return Letter(label.name)
+        vector = is_vector(sides[0].tree, self.usage.vectors)
+        return Letter(f"{'velocity' if vector else 'speed'} of {label.name}")
+
+    def further(self, sides: tuple[Side, ...]) -> bool:
+        """A second value of the last relation: ``x = 2 or 3``."""
+        last = self.links[-1]
+        first = last.readings[0]
+        if first.sign != "=" or letters(first.left) & letters(sides[0].tree):
+            return False
+        readings = tuple(
+            replace(each, others=(*each.others, *self.alike(each.left, sides[0].tree)))
+            for each in last.readings
+        )
+        self.links[-1] = replace(last, readings=readings)
+        return True
+
+    def alike(self, left: Expression, right: Expression) -> tuple[Expression, ...]:
+        """A further value, in degrees where the left side is an angle."""
+        angles = self.usage.angles
+        return (angular(right, angles) if is_angle(left, angles) else right,)
+
+    # -- relations ----------------------------------------------------------------------------
+
+    def relations(self, segment: Segment) -> None:
+        """Reads a chain of relations."""
+        sides, signs = _sides(segment.tokens)
+        if not sides[-1]:
+            self.waiting = self.sides(sides[-2]) if sides[-2] else self.past.side
+            self.waiting_sign = signs[-1]
+            sides, signs = sides[:-1], signs[:-1]
+            if not signs:
+                self.label = None
+                return
+        read: list[tuple[Side, ...]] = []
+        for place, tokens in enumerate(sides):
+            if tokens:
+                read.append(self.sides(tokens))
+            elif place == 0 and (self.links or self.label or self.past.side):
+                read.append(self._side_before())
+            else:
+                column = segment.tokens[0].column
+                if place:
+                    ends = sides[place - 1]
+                    column = self.line.column(ends[-1].end) if ends else column
+                raise UnreadableError("an expression on both sides of the sign", column)
+        if self.declaration(segment, sides, read, signs):
+            return
+        self.label_chain(read, signs, sides)
+        if self.alternative(segment, read, signs):
+            return
+        for place, sign in enumerate(signs):
+            tokens = [*sides[place], *sides[place + 1]]
+            self.link(read[place], sign, read[place + 1], tokens, angle=self._is_chain_angle(read))
+
+    def _is_chain_angle(self, read: Sequence[tuple[Side, ...]]) -> bool:
+        return any(is_angle(each[0].tree, self.usage.angles) for each in read)
+
+    def _side_before(self) -> tuple[Side, ...]:
+        """The left side of a line that begins with its sign: the label, or what stood last."""
+        if self.label is not None:
+            label, self.label = self.label, None
+            return (Side(self.label_tree(label, (Side(Number(Fraction(0))),))),)
+        return self._last_sides() if self.links else self.past.side
+
+    def label_chain(
+        self,
+        read: Sequence[tuple[Side, ...]],
+        signs: Sequence[Sign],
+        sides: Sequence[Sequence[Token]],
+    ) -> None:
+        """Makes a label the first link of a chain that works out its value; else drops it."""
+        if self.label is None:
+            return
+        label, self.label = self.label, None
+        first = read[0][0].tree
+        if label.kind == "name" or isinstance(first, Letter | Apply):
+            self.statements.body = self.body_of(label)
+            if label.kind == "name":
+                return
+        known = letters(first)
+        evaluates = all(letters(each[0].tree) <= known for each in read[1:])
+        evaluates = evaluates and set(signs) == {"="} and not _is_law(read)
+        if evaluates and not isinstance(first, Letter) and not _is_function(first):
+            self.link((Side(Letter(label.name)),), "=", read[0], sides[0], label)
+
+    def alternative(
+        self, segment: Segment, read: Sequence[tuple[Side, ...]], signs: Sequence[Sign]
+    ) -> bool:
+        """``x = 2 or x = 3``: a further value of the last relation."""
+        if "or" not in segment.before or not self.links or list(signs) != ["="]:
+            return False
+        last = self.links[-1].readings[0]
+        if last.sign != "=" or last.left != read[0][0].tree:
+            return False
+        return self.further(read[1])
+
+    def link(
+        self,
+        left: tuple[Side, ...],
+        sign: Sign,
+        right: tuple[Side, ...],
+        tokens: Sequence[Token],
+        label: Token | None = None,
+        angle: bool = False,
+    ) -> None:
+        """Adds a relation with every reading of its two sides."""
+        claims: dict[Claim, None] = {}
+        ranked = sorted(product(range(len(left)), range(len(right))), key=sum)
+        for first, second in ranked[: 2 * MAX_CLAIMS]:
+            for claim in self.claims(left[first], sign, right[second], angle):
+                claims.setdefault(claim)
+        whole = [label, *tokens] if label is not None else list(tokens)
+        readings = tuple(claims)[:MAX_CLAIMS]
+        start = min((each.column for each in whole), default=1)
+        end = max((self.line.column(each.end) for each in whole), default=start)
+        decimals = tuple(_decimals(tokens, readings))
+        self.links.append(Link(readings, start, end, decimals))
+
+    def claims(self, left: Side, sign: Sign, right: Side, angle: bool) -> Iterator[Claim]:
+        """A claim; where one side is an angle, bare numbers on the other are degrees first."""
+        angles = self.usage.angles
+        others = (right.other,) if right.other is not None and right.other != right.tree else ()
+        first, second = left.tree, right.tree
+        if angle or is_angle(first, angles) or is_angle(second, angles):
+            turned = _turned(first, angles), _turned(second, angles)
+            more = tuple(_turned(each, angles) for each in others)
+            yield Claim(turned[0], sign, turned[1], more)
+            if turned == (first, second):
+                return
+        yield Claim(first, sign, second, others)
+        if left.other is not None and left.other != left.tree:
+            yield Claim(left.other, sign, second, others)
+
+    # -- declarations ---------------------------------------------------------------------------
+
+    def declaration(
+        self,
+        segment: Segment,
+        sides: Sequence[Sequence[Token]],
+        read: Sequence[tuple[Side, ...]],
+        signs: Sequence[Sign],
+    ) -> bool:
+        """Whether a relation declares a letter, and is no claim."""
+        if len(signs) != 1 or signs[0] != "=":
+            return False
+        left, right = read[0][0].tree, read[1][0].tree
+        if _is_letter(right) and not _is_letter(left) and isinstance(left, Letter):
+            left, right, sides = right, left, (sides[1], sides[0])
+        if not _is_letter(left):
+            return False
+        assert isinstance(left, Letter)
+        token = sides[1][0]
+        if isinstance(right, Letter) and is_phrase(right.name):
+            letters_before = [*self.pending_letters, left]
+            self.pending_letters = []
+            self._declare_all(letters_before, token)
+            return True
+        defined = self.defines and not _is_numeric(right)
+        if self.declares or defined:
+            text = self.line.text[sides[1][0].start : sides[1][-1].end]
+            self._add_declaration(Declaration(left.name, tuple(s.tree for s in read[1]), text))
+            return True
+        return False
+
+    def _declare_all(self, declared: Sequence[Letter], token: Token) -> None:
+        """``v and w = the speeds of A and B``: each letter with its body."""
+        words = token.name.split()
+        bodies = [each for each in words if each in self.usage.spheres]
+        if len(declared) == 1 or len(bodies) != len(declared):
+            self.declare(declared[-1], token)
+            return
+        for letter, body in zip(declared, bodies):
+            kept = [each for each in words if each not in self.usage.spheres or each == body]
+            self.declare(letter, replace(token, name=" ".join(kept)))
+
+    def declare(self, letter: Letter, token: Token) -> None:
+        """Adds what a letter is said to be in words."""
+        meanings = read_phrase(token.name, self.problem)
+        self._add_declaration(Declaration(letter.name, meanings, token.text))
+
+    def _add_declaration(self, declaration: Declaration) -> None:
+        self.statements.declarations += (declaration,)
+
+
+def _sides(tokens: Sequence[Token]) -> tuple[list[list[Token]], list[Sign]]:
+    """The sides of a chain, and the signs between them."""
+    sides: list[list[Token]] = [[]]
+    signs: list[Sign] = []
+    for token in tokens:
+        if token.kind == "relation":
+            sides.append([])
+            signs.append(token.name)  # type: ignore[arg-type]
+        else:
+            sides[-1].append(token)
+    return sides, signs
+
+
+def _is_letter(tree: Expression) -> bool:
+    return isinstance(tree, Letter) and not is_phrase(tree.name)
+
+
+def _is_numeric(tree: Expression) -> bool:
+    return not letters(tree)
+
+
+def _is_function(tree: Expression) -> bool:
+    return isinstance(tree, Apply) and tree.function in ("sin", "cos", "tan")
+
+
+def _is_law(read: Sequence[tuple[Side, ...]]) -> bool:
+    """Whether a relation has the same unknown letters in sums on both sides: a law, no value."""
+    sides = [letters(each[0].tree) for each in read[1:]]
+    return bool(sides) and sides[0] == letters(read[0][0].tree) and len(sides[0]) > 1
+
+
+def _turned(tree: Expression, angles: frozenset[str]) -> Expression:
+    """A side beside an angle: its bare numbers are degrees."""
+    if any(isinstance(each, Pi | Degrees) for each in walk(tree)):
+        return tree
+    if any(isinstance(each, Apply) for each in walk(tree)):
+        return tree
+    return angular(tree, angles)
+
+
+def _decimals(tokens: Sequence[Token], readings: Sequence[Claim]) -> Iterator[Decimal]:
+    """The decimals of a link, and whole degrees that are a side by themselves."""
+    alone = {
+        side.place.column
+        for claim in readings
+        for side in (claim.left, claim.right, *claim.others)
+        if isinstance(side, Degrees) and side.place is not None
+    }
+    for place, token in enumerate(tokens):
+        if token.kind != "number":
+            continue
+        whole, _, places = token.text.partition(".")
+        percent = place + 1 < len(tokens) and tokens[place + 1].kind == "percent"
+        scale = Fraction(1, 100) if percent else Fraction(1)
+        if not places and not percent and token.column not in alone:
+            continue
+        digits = (whole + places).lstrip("0")
+        half = Fraction(1, 2 * 10 ** len(places)) * scale
+        yield Decimal(token.column, token.value * scale, max(1, len(digits)), half)
