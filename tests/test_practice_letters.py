@@ -32,9 +32,9 @@ from restitution.problem import Problem
 from restitution.solving.solution import Solution
 
 SPHERES = """\
-sphere A: mass 2, velocity 4i - 3j
+sphere A: mass 3, velocity 4i - 3j
 sphere B: mass 5, velocity -i + 2j
-A hits B: along i, e = 2/5
+A hits B: along i, e = 3/5
 find velocity(A), velocity(B), impulse
 """
 WALL = """\
@@ -101,10 +101,10 @@ def quantities(each: Interpretations, line: int = 99) -> dict[str, str]:
 @pytest.mark.parametrize(
     "text",
     [
-        "2v + 5w = 2*4 - 5\nw - v = 2/5*5",
-        "2v + 5w = 3\nv = w - 2\nv = -1\nw = 1",
-        "2x + 5y = 2*4 + 5*-1\ny - x = 2\ny = 1",
-        "2v_1 + 5v_2 = 3\nv_2 - v_1 = 2",
+        "3v + 5w = 3*4 - 5\nw - v = 3/5*5",
+        "3v + 5w = 7\nv = w - 3\nv = -1\nw = 2",
+        "3x + 5y = 3*4 + 5*-1\ny - x = 3\ny = 2",
+        "3v_1 + 5v_2 = 7\nv_2 - v_1 = 3",
     ],
 )
 def test_components_after_are_inferred_from_the_two_laws(text: str) -> None:
@@ -116,7 +116,7 @@ def test_components_after_are_inferred_from_the_two_laws(text: str) -> None:
 
 
 def test_a_sense_is_turned_where_the_equation_of_momentum_says_so() -> None:
-    found = inferred(SPHERES, "-2v + 5w = 3\nw + v = 2\nv = 1")
+    found = inferred(SPHERES, "-3v + 5w = 7\nw + v = 3\nv = 1")
     assert quantities(found) == {
         "v": "-along(velocity(A, 1), i)",
         "w": "along(velocity(B, 1), i)",
@@ -124,7 +124,7 @@ def test_a_sense_is_turned_where_the_equation_of_momentum_says_so() -> None:
 
 
 def test_a_wrong_equation_of_momentum_does_not_turn_the_letters() -> None:
-    found = inferred(SPHERES, "2v + 5w = 13\nw - v = 2\n7w = 17")
+    found = inferred(SPHERES, "3v + 5w = 17\nw - v = 3\n8w = 26")
     assert quantities(found)["w"] == "along(velocity(B, 1), i)"
     assert all(write_expression(each.trees(1)["w"]) != "speed(A, 1)" for each in found)
 
@@ -143,7 +143,7 @@ def test_an_angle_to_the_normal_is_one() -> None:
 def test_a_declared_letter_is_not_inferred() -> None:
     problem, _ = solved(SPHERES)
     declared = letters_from_mapping({"v": "along(velocity(B), i)"}, problem)
-    found = inferred(SPHERES, "2v + 5w = 3\nw - v = 2", declared)
+    found = inferred(SPHERES, "3v + 5w = 7\nw - v = 3", declared)
     meaning = found.best.at(1)["v"]
     assert (write_expression(meaning.quantity), meaning.by) == (
         "along(velocity(B, 1), i)",
