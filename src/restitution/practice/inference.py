@@ -8,7 +8,7 @@ each is tried, at once, over all candidates of these and over all interpretation
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import product
 from typing import Any
@@ -21,7 +21,7 @@ from restitution.expression.tree import Negate
 from restitution.practice.arrays import Array, angle
 from restitution.practice.candidates import Candidate
 from restitution.practice.script import Claim, Decimal
-from restitution.practice.trial import Frame, Tester
+from restitution.practice.trial import Frame, Tester, everywhere
 from restitution.vector import Vector
 
 # Interpretations that are kept from item to item, and the best ways to satisfy one item.
@@ -36,6 +36,8 @@ _ODD_PAIR = 0.15
 _OTHER_SENSE = 0.8
 # A line that defines its letter explains nothing, and less than a line that breaks a known law.
 _DEFINED = -0.05
+# What it costs that a line would be true in the other sense of its letters.
+_WRONG_SENSE = 0.7
 _VELOCITIES = ("component", "speed", "relative")
 
 
@@ -44,14 +46,21 @@ class Slot:
     """A letter without a meaning, in the lines in which it has one and the same.
 
     ``options`` are its candidates, each sense on its own; ``values`` their values by nature, with
-    the places of these among the options.
+    the places of these among the options. ``roots`` tell which options are one quantity, and
+    ``turns`` the option in the other sense, or the same where there is none.
     """
 
     letter: str
     options: tuple[Candidate, ...]
     values: Mapping[Nature, tuple[tuple[int, ...], Value]]
     roots: tuple[Any, ...]
+    turns: tuple[int, ...]
     segment: int = 0
+
+    def stacked(self, tester: Tester, places: Sequence[int]) -> Value:
+        """The values of some options, of one nature, in another world."""
+        each = [(place, tester.value(self.options[place].quantity, {})) for place in places]
+        return _stacked(tester, each)[1]
 
 
 @dataclass(frozen=True)
@@ -101,6 +110,7 @@ def slot_of(
     """A slot with the values of its candidates; None where none of them has any."""
     options: list[Candidate] = []
     roots: list[Any] = []
+    turns: list[int] = []
     values: dict[Nature, list[tuple[int, Value]]] = defaultdict(list)
     seen: set[Any] = set()
     for candidate in sorted(candidates, key=lambda each: each.cost):
@@ -114,11 +124,12 @@ def slot_of(
             nature = _nature(value)
             options.append(chosen)
             roots.append(same)
+            turns.append(len(options) - 1 + (sense if candidate.sensed else 0))
             values[nature].append((len(options) - 1, value if sense > 0 else -value))
     if not options:
         return None
     stacked = {nature: _stacked(tester, each) for nature, each in values.items()}
-    return Slot(letter, tuple(options), stacked, tuple(roots), segment)
+    return Slot(letter, tuple(options), stacked, tuple(roots), tuple(turns), segment)
 
 
 def _nature(value: Value) -> Nature:
@@ -157,7 +168,7 @@ def _stacked(tester: Tester, each: Sequence[tuple[int, Value]]) -> tuple[tuple[i
     return places, angle(columns[0]) if isinstance(each[0][1], Angle) else columns[0]
 
 
-def _shaped(value: Value, rows: Any, axes: int, axis: int) -> Value:
+def shaped(value: Value, rows: Any, axes: int, axis: int) -> Value:
     """The rows of a stacked value, along one of several axes before that of the samples."""
 
     def one(x: Array) -> Array:
@@ -175,13 +186,79 @@ def _shaped(value: Value, rows: Any, axes: int, axis: int) -> Value:
 
 
 def search(
-    items: Sequence[Item], slots: Sequence[Slot], tester: Tester, width: int = _WIDTH
+    items: Sequence[Item],
+    slots: Sequence[Slot],
+    tester: Tester,
+    broken: Callable[[Item, Sequence[Slot]], Mapping[tuple[int, ...], float]] | None = None,
+    width: int = _WIDTH,
 ) -> list[State]:
-    """The best interpretations, best first; at most ``width`` of them."""
+    """The best interpretations, best first; at most ``width`` of them.
+
+    ``broken`` has, for an item that is an instance of an altered law, the options of its slots (in
+    their order) for which it is, and what share of a true item it is worth then.
+    """
     states = [State((-1,) * len(slots))]
     for number in _order(items):
-        states = _pruned(_extended(states, number, items[number], slots, tester), width)
-    return states
+        item = items[number]
+        extended = list(_extended(states, number, item, slots, tester))
+        if broken is not None and not all(number in each.satisfied for each in extended):
+            extended += _breaking(states, number, item, slots, broken(item, slots))
+        states = _pruned(extended, width)
+    return _pruned(_sensed(states, items, slots, tester), width)
+
+
+def _sensed(
+    states: Sequence[State], items: Sequence[Item], slots: Sequence[Slot], tester: Tester
+) -> list[State]:
+    """Interpretations worth less for every item that only the other sense of its letters breaks.
+
+    Such an item has told in which sense its letters are meant.
+    """
+    lost = dict.fromkeys(states, 0.0)
+    for number, item in enumerate(items):
+        used = sorted(set(item.slots.values()))
+        groups: dict[tuple[Any, ...], list[State]] = defaultdict(list)
+        for state in states:
+            options = [state.options[s] for s in used]
+            turned_ = [slots[s].turns[o] for s, o in zip(used, options, strict=True) if o >= 0]
+            if number not in state.satisfied and min(options) >= 0 and turned_ != options:
+                natures = tuple(_nature_at(slots[s], state.options[s]) for s in used)
+                groups[natures].append(state)
+        for members in groups.values():
+            turned_states = [_turned(state, used, slots) for state in members]
+            for state, true in zip(members, _held(item, turned_states, slots, tester), strict=True):
+                lost[state] += _WRONG_SENSE * item.weight * bool(true)
+    return [replace(state, score=state.score - lost[state]) for state in states]
+
+
+def _turned(state: State, used: Iterable[int], slots: Sequence[Slot]) -> State:
+    options = list(state.options)
+    for s in used:
+        options[s] = slots[s].turns[options[s]]
+    return replace(state, options=tuple(options))
+
+
+def _breaking(
+    states: Sequence[State],
+    number: int,
+    item: Item,
+    slots: Sequence[Slot],
+    ways: Mapping[tuple[int, ...], float],
+) -> Iterator[State]:
+    """The interpretations in which an item is an instance of an altered law."""
+    used = sorted(set(item.slots.values()))
+    for state, (way, share) in product(states, ways.items()):
+        free = [s for s in used if state.options[s] < 0]
+        options = list(state.options)
+        for s, option in zip(used, way, strict=True):
+            if options[s] not in (-1, option):
+                break
+            options[s] = option
+        else:
+            if _allowed(options, slots, free):
+                cost = COST * sum(slots[s].options[options[s]].cost for s in free)
+                worth = share * max(0.0, _worth(item, options, slots))
+                yield State(tuple(options), state.score + worth - cost, state.satisfied)
 
 
 def _order(items: Sequence[Item]) -> Iterator[int]:
@@ -214,12 +291,12 @@ def _extended(
     for natures, members in groups.items():
         free = [s for s, nature in zip(used, natures, strict=True) if nature is None]
         if not free:
-            yield from _judged(members, number, item, slots, tester, used)
+            yield from _judged(members, number, item, slots, tester)
             continue
         yield from members
         for chosen in product(*(list(slots[s].values) for s in free)):
             yield from _tried(
-                members, number, item, slots, tester, used, dict(zip(free, chosen, strict=True))
+                members, number, item, slots, tester, dict(zip(free, chosen, strict=True))
             )
 
 
@@ -238,13 +315,26 @@ def _rows(slot: Slot, states: Sequence[State], place: int) -> tuple[Nature, list
 
 
 def _truth(item: Item, put: Mapping[str, Value], tester: Tester) -> Array | None:
-    """Whether an item is true in one of its readings."""
+    """Whether an item is true in one of its readings, for every meaning."""
     found: Array | None = None
     for reading in item.readings:
         held = tester.holds(reading, put, item.decimals, item.frame)
         if held is not None:
-            found = held if found is None else found | held
+            true = everywhere(held)
+            found = true if found is None else found | true
     return found
+
+
+def _held(
+    item: Item, states: Sequence[State], slots: Sequence[Slot], tester: Tester
+) -> Array:
+    """In which interpretations, all of whose letters have values of one nature, an item is true."""
+    put: dict[str, Value] = {}
+    for name, s in item.slots.items():
+        nature, rows = _rows(slots[s], states, s)
+        put[name] = shaped(slots[s].values[nature][1], rows, 1, 0)
+    held = _truth(item, put, tester)
+    return np.broadcast_to(False if held is None else held, (len(states),))
 
 
 def _judged(
@@ -253,16 +343,9 @@ def _judged(
     item: Item,
     slots: Sequence[Slot],
     tester: Tester,
-    used: Sequence[int],
 ) -> Iterator[State]:
     """Interpretations that leave no letter of an item open."""
-    put: dict[str, Value] = {}
-    for name, s in item.slots.items():
-        nature, rows = _rows(slots[s], states, s)
-        put[name] = _shaped(slots[s].values[nature][1], rows, 1, 0)
-    held = _truth(item, put, tester)
-    truth = np.broadcast_to(False if held is None else held, (len(states),))
-    for state, true in zip(states, truth, strict=True):
+    for state, true in zip(states, _held(item, states, slots, tester), strict=True):
         if not true:
             yield state
             continue
@@ -279,7 +362,6 @@ def _tried(
     item: Item,
     slots: Sequence[Slot],
     tester: Tester,
-    used: Sequence[int],
     chosen: Mapping[int, Nature],
 ) -> Iterator[State]:
     """Interpretations in every way of giving the open letters of an item a meaning."""
@@ -290,10 +372,10 @@ def _tried(
     for name, s in item.slots.items():
         if s in chosen:
             value = slots[s].values[chosen[s]][1]
-            put[name] = _shaped(value, slice(sizes[free.index(s)]), axes, 1 + free.index(s))
+            put[name] = shaped(value, slice(sizes[free.index(s)]), axes, 1 + free.index(s))
         else:
             nature, rows = _rows(slots[s], states, s)
-            put[name] = _shaped(slots[s].values[nature][1], rows, axes, 0)
+            put[name] = shaped(slots[s].values[nature][1], rows, axes, 0)
     held = _truth(item, put, tester)
     if held is None or held.ndim != axes:
         held = np.broadcast_to(False if held is None else held, (1,) * axes)

@@ -26,6 +26,7 @@ from restitution.practice.arrays import is_bare
 from restitution.practice.candidates import Candidate, candidates
 from restitution.practice.dependence import Dependence
 from restitution.practice.inference import Item, Slot, State, linear_pair, search, slot_of
+from restitution.practice.instances import Instances
 from restitution.practice.interpretation import FixedLetter, Interpretation, Interpretations
 from restitution.practice.judgement import By, Meaning
 from restitution.practice.options import Usage, of_trees, options, staged, usual
@@ -103,6 +104,15 @@ class Surroundings:
     def tester(self) -> Tester:
         """Tries claims in this world."""
         return Tester(self.world)
+
+    @cached_property
+    def instances(self) -> Instances:
+        """Tells which lines break a known law."""
+        return Instances(self.world)
+
+    def broken(self, item: Item, slots: Sequence[Slot]) -> Mapping[tuple[int, ...], float]:
+        """The options for which an item breaks a known law, with what it is worth then."""
+        return self.instances.ways(item, slots)
 
     @cached_property
     def candidates(self) -> tuple[Candidate, ...]:
@@ -395,7 +405,7 @@ class _Search:
                     used[name] = places[name, segment]
                 else:
                     items.append(self._item(link, line, used))
-        states = search(self._weighed(items), slots, self.around.tester)
+        states = search(self._weighed(items), slots, self.around.tester, self.around.broken)
         cost = {each.line: each.cost for each in breaks}
         return [self._interpretation(state, slots, firsts, cost) for state in states]
 

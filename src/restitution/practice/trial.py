@@ -12,7 +12,7 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle, Value
-from restitution.expression.tree import Apply, Expression, Letter, Number, Quantity, letters, walk
+from restitution.expression.tree import Apply, Degrees, Expression, Letter, Number, Quantity, letters, walk
 from restitution.practice.arrays import FIELD, Array, angle, is_bare
 from restitution.practice.script import Claim, Decimal
 from restitution.practice.telling import NO_MEANINGS, Meanings, Telling
@@ -98,7 +98,7 @@ class Tester:
         decimals: Iterable[Decimal] = (),
         frame: Frame = NOWHERE,
     ) -> Array | None:
-        """Whether a claim holds at all samples, for every meaning: an array of truth values.
+        """At which samples a claim holds, for every meaning: truth values, samples last.
 
         None where the claim makes no sense with values of this nature.
         """
@@ -123,12 +123,31 @@ class Tester:
             return None
         with np.errstate(all="ignore"):
             if sign in _ORDER:
-                return _everywhere(_ORDER[sign](*sides[0])) if len(sides) == 1 else None
-            near = _everywhere(np.logical_and.reduce(np.broadcast_arrays(*map(_equal, sides))))
-            loose = [d for d in decimals if d.value not in self.exact]
-            if loose and not np.all(near):
-                near = near | self._rounded(sides, left, right, put, loose, frame)
+                return _ORDER[sign](*sides[0]) if len(sides) == 1 else None
+            near = _all(np.abs(a - b) <= _room(a, b) for a, b in sides)
+            halves = self._halves(left, right, decimals) if not np.all(near) else {}
+            if halves:
+                near = near | self._rounded(sides, left, right, put, halves, frame)
             return ~near if sign == "!=" else near
+
+    def _halves(
+        self, left: Expression, right: Expression, decimals: Iterable[Decimal]
+    ) -> Mapping[int, Array]:
+        """The decimals of a claim that are rounded, at the end of their half units, by column.
+
+        Whole degrees count where they stand for an angle by themselves.
+        """
+        ends = {
+            each.column: np.float64(each.value + each.half_unit)
+            for each in decimals
+            if each.value not in self.exact
+        }
+        for side in (left, right):
+            if isinstance(side, Number | Degrees) and side.place is not None:
+                whole = side.value.denominator == 1 and side.value not in self.exact
+                if whole and side.value % 15 and side.place.column not in ends:
+                    ends[-side.place.column] = np.float64(side.value + Fraction(1, 2))
+        return ends
 
     def _rounded(
         self,
@@ -136,22 +155,25 @@ class Tester:
         left: Expression,
         right: Expression,
         put: Mapping[str, Value],
-        decimals: list[Decimal],
+        halves: Mapping[int, Array],
         frame: Frame,
     ) -> Array:
-        """Whether sides agree within what the rounding of decimals may change."""
-        room = [_NEAR * np.maximum(np.abs(a), np.abs(b)) + _ZERO for a, b in sides]
-        for each in decimals:
-            moved = np.float64(each.value + each.half_unit)
-            others = self._sides(left, right, put, frame, {each.column: moved})
+        """Where sides agree within what the rounding of decimals may change."""
+        angular = any(isinstance(self.value(x, put, frame), Angle) for x in (left, right))
+        room = [_room(a, b) for a, b in sides]
+        for column, moved in halves.items():
+            if column < 0 and not angular:
+                continue
+            others = self._sides(left, right, put, frame, {abs(column): moved})
             if others is None:
                 continue
             room = [
                 r + np.abs((c - d) - (a - b))
                 for r, (a, b), (c, d) in zip(room, sides, others, strict=True)
             ]
-        agree = [np.abs(a - b) <= r * (1 + 1e-9) for r, (a, b) in zip(room, sides, strict=True)]
-        return _everywhere(np.logical_and.reduce(np.broadcast_arrays(*agree)))
+        return _all(
+            np.abs(a - b) <= r * (1 + 1e-6) for r, (a, b) in zip(room, sides, strict=True)
+        )
 
     def _sides(
         self,
@@ -186,13 +208,17 @@ def numbers_of(world: World) -> frozenset[Fraction]:
     )
 
 
-def _equal(sides: tuple[Array, Array]) -> Array:
-    a, b = sides
-    return np.abs(a - b) <= _NEAR * np.maximum(np.abs(a), np.abs(b)) + _ZERO
+def _room(a: Array, b: Array) -> Array:
+    """By how much two numbers may differ that are equal but for the rounding of doubles."""
+    return _NEAR * np.maximum(np.abs(a), np.abs(b)) + _ZERO
 
 
-def _everywhere(held: Array) -> Array:
-    """Truth over the last axis, that of the samples."""
+def _all(held: Iterable[Array]) -> Array:
+    return np.logical_and.reduce(np.broadcast_arrays(*held))
+
+
+def everywhere(held: Array) -> Array:
+    """Truth at all samples, which are on the last axis."""
     held = np.asarray(held)
     return held if held.ndim == 0 else np.all(held, axis=-1)
 
