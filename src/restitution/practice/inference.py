@@ -36,8 +36,9 @@ _ODD_PAIR = 0.15
 _OTHER_SENSE = 0.8
 # A line that defines its letter explains nothing, and less than a line that breaks a known law.
 _DEFINED = -0.05
-# What it costs that a line would be true in the other sense of its letters.
-_WRONG_SENSE = 0.7
+# What it costs that a line would be true in the other sense of its letters; less in one that may
+# be of restitution, as it is that of momentum that tells the sense.
+_WRONG_SENSE, _OTHER_WAY = 1.0, 0.3
 _VELOCITIES = ("component", "speed", "relative")
 
 
@@ -57,10 +58,10 @@ class Slot:
     turns: tuple[int, ...]
     segment: int = 0
 
-    def stacked(self, tester: Tester, places: Sequence[int]) -> Value:
-        """The values of some options, of one nature, in another world."""
+    def values_of(self, tester: Tester, places: Sequence[int]) -> Value:
+        """The values of some options, of one nature, in a world."""
         each = [(place, tester.value(self.options[place].quantity, {})) for place in places]
-        return _stacked(tester, each)[1]
+        return stacked(tester, each)
 
 
 @dataclass(frozen=True)
@@ -128,8 +129,11 @@ def slot_of(
             values[nature].append((len(options) - 1, value if sense > 0 else -value))
     if not options:
         return None
-    stacked = {nature: _stacked(tester, each) for nature, each in values.items()}
-    return Slot(letter, tuple(options), stacked, tuple(roots), tuple(turns), segment)
+    known = {
+        nature: (tuple(place for place, _ in each), stacked(tester, each))
+        for nature, each in values.items()
+    }
+    return Slot(letter, tuple(options), known, tuple(roots), tuple(turns), segment)
 
 
 def _nature(value: Value) -> Nature:
@@ -156,16 +160,15 @@ def _key(tester: Tester, value: Value | None) -> Any:
     return _nature(value), tuple(np.round(flat * np.sign(first), 7))
 
 
-def _stacked(tester: Tester, each: Sequence[tuple[int, Value]]) -> tuple[tuple[int, ...], Value]:
+def stacked(tester: Tester, each: Sequence[tuple[int, Value]]) -> Value:
     """Values of one nature, with shape (options, samples)."""
-    places = tuple(place for place, _ in each)
     columns = [
         np.stack([tester.world.spread(part) for part in parts])
         for parts in zip(*(_parts(value) for _, value in each), strict=True)
     ]
     if len(columns) == 2:
-        return places, Vector(*columns)
-    return places, angle(columns[0]) if isinstance(each[0][1], Angle) else columns[0]
+        return Vector(*columns)
+    return angle(columns[0]) if isinstance(each[0][1], Angle) else columns[0]
 
 
 def shaped(value: Value, rows: Any, axes: int, axis: int) -> Value:
@@ -217,6 +220,8 @@ def _sensed(
     lost = dict.fromkeys(states, 0.0)
     for number, item in enumerate(items):
         used = sorted(set(item.slots.values()))
+        loose = item.pair is not None and not item.pair.sign
+        wrong = _OTHER_WAY if loose else _WRONG_SENSE
         groups: dict[tuple[Any, ...], list[State]] = defaultdict(list)
         for state in states:
             options = [state.options[s] for s in used]
@@ -227,7 +232,7 @@ def _sensed(
         for members in groups.values():
             turned_states = [_turned(state, used, slots) for state in members]
             for state, true in zip(members, _held(item, turned_states, slots, tester), strict=True):
-                lost[state] += _WRONG_SENSE * item.weight * bool(true)
+                lost[state] += wrong * item.weight * bool(true)
     return [replace(state, score=state.score - lost[state]) for state in states]
 
 
@@ -325,9 +330,7 @@ def _truth(item: Item, put: Mapping[str, Value], tester: Tester) -> Array | None
     return found
 
 
-def _held(
-    item: Item, states: Sequence[State], slots: Sequence[Slot], tester: Tester
-) -> Array:
+def _held(item: Item, states: Sequence[State], slots: Sequence[Slot], tester: Tester) -> Array:
     """In which interpretations, all of whose letters have values of one nature, an item is true."""
     put: dict[str, Value] = {}
     for name, s in item.slots.items():

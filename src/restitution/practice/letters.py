@@ -30,6 +30,7 @@ from restitution.practice.instances import Instances
 from restitution.practice.interpretation import FixedLetter, Interpretation, Interpretations
 from restitution.practice.judgement import By, Meaning
 from restitution.practice.options import Usage, of_trees, options, staged, usual
+from restitution.practice.sampling import true_worlds
 from restitution.practice.script import ANYWHERE, Claim, Link, Scope, Script, ScriptLine
 from restitution.practice.trial import Frame, Tester, inside_angles
 from restitution.practice.wordings import words_of
@@ -62,11 +63,10 @@ def meanings_of(
     sequences of trees. ``worlds`` are the true worlds of the part, which are made where they are
     not given. Raises KeyError for a part that is not there.
     """
-    if worlds is None:
-        from restitution.practice.sampling import true_worlds
-
-        worlds = true_worlds(solution, part)
     own = script.of(part)
+    fixed = _all_fixed(own, letters_of(problem, solution.parts[part].part))
+    if worlds is None or fixed:
+        worlds = true_worlds(solution, part, fixed)
     found: list[Interpretation] = []
     for world in worlds[:4]:
         surroundings = Surroundings(problem, solution.parts[part].part, world)
@@ -77,6 +77,17 @@ def meanings_of(
     best = found[0]
     rivals = [each for each in found[1:] if each.score >= best.score - NEARLY]
     return Interpretations(best, tuple(_distinct(best, rivals))[:_RIVALS])
+
+
+def _all_fixed(script: Script, statement: frozenset[str]) -> dict[str, Fraction]:
+    """The letters of the statement that a script fixes, each with its first value."""
+    fixed: dict[str, Fraction] = {}
+    for line in script.lines:
+        for each in line.declarations:
+            value = rational_value(each.meanings[0]) if each.meanings else None
+            if each.letter in statement and value is not None:
+                fixed.setdefault(each.letter, value)
+    return fixed
 
 
 def _distinct(best: Interpretation, rivals: Iterable[Interpretation]) -> Iterator[Interpretation]:

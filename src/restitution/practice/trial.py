@@ -12,7 +12,16 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle, Value
-from restitution.expression.tree import Apply, Degrees, Expression, Letter, Number, Quantity, letters, walk
+from restitution.expression.tree import (
+    Apply,
+    Degrees,
+    Expression,
+    Letter,
+    Number,
+    Quantity,
+    letters,
+    walk,
+)
 from restitution.practice.arrays import FIELD, Array, angle, is_bare
 from restitution.practice.script import Claim, Decimal
 from restitution.practice.telling import NO_MEANINGS, Meanings, Telling
@@ -171,9 +180,7 @@ class Tester:
                 r + np.abs((c - d) - (a - b))
                 for r, (a, b), (c, d) in zip(room, sides, others, strict=True)
             ]
-        return _all(
-            np.abs(a - b) <= r * (1 + 1e-6) for r, (a, b) in zip(room, sides, strict=True)
-        )
+        return _all(np.abs(a - b) <= r * (1 + 1e-6) for r, (a, b) in zip(room, sides, strict=True))
 
     def _sides(
         self,
