@@ -1,0 +1,251 @@
+"""How well the marker agrees with a person: scripts in ``tests/scripts``, marked by hand.
+
+A script is a text file. Its head names the question, the part and what each letter means, one to
+a line, and says whether all of it is right. Below it stand the lines as typed, each behind its
+verdict by hand (several are allowed: ``true/follows``), its principle where it is momentum,
+restitution or unchanged, and behind ``?`` the names that its mistake may have (``none`` where it
+may have no name). Then come the marks that an examiner gives, and their total.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import time
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+import restitution
+from restitution.solving.solution import Solution
+
+ROOT = Path(__file__).parents[1]
+SCRIPTS = ROOT / "tests" / "scripts"
+PRINCIPLES = ("momentum", "restitution", "unchanged")
+SLIPS = [
+    "sign",
+    "arithmetic",
+    "algebra",
+    "misread",
+    "calculator",
+    "root",
+    "copied",
+    "rounding-early",
+    "slip",
+    "none",
+]  # a mistake with one of these names has the name of no misconception
+
+
+@dataclass(frozen=True)
+class MarkedLine:
+    """A line as typed, with the verdicts that a person accepts, and what it uses."""
+
+    text: str
+    verdicts: tuple[str, ...]
+    principle: str | None = None
+    names: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class MarkedScript:
+    """A script with what a person says of it."""
+
+    name: str
+    statement: str
+    part: str | None
+    letters: Mapping[str, str]
+    correct: bool
+    lines: tuple[MarkedLine, ...]
+    earned: int
+    of: int
+
+    @property
+    def working(self) -> str:
+        return "\n".join(line.text for line in self.lines)
+
+    @property
+    def mistakes(self) -> list[int]:
+        """The numbers of the lines in which a mistake begins, counted from 1."""
+        return [n for n, line in enumerate(self.lines, 1) if line.verdicts == ("false",)]
+
+
+def read_script(path: Path) -> MarkedScript:
+    head: dict[str, str] = {}
+    letters: dict[str, str] = {}
+    lines: list[MarkedLine] = []
+    for text in path.read_text(encoding="utf-8").splitlines():
+        tag, separator, typed = text.partition(" | ")
+        if separator:
+            lines.append(_line(tag.split(), typed))
+        elif text.startswith("letter "):
+            letter, _, meaning = text.removeprefix("letter ").partition(" = ")
+            letters[letter.strip()] = meaning.strip()
+        elif text and not text.startswith("mark "):
+            word, _, rest = text.partition(" ")
+            head[word] = rest
+    earned, of = map(int, head["total"].split("/"))
+    statement = (ROOT / head["question"]).read_text(encoding="utf-8")
+    correct = head["correct"] == "yes"
+    part = head.get("part")
+    return MarkedScript(path.stem, statement, part, letters, correct, tuple(lines), earned, of)
+
+
+def _line(tag: Sequence[str], typed: str) -> MarkedLine:
+    names = [name for word in tag if word.startswith("?") for name in word[1:].split("/")]
+    principle = next((word for word in tag if word in PRINCIPLES), None)
+    return MarkedLine(typed, tuple(tag[0].split("/")), principle, tuple(names))
+
+
+def scripts_of(folder: Path = SCRIPTS) -> list[MarkedScript]:
+    return [read_script(path) for path in sorted(folder.glob("*.txt"))]
+
+
+@cache
+def solution_of(statement: str) -> Solution:
+    return restitution.solve(restitution.parse(statement))
+
+
+def reply(script: MarkedScript, declared: bool) -> tuple[dict[str, Any], float]:
+    """What the marker says, as of JSON, and the seconds it took with the question solved."""
+    solution = solution_of(script.statement)
+    start = time.perf_counter()
+    letters = dict(script.letters) if declared else {}
+    marking = restitution.mark(solution, script.working, part=script.part, letters=letters)
+    found = marking.json()
+    return found, time.perf_counter() - start
+
+
+@dataclass
+class Measures:
+    """The table of what the marker got right, and the lines that it did not."""
+
+    counts: Counter[str] = field(default_factory=Counter)
+    of: Counter[str] = field(default_factory=Counter)
+    seconds: list[float] = field(default_factory=list)
+    offences: list[str] = field(default_factory=list)
+
+    def note(self, what: str, hit: bool, offence: str | None = None, bad: bool = False) -> None:
+        """Count a case; an offence is listed where the outcome is the one not wanted."""
+        self.of[what] += 1
+        self.counts[what] += hit
+        if offence and hit == bad:
+            self.offences.append(f"{what}: {offence}")
+
+    def share(self, what: str) -> float:
+        return self.counts[what] / self.of[what] if self.of[what] else 0.0
+
+    def table(self) -> str:
+        rows = [
+            f"{what:<44} {self.counts[what]:>5} of {self.of[what]:<5} {self.share(what):7.1%}"
+            for what in self.of
+        ]
+        if self.seconds:
+            rows.append(f"seconds a script: {median(self.seconds):.2f}, {max(self.seconds):.2f}")
+        return "\n".join(rows)
+
+
+def measure(scripts: Iterable[MarkedScript], declared: bool) -> Measures:
+    measures = Measures()
+    for script in scripts:
+        try:
+            found, seconds = reply(script, declared)
+        except Exception as error:  # noqa: BLE001 - a crash is an outcome too
+            measures.note("crashed", True, f"{script.name}: {error!r}", bad=True)
+            continue
+        measures.note("crashed", False)
+        measures.seconds.append(seconds)
+        compare(script, found, measures)
+    return measures
+
+
+def compare(script: MarkedScript, found: Mapping[str, Any], measures: Measures) -> None:
+    lines = {line["n"]: line for line in found["lines"]}
+    for number, line in enumerate(script.lines, 1):
+        if number in lines:
+            _compare_line(script, line, lines[number], measures)
+        else:
+            measures.note("lines without a verdict", True, f"{script.name}: {line.text}", bad=True)
+    said_false = [n for n, line in sorted(lines.items()) if line["verdict"] == "false"]
+    if script.correct:
+        where = "; ".join(script.lines[n - 1].text for n in said_false)
+        accused = f"{script.name}: {where}"
+        measures.note("correct scripts accused", bool(said_false), accused, bad=True)
+    if script.mistakes:
+        _compare_mistake(script, lines, said_false, measures)
+    marks = found.get("marks")
+    if marks and marks["of"]:
+        near = abs(marks["earned"] / marks["of"] - script.earned / script.of) <= 0.1 + 1e-9
+        said = f"{marks['earned']}/{marks['of']} for {script.earned}/{script.of}"
+        measures.note("share of marks within 0.1", near, f"{script.name}: {said}")
+
+
+def _compare_line(
+    script: MarkedScript, line: MarkedLine, found: Mapping[str, Any], measures: Measures
+) -> None:
+    verdict = found["verdict"]
+    offence = f"{script.name}: {line.text} -> {verdict} for {'/'.join(line.verdicts)}"
+    if "true" in line.verdicts:
+        measures.note("true lines called false", verdict == "false", offence, bad=True)
+        measures.note("true lines called unsupported", verdict == "unsupported", offence, bad=True)
+    if line.verdicts != ("unread",):
+        measures.note("asks or unread", verdict in ("asks", "unread"), offence, bad=True)
+    if line.verdicts == ("false",):
+        measures.note("mistakes called false", verdict == "false", offence)
+    if line.verdicts == ("follows",):
+        measures.note("follows recognised", verdict in ("follows", "true"), offence)
+    if line.verdicts == ("unsupported",):
+        measures.note("unsupported recognised", verdict == "unsupported", offence)
+    if line.verdicts == ("remark",):
+        measures.note("remarks called false", verdict == "false", offence, bad=True)
+    if line.principle and line.verdicts[0] == "true" and verdict in ("true", "follows"):
+        says = f"{script.name}: {line.text} -> {found['principle']} for {line.principle}"
+        measures.note("principle", found["principle"] == line.principle, says)
+
+
+def _compare_mistake(
+    script: MarkedScript,
+    lines: Mapping[int, Mapping[str, Any]],
+    said_false: Sequence[int],
+    measures: Measures,
+) -> None:
+    first = script.mistakes[0]
+    at = said_false[0] if said_false else None
+    text = script.lines[first - 1].text
+    offence = f"{script.name}: line {at} for {first} ({text})"
+    measures.note("line of the first mistake", at == first, offence)
+    names = script.lines[first - 1].names
+    mistake = lines.get(first, {}).get("mistake") or {}
+    name = mistake.get("id")
+    said = f"{script.name}: {text} -> {name} for {'/'.join(names)}"
+    if any(wanted not in SLIPS for wanted in names):
+        measures.note("named right", name in names, said)
+    if names:
+        wrong = name not in SLIPS and name is not None and name not in names
+        measures.note("named wrong", wrong, said, bad=True)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", nargs="*", type=Path, default=[SCRIPTS, SCRIPTS / "unseen"])
+    parser.add_argument("--letters", choices=["declared", "inferred"], help="only these")
+    parser.add_argument("--only", help="scripts whose names match this regular expression")
+    parser.add_argument("--quiet", action="store_true", help="the table without the lines")
+    options = parser.parse_args()
+    for folder in options.folder:
+        scripts = [s for s in scripts_of(folder) if re.search(options.only or "", s.name)]
+        for letters in ("declared", "inferred"):
+            if not scripts or options.letters not in (None, letters):
+                continue
+            measures = measure(scripts, declared=letters == "declared")
+            print(f"\n{folder.name}: {len(scripts)} scripts, letters {letters}")
+            print(measures.table())
+            if not options.quiet:
+                print("\n".join(sorted(measures.offences)))
+
+
+if __name__ == "__main__":
+    main()
