@@ -87,8 +87,8 @@ class Player {
       html("div", { class: "frame" }, this.other.node),
     );
     const first = html("div", { class: "first" }, this.trueLabel, this.frame);
-    const both = html("div", { class: "both" }, first, this.beside);
-    this.pictures = html("div", { class: "pictures" }, both, this.says);
+    this.both = html("div", { class: "both" }, first);
+    this.pictures = html("div", { class: "pictures" }, this.both);
     this.root.classList.add("restitution-player");
     this.root.replaceChildren(
       html("header", {}, this.title, this.drawn, this.choice),
@@ -104,7 +104,7 @@ class Player {
           html("div", { class: "options" }, ...options.map(({ node }) => node), ask),
           this.notes,
         ),
-        html("div", { class: "right" }, this.card.node, this.mistaken, this.values.node),
+        html("div", { class: "right" }, this.card.node, this.values.node),
       ),
       this.live,
       this.help,
@@ -187,11 +187,15 @@ class Player {
 
   // Shows the motion of a mistake beside the true one, with what is wrong with it, or none.
   compare(beside) {
-    for (const each of [this.trueLabel, this.beside, this.says, this.mistaken]) {
-      each.hidden = beside === null;
-    }
+    this.trueLabel.hidden = beside === null;
     this.pictures.classList.toggle("two", beside !== null);
-    if (beside === null) return;
+    if (beside === null) {
+      for (const each of [this.beside, this.says, this.mistaken]) each.remove();
+      return;
+    }
+    this.both.append(this.beside);
+    this.pictures.append(this.says);
+    this.card.node.after(this.mistaken);
     this.shadow.load(beside.motion, 1);
     this.otherCard.key = null;
     this.otherLabel.textContent = `With the mistake ${beside.label}`;
