@@ -13,6 +13,8 @@ from restitution.explaining.misconceptions import (
     alteration,
     variants_at,
 )
+from restitution.explaining.sentences import SENTENCES
+from restitution.explaining.usual_mistakes import PHRASES, USUAL_MISTAKES
 from restitution.expression.tree import Quantity, walk
 
 WALLS = (
@@ -119,3 +121,15 @@ def test_ids_are_of_the_table():
             assert alteration(each.id) is each
     with pytest.raises(KeyError):
         alteration("momentum/1")
+
+
+def test_usual_mistakes_have_one_wording():
+    """Each topic lists phrases of the table; no phrase stands twice, and none is left over."""
+    assert len(set(PHRASES.values())) == len(PHRASES)
+    listed = " ".join(USUAL_MISTAKES.values())
+    for name, phrase in PHRASES.items():
+        assert phrase in listed or name in MISCONCEPTIONS, name
+    for name, row in MISCONCEPTIONS.items():
+        assert row.phrase == PHRASES[name]
+    assert all(SENTENCES[name] == text for name, text in USUAL_MISTAKES.items())
+    assert {name for name in SENTENCES if name.endswith(".mistakes")} == set(USUAL_MISTAKES)

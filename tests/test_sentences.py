@@ -42,13 +42,21 @@ NOT_FOR_READERS = {
     "trees.py",
     "trials.py",
 }
+# What is said of mistakes, and of their worlds, stands in files of its own.
+OF_MISTAKES = {
+    "alterations.py",
+    "consequences.py",
+    "listing.py",
+    "misconceptions.py",
+    "usual_mistakes.py",
+}
 SOURCE = Path(restitution.examples.__file__).parent.parent
 PACKAGE = SOURCE / "workings"
 MODULES = {
     path: ast.parse(path.read_text(encoding="utf-8"))
     for folder in (PACKAGE, SOURCE / "explaining")
     for path in sorted(folder.glob("*.py"))
-    if folder is PACKAGE or path.name not in NOT_FOR_READERS
+    if folder is PACKAGE or path.name not in NOT_FOR_READERS | OF_MISTAKES
 }
 MODULES[SOURCE / "components.py"] = ast.parse(
     (SOURCE / "components.py").read_text(encoding="utf-8")

@@ -19,6 +19,7 @@ from restitution.explaining.derivation import Event, Link, Relation
 from restitution.explaining.notation import read_relation, read_tree
 from restitution.explaining.principles import RECORDS
 from restitution.explaining.trees import rebuilt
+from restitution.explaining.usual_mistakes import PHRASES
 from restitution.expression.tree import Expression, Name, Quantity
 
 World = Literal["motion", "result", "none"]
@@ -51,6 +52,11 @@ class Misconception:
     def variants(self) -> tuple[Alteration, ...]:
         """Its altered laws and results, ``ID/1`` first."""
         return alterations_of(self.id)
+
+    @property
+    def phrase(self) -> str:
+        """The mistake in a few words, as it stands among the usual mistakes of a principle."""
+        return PHRASES[self.id]
 
     def mark_of(self, principle: str) -> str | None:
         """What a line of a principle with this mistake earns: ``M1 A0``; None for no such line."""

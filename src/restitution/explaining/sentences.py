@@ -3,16 +3,20 @@
 Between braces stand slots, for names, values and sentences. ``{bodies:and}`` is a list, ``a, b and
 c``; after a colon ``or``, ``comma`` and ``semicolon`` join in other ways, and ``capital`` begins
 with a capital letter. What stands before the first dot of an id is a topic; a topic with a ``why``
-is a principle, about which a reader may ask: why it holds and, as ``mistakes``, what goes wrong.
+is a principle, about which a reader may ask: why it holds and, as ``mistakes``, what goes wrong;
+the words of these stand in `usual_mistakes`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
+from restitution.explaining.usual_mistakes import USUAL_MISTAKES
+
 SentenceId = str
 
 SENTENCES: Mapping[SentenceId, str] = {
+    **USUAL_MISTAKES,
     # --- joining ----------------------------------------------------------------------------------
     "list.comma": ", ",
     "list.and": " and ",
@@ -49,20 +53,12 @@ SENTENCES: Mapping[SentenceId, str] = {
         "fixed wall does not move, so there it says: speed of rebound = e × speed of approach, "
         "perpendicular to the wall."
     ),
-    "restitution.mistakes": (
-        "Usual mistakes: e applied to the whole speed, or to the component that does not change; "
-        "e put on the side of the approach; the sign lost of a component that is reversed."
-    ),
     "momentum.title": "Conservation of momentum along the line of centres",
     "momentum.why": (
         "The spheres push each other with equal and opposite impulses, so what one gains in "
         "momentum the other loses: the total is the same before and after. The impulses act "
         "along the line of centres, so it is in that direction that the principle tells "
         "something new."
-    ),
-    "momentum.mistakes": (
-        "Usual mistakes: whole speeds in place of components; a mass left out; a plus sign for a "
-        "sphere that moves against the positive sense."
     ),
     "unchanged-wall.title": "Parallel to {wall} the velocity does not change",
     "unchanged-wall.component": "the component stays {value}.",
@@ -71,10 +67,6 @@ SENTENCES: Mapping[SentenceId, str] = {
         "The wall is smooth, so it can push the sphere only perpendicular to itself. No impulse "
         "acts along the wall, and so the component of velocity along it is the same before and "
         "after."
-    ),
-    "unchanged-wall.mistakes": (
-        "Usual mistakes: multiplying this component by e as well, or exchanging it with the "
-        "perpendicular one, sine for cosine."
     ),
     "unchanged.title": "Perpendicular to the line of centres the velocities do not change",
     "unchanged.components": "the components stay {components:and}.",
@@ -85,18 +77,11 @@ SENTENCES: Mapping[SentenceId, str] = {
         "impulse acts across it, and so each sphere keeps its own component in that direction. "
         "A sphere that was at rest has none, and moves off along the line of centres."
     ),
-    "unchanged.mistakes": (
-        "Usual mistakes: letting the spheres exchange these components, or applying e to them."
-    ),
     "impulse-wall.title": "Impulse = change of momentum of {body} perpendicular to {wall}",
     "impulse-wall.why": (
         "The impulse on a body is its momentum after minus its momentum before. The wall is "
         "smooth, so only the perpendicular component changes, and it is reversed: the two sizes "
         "are added, and the impulse is m × (speed of approach + speed of rebound)."
-    ),
-    "impulse-wall.mistakes": (
-        "Usual mistakes: subtracting the sizes because the sign of the reversed component is "
-        "lost, or taking the difference of the speeds."
     ),
     "impulse-spheres.title": "Impulse = change of momentum of {body} along the line of centres",
     "impulse-spheres.why": (
@@ -104,18 +89,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "sphere it is equal and opposite, so either sphere will do. The spheres are smooth, so "
         "only the components along the line of centres change."
     ),
-    "impulse-spheres.mistakes": (
-        "Usual mistakes: a sign lost where a component is reversed, and mass × (difference of "
-        "speeds), which is not what a vector changes by."
-    ),
     "impulse.title": "Impulse = change of momentum",
     "impulse.why": (
         "The impulse on a body is its momentum after minus its momentum before: a vector, m(v − "
         "u), component by component. Its size is the size of that difference."
-    ),
-    "impulse.mistakes": (
-        "Usual mistake: taking the difference of the sizes, mass × (difference of speeds), which "
-        "is right only if the direction stays the same."
     ),
     "resolved-spheres.before": (
         "Components before the impact, along and across the line of centres:"
@@ -125,19 +102,11 @@ SENTENCES: Mapping[SentenceId, str] = {
         "nothing changes. So each velocity is resolved in these two directions first, by sine "
         "and cosine or by scalar product with a unit vector."
     ),
-    "resolved-spheres.mistakes": (
-        "Usual mistakes: sine and cosine exchanged, an angle measured from the wrong line, and a "
-        "scalar product with a vector that was not divided by its size."
-    ),
     "resolved-wall.before": "Components before the impact, towards {wall} and parallel to it:",
     "resolved-wall.why": (
         "The two components behave differently at a wall: the one towards it is reversed and "
         "multiplied by e, the one along it stays. So the velocity is resolved in these two "
         "directions first."
-    ),
-    "resolved-wall.mistakes": (
-        "Usual mistakes: taking the angle from the normal where it was given to the wall; and at "
-        "a second wall, using the angle of the first again."
     ),
     "resolved-spheres.before-units": "Components before the impact:",
     "resolved-spheres.before-turned": (
@@ -213,7 +182,6 @@ SENTENCES: Mapping[SentenceId, str] = {
         "triangle whose other side, across the path, is the offset. So the sine of the angle "
         "between the path and the line of centres is offset/(2r)."
     ),
-    "offset.mistakes": ("Usual mistakes: one radius in place of two, and cosine for sine."),
     "round.title": (
         "The three chords subtend 360° at the centre, so their angles with the radii make 90°"
     ),
@@ -221,9 +189,6 @@ SENTENCES: Mapping[SentenceId, str] = {
         "A chord and the radii to its ends form an isosceles triangle, so at the centre the chord "
         "subtends 180° less twice its angle with the radii. Three chords that close subtend 360° "
         "together. So their three angles with the radii make 90°."
-    ),
-    "round.mistakes": (
-        "Usual mistakes: taking the angles with the wall, and taking all three as equal."
     ),
     "chord.title": "A chord makes equal angles with the radii at its ends",
     "chord.title-sense": (
@@ -240,56 +205,33 @@ SENTENCES: Mapping[SentenceId, str] = {
         "angle with the radius where it arrives as where it set out. Where that angle is φ, the "
         "path is 2r cos φ long."
     ),
-    "chord.mistakes": (
-        "Usual mistakes: the angle taken with the tangent at one end and with the radius at the "
-        "other, and the speed before the impact for the chord after it."
-    ),
     "impulse-line.why": (
         "The spheres are smooth, so each pushes the other along the line through their centres. "
         "The impulse is mass × change of velocity; so the change in one sphere's velocity "
         "points along the line of centres, and finds it."
-    ),
-    "impulse-line.mistakes": (
-        "Usual mistake: taking the direction of a velocity instead of that of the change."
     ),
     "impulse-normal.why": (
         "A smooth wall pushes only perpendicular to itself. The impulse is mass × change of "
         "velocity; so the change of the velocity is perpendicular to the wall, and tells how "
         "the wall runs."
     ),
-    "impulse-normal.mistakes": ("Usual mistake: taking the change to be parallel to the wall."),
     "moves-off.why": (
         "Whatever momentum a sphere at rest receives comes from the impulse, and the impulse "
         "acts along the line of centres. So that is the way in which it moves off."
     ),
-    "moves-off.mistakes": (
-        "Usual mistake: sending it off in the direction in which the other sphere came."
-    ),
     "loss-spheres.why": (
         "Kinetic energy is ½m × (sum of the squares of the components). Those across the line "
         "of centres stay, so what is lost comes from those along it, of both spheres."
-    ),
-    "loss-spheres.mistakes": (
-        "Usual mistakes: counting one sphere alone, and ½m(v − u)², the square of a difference "
-        "in place of the difference of squares. For a fraction of the original energy, divide by "
-        "all of it."
     ),
     "loss-wall.why": (
         "Kinetic energy is ½m × (sum of the squares of the components). The one along the wall "
         "stays, so what is lost comes from the perpendicular one alone: ½m × (its square before "
         "− its square after)."
     ),
-    "loss-wall.mistakes": (
-        "Usual mistake: ½m(v − u)², the square of a difference in place of the difference of "
-        "squares. For a fraction of the original energy, divide by all of it."
-    ),
     "turned-wall.why": (
         "The angle of deflection lies between the direction before, continued, and the "
         "direction after. The path comes in at one angle to the wall and leaves at another on "
         "the same side: the sphere is turned through both, one after the other."
-    ),
-    "turned-wall.mistakes": (
-        "Usual mistake: giving the angle of rebound alone, or the difference of the two."
     ),
     "turned-wall.sum": (
         "{body} turns through the sum of the angles that its path makes with {wall} before and "
@@ -355,17 +297,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "direction after: by how much the path has turned. It is found by scalar product, or "
         "from the angles that both velocities make with one line."
     ),
-    "turned.mistakes": (
-        "Usual mistake: giving the angle of the new path to the line of centres, which is only a "
-        "part of it."
-    ),
     "flight.why": (
         "Between impacts nothing acts on a sphere on a smooth table, so its velocity stays the "
         "same: distance = speed × time, for each component by itself."
-    ),
-    "flight.mistakes": (
-        "Usual mistake: the whole speed with a distance that is measured in the direction of one "
-        "component."
     ),
     # --- letters and axes -------------------------------------------------------------------------
     "let.component": (
@@ -458,15 +392,11 @@ SENTENCES: Mapping[SentenceId, str] = {
         "direction before it gives the direction after, to one side or the other. With the speed "
         "it gives the velocity, by a cosine and a sine."
     ),
-    "turned-velocity.mistakes": (
-        "Usual mistakes: turning it to one side only, and using the speed before the impact."
-    ),
     "either-side.why": (
         "The data give an angle, or its tangent, and not the side on which it lies. A reflection "
         "of everything in the known direction keeps all data and moves the line to the other "
         "side. So both are answers, and one of them is worked out."
     ),
-    "either-side.mistakes": "Usual mistake: giving one of the two answers only.",
     "either-side.wall": "{wall} may slope to either side of 𝐢",
     "either-side.title": "The line of centres may be on either side of 𝐢",
     "restitution.products": "Newton's experimental law, by scalar products with this vector",
@@ -476,22 +406,17 @@ SENTENCES: Mapping[SentenceId, str] = {
         "velocity across that line before the impact has none after it. So it moves along the "
         "line, and its speed is the size of its one component."
     ),
-    "moves-along.mistakes": (
-        "Usual mistake: giving it a share of the other sphere's velocity across the line."
-    ),
     "moves-off.title": "{body} was at rest, so it moves off along the line of centres",
     "beside.title": "The centres are two radii apart, along the line of centres",
     "beside.why": (
         "When two equal spheres touch, the distance of their centres is twice the radius. So the "
         "place of the one is that of the other, and two radii along the line of centres."
     ),
-    "beside.mistakes": "Usual mistakes: one radius in place of two, and the wrong side.",
     "momentum-of.title": "Momentum = mass × velocity",
     "momentum-of.why": (
         "Momentum is a vector, the velocity times the mass. That of several bodies is the sum of "
         "theirs."
     ),
-    "momentum-of.mistakes": "Usual mistake: adding sizes in place of vectors.",
     "touch.place": (
         "{one} and {other} touch when their centres are two radii apart, on the line of centres:"
     ),
@@ -788,10 +713,6 @@ SENTENCES: Mapping[SentenceId, str] = {
         "were together and move on at constant velocities are apart by the size of their relative "
         "velocity times the time since."
     ),
-    "distance.mistakes": (
-        "Usual mistakes: subtracting speeds where the velocities have different directions, and "
-        "counting the time from the start in place of the impact."
-    ),
     "distance.coordinates": "Distance, from the coordinates",
     "flight.time": "Time = distance ÷ speed",
     "flight.time-of": "Time = distance ÷ speed, for {body}",
@@ -812,18 +733,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "so only the component along the line of centres counts. The energy after is put first: "
         "what is lost is negative."
     ),
-    "change-of-energy.mistakes": (
-        "Usual mistake: ½m(v − u)², the square of a difference in place of the difference of "
-        "squares."
-    ),
     "derived-energy.why": (
         "Kinetic energy is half the mass times the square of the speed, and that square is the sum "
         "of the squares of the components. It has no direction: the energies of several bodies "
         "are added."
-    ),
-    "derived-energy.mistakes": (
-        "Usual mistakes: squaring one component alone; leaving out the half; the square of a sum "
-        "in place of the sum of squares."
     ),
     "derived-direction.title": "Direction of motion",
     "derived-direction.why": (
@@ -831,18 +744,11 @@ SENTENCES: Mapping[SentenceId, str] = {
         "velocity is the longest. So the tangent of the angle that it makes with a line is the "
         "component across the line divided by the component along it."
     ),
-    "derived-direction.mistakes": (
-        "Usual mistakes: the quotient upside down, and an angle measured from the wrong line."
-    ),
     "derived-speed.title": "Speed, from its components",
     "derived-speed.why": (
         "The components are the two shorter sides of a right-angled triangle, of which the "
         "velocity is the longest. So the square of the speed is the sum of the squares of the "
         "components, by Pythagoras."
-    ),
-    "derived-speed.mistakes": (
-        "Usual mistakes: adding the components themselves, and leaving out the one that does not "
-        "change."
     ),
     "derived-perpendicular.title": (
         "The directions are perpendicular, so the scalar product is zero"
@@ -851,10 +757,6 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Two directions are at right angles exactly if their scalar product is zero: the product "
         "of the components along one line, added to the product of those across it. Neither "
         "angles nor sizes are needed."
-    ),
-    "derived-perpendicular.mistakes": (
-        "Usual mistakes: a sign lost of a component that is reversed, and the product of a "
-        "component along with one across."
     ),
     "derived.along-centres": "{body} moves along the line of centres:",
     "derived.across-centres": "{body} moves perpendicular to the line of centres:",
@@ -865,52 +767,30 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Two vectors are parallel if one is a number times the other. Then that number is the "
         "ratio of their components in every direction, and the products crosswise are equal."
     ),
-    "derived-parallel.mistakes": (
-        "Usual mistake: setting the components equal, which holds only if the sizes are equal too."
-    ),
     "derived-product.title": "Scalar product",
     "derived-product.why": (
         "The scalar product of two vectors is the sum of two products: of their components in one "
         "direction, and of those at right angles to it. It is a number, and no vector."
-    ),
-    "derived-product.mistakes": (
-        "Usual mistakes: giving a vector for it, and the product of a component along with one "
-        "across."
     ),
     "derived-between.title": "Angle between two directions, by the scalar product",
     "derived-between.why": (
         "The scalar product of two vectors is the product of their sizes and of the cosine of the "
         "angle between them. So the cosine is the scalar product divided by both sizes."
     ),
-    "derived-between.mistakes": (
-        "Usual mistakes: one size left out, and an acute angle where the scalar product is "
-        "negative."
-    ),
     "derived-place.title": "Position, from its coordinates",
     "derived-place.why": (
         "A position on the table is fixed by its two coordinates. Each is found by itself, as the "
         "motion in one direction does not depend on that in the other."
-    ),
-    "derived-place.mistakes": (
-        "Usual mistake: giving how far the body has moved in place of where it is."
     ),
     "derived-assembled.title": "The velocity, from its components",
     "derived-assembled.why": (
         "A velocity is the sum of its components, each times the unit vector in its direction. "
         "The impact changes one of them and leaves the other; both belong to the velocity."
     ),
-    "derived-assembled.mistakes": (
-        "Usual mistakes: leaving out the component that stays, and a sign lost of one that is "
-        "reversed."
-    ),
     "derived-opposite.title": "The impulses on the two spheres are equal and opposite",
     "derived-opposite.why": (
         "While they touch, each sphere pushes the other with the same force, in opposite "
         "directions and for the same time. So the impulses are equal and opposite, whatever the "
-        "masses are."
-    ),
-    "derived-opposite.mistakes": (
-        "Usual mistake: giving both impulses the same sign, or making them unequal because the "
         "masses are."
     ),
     # --- what is amiss ----------------------------------------------------------------------------
