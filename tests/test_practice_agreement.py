@@ -86,6 +86,9 @@ OF_LETTERS = meanings(
         ("v < 5", None),
         ("w >= 2.1", "exact"),
         ("w > 2.1", None),
+        ("P = 5i + 2.1j", "exact"),
+        ("P = 5.42", "rounded"),
+        ("P = 5.5", None),
     ],
 )
 def test_a_line_of_numbers(text: str, grade: str | None) -> None:
@@ -139,3 +142,7 @@ def test_what_cannot_be_compared_is_an_error() -> None:
     for text in ("r = 3", "r = v", "x = 3", "v = r"):
         with pytest.raises(UnvaluedError):
             agrees(claim(text)[0], world_of(WALL), OF_WALL)
+
+
+def test_a_bare_name_is_no_number_of_another_kind() -> None:
+    assert agrees(claim("P = 2i")[0], world_of(WALL), OF_WALL) is None

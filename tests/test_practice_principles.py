@@ -255,3 +255,46 @@ def test_a_fact_is_recognised() -> None:
     """
     world = world_of(statement)
     assert first(world, "w = 0.75u", {"w": "speed(B)"}).startswith("fact")
+
+
+FOUND = """
+sphere A: mass m, velocity u at 45°
+sphere B: mass k m, at rest
+A hits B: along i
+given along(velocity(A), i) = 0, energy_lost = m u^2/8
+find e, k
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "principle"),
+    [
+        ("m u cos(45) = k m w", "momentum 1 AB"),
+        ("u cos(45) = k w", "momentum 1 AB"),
+        ("w = e u cos(45)", "restitution 1 AB"),
+        ("u/(2 sqrt(2)) = e u/sqrt(2)", "restitution 1 AB"),
+        ("e = w/(u cos(45))", "restitution 1 AB"),
+    ],
+)
+def test_a_law_with_numbers_put_in(text: str, principle: str) -> None:
+    table = {"w": "along(velocity(B, 1), i)"}
+    world = world_of(FOUND)
+    line, decimals = claim(text)
+    assert agrees(line, world, meanings(table), decimals) is not None
+    assert first(world, text, table) == principle
+
+
+PUT_IN = [
+    ("0.2*3 - 0.4*4 = 0.2*(-11/3) + 0.4w", "momentum 1 AB"),
+    ("0.6 - 1.6 = -2.2/3 + 0.4w", "momentum 1 AB"),
+    ("w + 11/3 = 3/7*(3 + 4)", "restitution 1 AB"),
+    ("w - -3.667 = 3", "restitution 1 AB"),
+]
+
+
+@pytest.mark.parametrize(("text", "principle"), PUT_IN)
+def test_a_law_in_which_a_component_has_its_value(text: str, principle: str) -> None:
+    world = world_of(NUMBERS)
+    line, decimals = claim(text)
+    assert agrees(line, world, meanings(OF_NUMBERS), decimals) is not None
+    assert first(world, text, OF_NUMBERS) == principle

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from restitution.expression.evaluate import Angle, Value
-from restitution.expression.tree import Binary, Degrees, Expression, Negate, Number, walk
+from restitution.expression.tree import Binary, Degrees, Expression, Name, Negate, Number, walk
 from restitution.practice.arrays import Array, UnvaluedError, is_bare
 from restitution.practice.judgement import Accuracy
 from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope, Sign
@@ -84,6 +84,7 @@ def difference(
     how: dict[str, Any] = {"scope": scope, "degrees": degrees, "put": put}
     left = world.value(claim.left, meanings, **how)
     right = world.value(claim.right, meanings, **how)
+    left, right = _sized(claim.left, left, right), _sized(claim.right, right, left)
     if isinstance(left, Vector) or isinstance(right, Vector):
         a, b = (_as_vector(each) for each in (left, right))
         size = np.maximum(np.hypot(*a), np.hypot(*b))
@@ -286,6 +287,13 @@ def _radians(tree: Expression, value: Value, degrees: bool) -> Array:
 def _within_a_turn(radians: Array) -> Array:
     """An angle from -180° to 180°."""
     return np.mod(radians + np.pi, 2 * np.pi) - np.pi
+
+
+def _sized(tree: Expression, value: Value, other: Value) -> Value:
+    """A velocity, or where a sphere's name is compared with a number, its speed."""
+    if isinstance(tree, Name) and isinstance(value, Vector) and not isinstance(other, Vector):
+        return np.hypot(value.x, value.y)
+    return value
 
 
 def _as_vector(value: Value) -> Vector:

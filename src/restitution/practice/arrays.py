@@ -32,6 +32,7 @@ Array = Any  # an array of shape (n,), or a single number for all samples
 _NOTHING: Mapping[int, Array] = {}
 # Components are about 1: what is smaller than this is what rounding leaves of zero.
 _ZERO = 1e-12
+_TWO = Number(Fraction(2))
 _NUMERIC = frozenset({Number, Negate, Binary, Apply})
 _TRIGONOMETRIC = frozenset({"sin", "cos", "tan", "cot", "sec", "cosec"})
 
@@ -133,6 +134,15 @@ class ArrayEvaluator(Evaluator):
         if not vectors and isinstance(left, Angle) != isinstance(right, Angle):
             left, right = self.angle_of(tree.left, left), self.angle_of(tree.right, right)
             return self._sum_of_angles(left, right, 1 if tree.op == "+" else -1)
+        return self._combined(tree, left, right)
+
+    def _combined(self, tree: Binary, left: Value, right: Value) -> Value:
+        """As in statements, and a product of two vectors, or a square of one, is the scalar one."""
+        if isinstance(left, Vector):
+            if tree.op == "*" and isinstance(right, Vector):
+                return left.dot(right)
+            if tree.op == "^" and tree.right == _TWO:
+                return left.dot(left)
         return super()._combined(tree, left, right)
 
     def _times_angle(self, factor: Array, angle_: Angle, tree: Expression) -> Value:

@@ -12,12 +12,14 @@ from restitution.practice.judgement import Use
 from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope
 from restitution.practice.states import Block, States, states
 from restitution.practice.telling import NO_MEANINGS, Meanings, Telling
+from restitution.practice.terms import is_triangle, law_put_in
 from restitution.practice.world import World
 from restitution.problem import Impact
 
 _ENERGIES = frozenset({"energy", "energy_lost", "total_energy_lost"})
 _ANGLES = frozenset({"angle", "direction"})
 Laws = tuple[tuple[str, tuple[str, ...]], ...]
+_UNTOLD = frozenset({"solve", "fact", "arithmetic", "component"})
 _RESULTS = ("impulse", "energy", "deflection")
 
 
@@ -39,10 +41,23 @@ def uses_of(
     if claim.sign != "=" or claim.others:
         return ()
     found = _Trial(claim, states(world), meanings, decimals, scope)
-    uses = found.uses()
+    uses = _put_in(found, claim, world, meanings, scope) or found.uses()
     if uses or not altered:
         return uses
     return _Trial(claim, states(world, altered=True), meanings, decimals, scope).altered()
+
+
+def _put_in(
+    found: _Trial, claim: Claim, world: World, meanings: Meanings, scope: Scope
+) -> tuple[Use, ...]:
+    """The law of a line that has numbers in place of some components; none if it is plainer."""
+    uses = found.uses()
+    if found.plain or not found.true or (uses and uses[0].principle not in _UNTOLD):
+        return ()
+    if uses and is_triangle(claim, world, meanings, scope):
+        return (Use("angle", uses[0].event, uses[0].bodies), *uses[1:])
+    law = law_put_in(claim, found.states, meanings, scope, exact=found.exact)
+    return () if law is None else (law,)
 
 
 class _Trial:
@@ -62,6 +77,7 @@ class _Trial:
         self.plain = not self.quantities and _is_arithmetic(claim)
         self.uses_letters = _has_letters(claim, meanings)
         found = grades(claim, self.world, meanings, decimals, scope)
+        self.exact = bool((found[: tried.rows] == 0).all())
         self.true = bool((found[: tried.rows] < NOT).all())
         self.holding = tried.holding(found < NOT)
 
@@ -150,6 +166,8 @@ class _Trial:
         result = next((name for name in _RESULTS if name in kinds), None)
         if result is not None:
             return result
+        if laws == {"impulse"} and len(kinds) == 1 and kinds <= {"speed", "angle"}:
+            return next(iter(kinds))
         if laws == {"unchanged"}:
             if "component" in kinds and len(kinds & {"speed", "angle"}) == 1:
                 return "speed" if "speed" in kinds else "angle"

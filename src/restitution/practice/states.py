@@ -67,6 +67,13 @@ class States:
         """The places of the blocks, by their identity."""
         return {id(block): place for place, block in enumerate(self.blocks)}
 
+    def loose(self, event: int) -> slice:
+        """The samples after an event in which no law holds."""
+        place = next(
+            k for k, block in enumerate(self.blocks) if block.event == event and not block.laws
+        )
+        return slice((place + 1) * self.rows, (place + 2) * self.rows)
+
     def holding(self, in_samples: Array) -> Array:
         """In which blocks something holds, from the samples in which it does."""
         table = in_samples.reshape(-1, self.rows)[1:]

@@ -92,7 +92,7 @@ class Telling:
         return ArrayEvaluator(
             lambda name: self._letter(name, now),
             lambda tree: self.quantity(tree, now),
-            self._named,
+            lambda tree: self._named(tree, now),
             self.wall_direction,
             degrees=self.degrees,
             put=put,
@@ -137,12 +137,15 @@ class Telling:
             known[key] = work()
         return known[key]
 
-    def _named(self, tree: Name) -> Value:
+    def _named(self, tree: Name, now: int) -> Value:
+        """What a name alone stands for: a place, the direction of a wall, a sphere's velocity."""
         if tree.name in self.points:
             return self.read(self.points[tree.name].position, 0)
         if tree.name in self.walls:
             return self.wall_direction(tree)
-        raise UnvaluedError(f"{tree.name} is a sphere, where a vector or a number is needed")
+        if tree.name in self.spheres:
+            return self.velocity(tree.name, now)
+        raise UnvaluedError(f"{tree.name} has no meaning here", tree.name)
 
     def read(self, tree: Any, now: int = 0) -> Any:
         """A property of a body: a tree, a number put in by Python, or a pair of these."""
