@@ -32,6 +32,7 @@ if TYPE_CHECKING:
         TimeLimitError,
         UnsupportedError,
     )
+    from restitution.explaining.consequences import solve_as
     from restitution.export.player import play
     from restitution.gas import Gas
     from restitution.impact import impact
@@ -73,6 +74,7 @@ __all__ = [
     "read",
     "simulate",
     "solve",
+    "solve_as",
     "to_statement",
 ]
 
@@ -98,6 +100,7 @@ _NAMES_OF_MODULES = {
     "batch.ensemble": ("ensemble",),
     "problem": ("Point", "Problem", "Sphere", "Wall"),
     "solving": ("solve",),
+    "explaining.consequences": ("solve_as",),
     "vector": ("Vector",),
     "wording": ("question",),
 }

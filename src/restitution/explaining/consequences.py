@@ -89,7 +89,7 @@ def altered_world(
 
 
 def _solved(changed: AlteredProblem, time_limit: float | None) -> Solution:
-    return solve(changed.problem, time_limit)
+    return replace(solve(changed.problem, time_limit), mistake=changed.alteration.id)
 
 
 def _needs(variant: Alteration, problem: Problem) -> str:
@@ -199,6 +199,16 @@ def altered_worlds(
         why = _why_not(name, wanted, list(reasons))
         raise UnsupportedError(f"{why}; {_those_that_apply(solution.problem)}")
     return tuple(worlds)
+
+
+def solve_as(problem: Problem, mistake: str, time_limit: float | None = None) -> Solution:
+    """Solves a problem as someone would who makes a mistake: its answers in an altered world.
+
+    ``mistake`` is the id of one, such as ``"momentum-sign"`` (its first variant that changes an
+    answer), or of a variant, ``"momentum-sign/2"``. Raises StatementError for an unknown id, and
+    UnsupportedError, with the reason, for a mistake without a world, or that changes nothing here.
+    """
+    return altered_worlds(solve(problem, time_limit), mistake, time_limit=time_limit)[0].solution
 
 
 _LATE = "no answer in the world of the mistake within the time limit"

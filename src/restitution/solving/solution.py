@@ -185,12 +185,16 @@ class PartSolution:
 
 @dataclass(frozen=True)
 class Solution:
-    """A solved problem. ``solution["speed(P)"]`` is the last item with that text."""
+    """A solved problem. ``solution["speed(P)"]`` is the last item with that text.
+
+    ``mistake`` is the id of the mistake in whose altered world it is solved, None in the true one.
+    """
 
     problem: Problem
     parts: Mapping[str | None, PartSolution]
     warnings: tuple[str, ...] = ()
     error: RestitutionError | None = field(default=None)
+    mistake: str | None = None
 
     def items(self) -> Iterator[tuple[PartSolution, ItemResult]]:
         """Every item with its part, in the order asked."""
@@ -207,6 +211,8 @@ class Solution:
 
     def __str__(self) -> str:
         lines = [self.problem.title] if self.problem.title else []
+        if self.mistake is not None:
+            lines.append(f"in the altered world of {self.mistake}:")
         for part, item in self.items():
             label = f"({part.part.label}) " if part.part.label else ""
             if item.error is not None:

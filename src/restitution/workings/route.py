@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from restitution.errors import TimeLimitError
+from restitution.errors import TimeLimitError, UnsupportedError
 from restitution.explaining.awarding import awarded
 from restitution.explaining.derivation import Derivation
 from restitution.explaining.follower import follow
@@ -39,9 +39,13 @@ def explain(
 
     Every line is checked by numbers that satisfy the facts before it is kept. An item of which no
     line leads to the answer has the answer alone, and says so. Items without an answer are told
-    with their reason. Raises
+    with their reason. Raises UnsupportedError for the altered world of a mistake,
     KeyError for a part that is not there, and ValueError for a style or a route that cannot be.
     """
+    if solution.mistake is not None:
+        raise UnsupportedError(
+            f"this is the altered world of {solution.mistake}, which has answers and no working"
+        )
     if marks not in STYLES:
         raise ValueError(f"there is no style of marks {marks!r}; styles: {', '.join(STYLES)}")
     if route < 1:
