@@ -298,3 +298,36 @@ def test_a_law_in_which_a_component_has_its_value(text: str, principle: str) -> 
     line, decimals = claim(text)
     assert agrees(line, world, meanings(OF_NUMBERS), decimals) is not None
     assert first(world, text, OF_NUMBERS) == principle
+
+
+@pytest.mark.parametrize(
+    ("text", "mistake"),
+    [
+        ("d = b", "deflection-is-after"),
+        ("d = alpha - b", "deflection-difference"),
+        ("I = m(u sin(alpha) - v sin(b))", "impulse-sign"),
+        ("I = (1 - e) m u sin(alpha)", "impulse-sign"),
+        ("I = m(u - v)", "impulse-of-speeds"),
+        ("L = m u^2 sin(alpha)^2 (1 - e)/2", "square-not-taken"),
+        ("L = m abs(velocity(P, 1) - velocity(P, 0))^2/2", "energy-of-difference"),
+    ],
+)
+def test_an_altered_result_of_a_wall(text: str, mistake: str) -> None:
+    assert mistake in altered(text, WALL, OF_WALL)
+
+
+@pytest.mark.parametrize(
+    ("text", "mistake"),
+    [
+        ("L = 0.2*13/2 - 0.2*q^2/2", "energy-one-sphere"),
+        ("L = 0.2*9/2 + 0.4*16/2 - 0.2 q^2/2 - 0.4 speed(B)^2/2", "energy-component-missing"),
+        ("I = 0.2*(11/3 - 3)", "impulse-sign"),
+    ],
+)
+def test_an_altered_result_of_spheres(text: str, mistake: str) -> None:
+    assert mistake in altered(text, NUMBERS, OF_NUMBERS)
+
+
+def test_a_line_with_sides_that_vanish_is_no_instance() -> None:
+    # Under conserved energy v = u, and the line says 0 = 0.
+    assert altered("L = m (u - v)^2/2", WALL, OF_WALL) == {"energy-of-difference"}

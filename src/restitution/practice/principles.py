@@ -7,8 +7,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from restitution.expression.tree import Expression, Letter, Name, Quantity, children, walk
-from restitution.practice.agreement import NOT, grades
+from restitution.practice.agreement import NOT, difference, grades
 from restitution.practice.judgement import Use
+from restitution.practice.results import altered_results
 from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope
 from restitution.practice.states import Block, States, states
 from restitution.practice.telling import NO_MEANINGS, Meanings, Telling
@@ -35,8 +36,9 @@ def uses_of(
     """The laws of which a line is an instance; first its principle, then laws that it needs.
 
     The world is the true one, or the student's own. With ``altered``, a line that holds under no
-    right law has a use for each altered law of which it is an instance. An inequality, and a line
-    that holds nowhere, has none. Raises UnvaluedError where a side has no value.
+    right law has a use for each altered law, or else altered result, of which it is an instance. An
+    inequality, and a line that holds nowhere, has none. Raises UnvaluedError where a side has no
+    value.
     """
     if claim.sign != "=" or claim.others:
         return ()
@@ -44,7 +46,9 @@ def uses_of(
     uses = _put_in(found, claim, world, meanings, scope) or found.uses()
     if uses or not altered:
         return uses
-    return _Trial(claim, states(world, altered=True), meanings, decimals, scope).altered()
+    tried = states(world, altered=True)
+    unlawful = _Trial(claim, tried, meanings, decimals, scope).altered()
+    return unlawful or altered_results(claim, tried, meanings, decimals, scope)
 
 
 def _put_in(
@@ -77,6 +81,7 @@ class _Trial:
         self.plain = not self.quantities and _is_arithmetic(claim)
         self.uses_letters = _has_letters(claim, meanings)
         found = grades(claim, self.world, meanings, decimals, scope)
+        self.sizes = difference(claim, self.world, meanings, scope)[1].max(axis=1)
         self.exact = bool((found[: tried.rows] == 0).all())
         self.true = bool((found[: tried.rows] < NOT).all())
         self.holding = tried.holding(found < NOT)
@@ -103,11 +108,18 @@ class _Trial:
         """The altered laws of which the line is an instance, of the latest event that has some."""
         found: dict[int, list[Use]] = {}
         for block, holds in zip(self.states.blocks, self.holding, strict=True):
-            if holds and block.variant is not None and block.law is not None:
+            if holds and block.variant is not None and block.law and self._is_of_size(block):
                 law = block.law
                 use = Use(law.law, block.event, law.bodies, block.variant.id)
                 found.setdefault(block.event, []).append(use)
         return tuple(dict.fromkeys(found[max(found)])) if found else ()
+
+    def _is_of_size(self, block: Block) -> bool:
+        """Whether the sides are not just zero under a law, where they are not in the world."""
+        rows = self.states.rows
+        start = (self.states.places[id(block)] + 1) * rows
+        there, here = self.sizes[start : start + rows].max(), self.sizes[:rows].max()
+        return bool(there > 1e-6 * here)
 
     def _blocks(self, number: int) -> list[Block]:
         return [

@@ -367,6 +367,7 @@ class _Search:
 
     def __init__(self, base: World, number: int, loose: Parts) -> None:
         self.base, self.number, self.loose = base, number, loose
+        self.copies: dict[int, World] = {}
         self.places = [(name, k) for name in loose for k in (0, 1)]
         moved = [self._moved(loose, place, self._step(place)) for place in self.places]
         self.slopes = self._world([loose, *moved])
@@ -382,11 +383,20 @@ class _Search:
         return {**parts, name: (own[0], own[1])}
 
     def _world(self, rows: Sequence[Parts]) -> World:
-        tables = [
-            {(self.number, name): _velocity(self.base, self.number, *parts[name]) for name in parts}
-            for parts in rows
-        ]
-        return assembled(self.base, tables)
+        """Copies of the world under several components, one after another."""
+        n = len(rows)
+        if n not in self.copies:
+            self.copies[n] = assembled(self.base, [{}] * n)
+        joined = {
+            name: [np.concatenate([parts[name][k] for parts in rows]) for k in (0, 1)]
+            for name in rows[0]
+        }
+        copies = self.copies[n]
+        after = {
+            (self.number, name): _velocity(copies, self.number, *parts)
+            for name, parts in joined.items()
+        }
+        return copies.replaced(after=after)
 
     def _residuals(self, claim: Claim, world: World, now: int) -> tuple[Array, Array]:
         apart, size = difference(claim, world, scope=Scope(event=now))
