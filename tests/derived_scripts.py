@@ -1,0 +1,284 @@
+"""Correct scripts, derived from workings of the planner as students vary them.
+
+Letters get other names, senses are turned, terms moved, sides exchanged, equations multiplied
+through, values rounded to three figures, independent lines exchanged, lines left out, words put in
+front: what comes is true all the same.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+from random import Random
+
+import sympy as sp
+
+import restitution
+from restitution.explaining.derivation import Derivation, Line, Link, Meaning, Relation, of_part
+from restitution.explaining.trees import exchanged
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    Quantity,
+    letters,
+    walk,
+)
+from restitution.expression.writing import write_expression
+from restitution.planning.planner import plan
+from restitution.solving.solution import Solution
+
+POOL = "vwpqabchrsynzfkdtVWTH"
+NEEDED = frozenset({"law", "define", "answer", "shown", "value", "fact", "let", "roots", "reject"})
+ANNOUNCED = ("", "", "", "so ", "hence ", "(1) ", "=> ", "therefore ", "now ", "also ", "we get ")
+LAWS = {"momentum": ("CLM: ", "PCLM ", "momentum: "), "restitution": ("NEL: ", "NLR: ")}
+Row = tuple[Line, Relation]
+
+
+@dataclass(frozen=True)
+class DerivedScript:
+    """A correct script; ``whole`` tells that nothing was left out that earns marks."""
+
+    statement: str
+    part: str | None
+    letters: Mapping[str, str]
+    lines: tuple[str, ...]
+    whole: bool
+
+    @property
+    def working(self) -> str:
+        return "\n".join(self.lines)
+
+
+@cache
+def planned(statement: str) -> tuple[Solution, Derivation]:
+    solution = restitution.solve(restitution.parse(statement))
+    return solution, plan(solution)
+
+
+def parts_of(statement: str) -> tuple[str | None, ...]:
+    """The parts that have a working without cases and notes."""
+    _, derivation = planned(statement)
+    parts = dict.fromkeys(derivation.asked.values())
+    return tuple(part for part in parts if _plain(of_part(derivation, part)))
+
+
+def _plain(derivation: Derivation) -> bool:
+    return not derivation.cases and not derivation.notes and bool(list(rows(derivation)))
+
+
+def rows(derivation: Derivation) -> Iterator[Row]:
+    """The lines that a student would write, with what each says."""
+    for line in derivation.lines:
+        relation = line.relation
+        if isinstance(relation, Relation) and line.shown != "silent" and _typed(relation):
+            yield line, relation
+
+
+def _typed(relation: Relation) -> bool:
+    signs = {link.sign for links in relation.options for link in links}
+    return len(relation.options) == 1 and signs <= {"=", "<", ">", "<=", ">="}
+
+
+def derive(statement: str, part: str | None, random: Random) -> DerivedScript:
+    """A correct script of a part, varied."""
+    _, derivation = planned(statement)
+    own = of_part(derivation, part)
+    written = list(rows(own))
+    taken = _letters_of(written, derivation, statement)
+    pool = [letter for letter in POOL if letter not in taken]
+    random.shuffle(pool)
+    put: dict[Expression, Expression] = {}
+    declared: dict[str, str] = {}
+    for meaning in own.meanings.values():
+        _declare(meaning, pool, put, declared, random)
+    for _, relation in written:
+        for tree in _sides(relation):
+            for quantity in _quantities(tree):
+                if quantity not in put and pool:
+                    letter = pool.pop()
+                    put[quantity] = Letter(letter)
+                    declared[letter] = write_expression(quantity)
+    written = [(line, _put(relation, put)) for line, relation in written]
+    kept = _left_out(written, random) if random.random() < 0.3 else written
+    if random.random() < 0.3:
+        kept = _reordered(kept, random)
+    text = [_text(line, relation, random) for line, relation in kept]
+    return DerivedScript(statement, part, declared, tuple(text), len(kept) == len(written))
+
+
+def _letters_of(written: Sequence[Row], derivation: Derivation, statement: str) -> set[str]:
+    found = {name[0] for _, r in written for tree in _sides(r) for name in letters(tree)}
+    given = set(re.findall(r"(?<![A-Za-z])[A-Za-z](?![A-Za-z])", statement))
+    own = set(derivation.meanings)
+    return (found - own) | given | set("eijmuxg")
+
+
+def _sides(relation: Relation) -> Iterator[Expression]:
+    for links in relation.options:
+        for link in links:
+            yield link.left
+            yield link.right
+
+
+def _declare(
+    meaning: Meaning,
+    pool: list[str],
+    put: dict[Expression, Expression],
+    declared: dict[str, str],
+    random: Random,
+) -> None:
+    """A letter of the working under another name, some in the other sense."""
+    if not pool:
+        return
+    letter, quantity = pool.pop(), meaning.quantity
+    if meaning.sense is not None and isinstance(quantity, Quantity) and not meaning.vector:
+        quantity = Quantity("along", (quantity.arguments[0], meaning.sense))
+    turned = (
+        isinstance(quantity, Quantity)
+        and quantity.kind in ("along", "across")
+        and random.random() < 0.3
+    )
+    put[Letter(meaning.letter)] = Negate(Letter(letter)) if turned else Letter(letter)
+    declared[letter] = ("-" if turned else "") + write_expression(quantity)
+
+
+def _quantities(tree: Expression) -> Iterator[Quantity]:
+    """The outermost quantities of a tree."""
+    if isinstance(tree, Quantity):
+        yield tree
+        return
+    inner = {each for node in walk(tree) if isinstance(node, Quantity) for each in walk(node)}
+    outer = [node for node in walk(tree) if isinstance(node, Quantity)]
+    covered = {e for node in outer for e in walk(node) if e != node and isinstance(e, Quantity)}
+    yield from (node for node in outer if node not in covered and node in inner)
+
+
+def _put(relation: Relation, put: Mapping[Expression, Expression]) -> Relation:
+    return Relation(
+        tuple(
+            tuple(
+                replace(link, left=exchanged(link.left, put), right=exchanged(link.right, put))
+                for link in links
+            )
+            for links in relation.options
+        )
+    )
+
+
+def _left_out(written: list[Row], random: Random) -> list[Row]:
+    """Without some of the lines that only rearrange others."""
+    return [
+        (line, relation)
+        for line, relation in written
+        if line.move.id in NEEDED or line.marks or random.random() < 0.6
+    ]
+
+
+def _reordered(written: list[Row], random: Random) -> list[Row]:
+    rows_ = list(written)
+    for k in range(len(rows_) - 1):
+        first, second = rows_[k][0], rows_[k + 1][0]
+        independent = first.number not in second.premises and first.item == second.item
+        if independent and random.random() < 0.5 and first.number < second.number:
+            rows_[k], rows_[k + 1] = rows_[k + 1], rows_[k]
+    return rows_
+
+
+def _text(line: Line, relation: Relation, random: Random) -> str:
+    (links,) = relation.options
+    if len(links) == 1:
+        link = _varied(links[0], random)
+        body = f"{write_expression(link.left)} {link.sign} {_right(link, random)}"
+    else:
+        body = _chain(links)
+    announced = random.choice(LAWS.get(line.move.record or "", ANNOUNCED))
+    return (announced if random.random() < 0.4 else "") + styled(body, random)
+
+
+def _chain(links: Sequence[Link]) -> str:
+    text, before = "", None
+    for link in links:
+        right = f"{link.sign} {write_expression(link.right)}"
+        if before is not None and before.right == link.left:
+            text += f" {right}"
+        else:
+            text += f"{' and ' if text else ''}{write_expression(link.left)} {right}"
+        before = link
+    return text
+
+
+def _varied(link: Link, random: Random) -> Link:
+    change = random.random()
+    if link.sign != "=" or isinstance(link.left, Letter):
+        return link
+    if change < 0.15:
+        return Link(link.right, "=", link.left)
+    if change < 0.3 and isinstance(link.right, Binary) and link.right.op == "+":
+        return Link(Binary("-", link.left, link.right.right), "=", link.right.left)
+    if change < 0.45:
+        factor = Number(sp.Integer(2).p if random.random() < 0.5 else 3)  # type: ignore[arg-type]
+        return Link(Binary("*", factor, link.left), "=", Binary("*", factor, link.right))
+    return link
+
+
+def _right(link: Link, random: Random) -> str:
+    """The right side; a number that is no fraction to three figures, some of the time."""
+    irrational = any(type(node).__name__ == "Apply" for node in walk(link.right))
+    if link.sign == "=" and irrational and not letters(link.right) and random.random() < 0.4:
+        value = _value(link.right)
+        if value is not None and abs(value) > 1e-9:
+            return (
+                f"{value:#.3g}".rstrip(".") if abs(value) < 1000 else write_expression(link.right)
+            )
+    return write_expression(link.right)
+
+
+def _value(tree: Expression) -> float | None:
+    """A number without letters, in degrees where it is an arc; None for what is no number."""
+    text = write_expression(tree)
+    if "°" in text or "arc" in text or "i" in re.sub("sin|pi", "", text) or "j" in text:
+        return None
+    try:
+        return float(sp.sympify(_as_sympy(tree)))
+    except (TypeError, ValueError):
+        return None
+
+
+def _as_sympy(tree: Expression) -> sp.Expr:
+    kind = type(tree).__name__
+    if isinstance(tree, Number):
+        return sp.Rational(tree.value.numerator, tree.value.denominator)
+    if isinstance(tree, Negate):
+        return -_as_sympy(tree.operand)
+    if isinstance(tree, Binary):
+        left, right = _as_sympy(tree.left), _as_sympy(tree.right)
+        return {"+": left + right, "-": left - right, "*": left * right}.get(
+            tree.op, left / right if tree.op == "/" else left**right
+        )
+    if kind == "Apply" and tree.function == "sqrt":  # type: ignore[union-attr]
+        return sp.sqrt(_as_sympy(tree.argument))  # type: ignore[union-attr]
+    raise ValueError(kind)
+
+
+def styled(text: str, random: Random) -> str:
+    """The text as a student types it."""
+    if random.random() < 0.6:
+        text = text.replace("sqrt", "√")
+        text = re.sub(r"√\((\d+)\)", r"√\1", text)
+    if random.random() < 0.4:
+        text = re.sub(r"\^2(?!\d)", "²", text)
+    if random.random() < 0.4:
+        text = re.sub(r"(sin|cos|tan)\((\d+)°\)", r"\1\2", text)
+    if random.random() < 0.4:
+        text = re.sub(r"(?<=[A-Za-z)]) (?=[a-z(])(?!at |to |and |from |or )", "", text)
+    if random.random() < 0.4:
+        text = re.sub(r" ([=+-]) ", r"\1", text)
+    for name, sign in (("alpha", "α"), ("beta", "β"), ("theta", "θ")):
+        if random.random() < 0.5:
+            text = text.replace(name, sign)
+    return text
