@@ -1,0 +1,223 @@
+"""Numbers as examination papers choose them: angles, coefficients, masses, velocities as text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from itertools import combinations
+from math import sqrt
+from typing import Any
+
+import sympy as sp
+
+from restitution import law
+from restitution.practice.dice import Dice
+from restitution.vector import Vector
+
+MOST_DENOMINATOR = 60
+_MOST_NUMERATOR = 2500
+
+COEFFICIENTS = tuple(
+    map(
+        Fraction,
+        ("1/5", "1/4", "1/3", "2/5", "3/7", "1/2", "4/7", "3/5", "2/3", "3/4", "4/5", "9/10"),
+    )
+)
+TRIPLES = ((3, 4, 5), (4, 3, 5), (5, 12, 13), (12, 5, 13), (8, 15, 17), (15, 8, 17), (7, 24, 25))
+"""Opposite, adjacent and hypotenuse."""
+
+
+@dataclass(frozen=True)
+class Acute:
+    """An acute angle: its tangent as text, or its degrees, and its cosine and sine as squares.
+
+    ``hypotenuse`` is by what a speed is divided in its components, for whole ones.
+    """
+
+    across: int
+    along: int
+    hypotenuse: int
+
+    @property
+    def fact(self) -> tuple[str, str, str]:
+        """What a question may say of the angle alpha: its tangent, sine or cosine."""
+        return (
+            f"tan(alpha) = {self.across}/{self.along}",
+            f"sin(alpha) = {self.across}/{self.hypotenuse}",
+            f"cos(alpha) = {self.along}/{self.hypotenuse}",
+        )
+
+
+def acute(d: Dice, most: int = 13) -> Acute:
+    """A Pythagorean angle, with a hypotenuse up to ``most``."""
+    return Acute(*d.of([each for each in TRIPLES if each[2] <= most]))
+
+
+def coefficient(d: Dice, *sizes: Any) -> Fraction:
+    """A coefficient of restitution with which products with some sizes are simple."""
+    best = [e for e in COEFFICIENTS if all((e * Fraction(x)).denominator <= 2 for x in sizes)]
+    return d.of(best or COEFFICIENTS)
+
+
+def mass(d: Dice) -> str:
+    """A mass: 1 to 6, or in tenths."""
+    if d.below(4) == 0:
+        return f"0.{d.of((2, 3, 4, 5, 6, 8))}"
+    return d.of(("2", "3", "4", "5", "1.5", "0.5", "6"))
+
+
+def masses(d: Dice) -> tuple[Fraction, Fraction]:
+    """Two masses that differ: whole, or in tenths."""
+    one, other = d.of([(a, b) for a in range(1, 7) for b in range(1, 7) if a != b])
+    unit = Fraction(1, 10) if d.below(4) == 0 else Fraction(1)
+    return one * unit, other * unit
+
+
+def number(x: Any) -> str:
+    """A fraction as text: whole, as a decimal of one place in tenths, or as a/b."""
+    x = Fraction(x)
+    if x.denominator in (10, 5) and abs(x) < 1:
+        return f"{float(x):g}"
+    return f"{x}"
+
+
+def ratio(x: Any) -> str:
+    """A fraction as text, never as a decimal."""
+    return f"{Fraction(x)}"
+
+
+def times(x: Any, letter: str) -> str:
+    """A number times a letter, as people write it: ``3u``, ``u``, ``1/2 u``."""
+    x = Fraction(x)
+    if x == 1:
+        return letter
+    return f"{x}{letter}" if x.denominator == 1 else f"{x} {letter}"
+
+
+def vector(x: Any, y: Any, letter: str = "") -> str:
+    """A vector as text, its components times a letter: ``3u i - 4u j``."""
+    text = ""
+    for value, axis in ((Fraction(x), "i"), (Fraction(y), "j")):
+        if not value:
+            continue
+        sign = "-" if value < 0 else "+" if text else ""
+        space = " " if text else ""
+        size = abs(value)
+        factor = times(size, letter) + " " if letter else ("" if size == 1 else _factor(size))
+        text += f"{space}{sign}{space}{factor}{axis}"
+    return text or "0i"
+
+
+def _factor(size: Fraction) -> str:
+    return f"{size}" if size.denominator == 1 else f"{size} "
+
+
+# --- two spheres along their line ---------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Two spheres that collide: masses, components along and across before, e, along after."""
+
+    m1: Fraction
+    m2: Fraction
+    p1: Fraction
+    s1: Fraction
+    p2: Fraction
+    s2: Fraction
+    e: Fraction
+    q1: Fraction
+    q2: Fraction
+
+
+def pair(
+    d: Dice,
+    *,
+    at_rest: bool = False,
+    both_across: bool = True,
+    denominators: int = 6,
+    reach: int = 6,
+    equal: bool = False,
+) -> Pair:
+    """Components of a collision with simple values, all of unlike size.
+
+    ``denominators`` bounds those of the components after, ``reach`` the components before.
+    """
+    while True:
+        m1, m2 = (Fraction(1), Fraction(1)) if equal else masses(d)
+        p1, s1 = Fraction(d.between(1, reach)), Fraction(d.between(1, reach) * d.sign())
+        p2, s2 = Fraction(0), Fraction(0)
+        if not at_rest:
+            p2 = Fraction(d.between(-reach, reach))
+            s2 = Fraction(d.between(1, reach) * d.sign()) if both_across else Fraction(0)
+        e = d.of(COEFFICIENTS)
+        if p2 >= p1:
+            continue
+        u1, u2, c = Vector(p1, s1), Vector(p2, s2), Vector(Fraction(1), Fraction(0))
+        v1, v2 = law.impact(u1, u2, 1 / m1, 1 / m2, c, e)
+        sizes = [p1, s1, v1.x, v2.x, *((p2,) if p2 else ()), *((s2,) if s2 else ())]
+        simple = all(v.x.denominator <= denominators for v in (v1, v2))
+        if simple and v1.x and unlike(sizes):
+            return Pair(m1, m2, p1, s1, p2, s2, e, v1.x, v2.x)
+
+
+def unlike(sizes: list[Fraction]) -> bool:
+    """Whether no two numbers are equal in size, and none is zero."""
+    return all(sizes) and all(abs(a) != abs(b) for a, b in combinations(sizes, 2))
+
+
+# --- nice values --------------------------------------------------------------------------------
+
+
+def is_nice(value: Any) -> bool:
+    """Whether an exact value is a fraction, or holds one square root, of small numbers.
+
+    Letters may stand beside them. An angle is judged by its tangent.
+    """
+    parts = value if isinstance(value, tuple | list) else (value,)
+    return all(_is_nice(sp.sympify(part)) for part in parts)
+
+
+@cache
+def _is_nice(x: sp.Expr) -> bool:
+    roots = set()
+    for node in sp.preorder_traversal(x):
+        if isinstance(node, sp.Rational) and not _is_small(node):
+            return False
+        if node.is_Pow and node.exp.is_Rational and node.exp.q == 2:
+            if not node.base.is_number:
+                continue
+            if not (node.base.is_Rational and node.base.p <= _MOST_NUMERATOR):
+                return False
+            roots |= set(sp.factorint(node.base.p)) if node.base.q == 1 else {node.base}
+            if len({sp.sqrt(node.base)}) and _differs(x):
+                return False
+    return True
+
+
+def _differs(x: sp.Expr) -> bool:
+    """Whether an expression holds square roots of two numbers."""
+    bases = {
+        node.base
+        for node in sp.preorder_traversal(x)
+        if node.is_Pow and node.exp.is_Rational and node.exp.q == 2 and node.base.is_number
+    }
+    return len(bases) > 1
+
+
+def _is_small(x: sp.Rational) -> bool:
+    return x.q <= MOST_DENOMINATOR and abs(x.p) <= _MOST_NUMERATOR
+
+
+def distances(a: tuple[float, ...], b: tuple[float, ...]) -> Iterator[float]:
+    """How far answers lie apart, each as a share of the larger one."""
+    for x, y in zip(a, b, strict=True):
+        size = max(abs(x), abs(y))
+        yield abs(x - y) / size if size > 1e-9 else 0.0
+
+
+def size_of(x: float, y: float) -> float:
+    """The length of a vector."""
+    return sqrt(x * x + y * y)
