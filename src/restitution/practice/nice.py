@@ -186,25 +186,11 @@ def _is_nice(x: sp.Expr) -> bool:
     for node in sp.preorder_traversal(x):
         if isinstance(node, sp.Rational) and not _is_small(node):
             return False
-        if node.is_Pow and node.exp.is_Rational and node.exp.q == 2:
-            if not node.base.is_number:
-                continue
-            if not (node.base.is_Rational and node.base.p <= _MOST_NUMERATOR):
+        if node.is_Pow and node.exp.is_Rational and node.exp.q != 1 and node.base.is_number:
+            if node.exp.q != 2 or not node.base.is_Rational:
                 return False
-            roots |= set(sp.factorint(node.base.p)) if node.base.q == 1 else {node.base}
-            if len({sp.sqrt(node.base)}) and _differs(x):
-                return False
-    return True
-
-
-def _differs(x: sp.Expr) -> bool:
-    """Whether an expression holds square roots of two numbers."""
-    bases = {
-        node.base
-        for node in sp.preorder_traversal(x)
-        if node.is_Pow and node.exp.is_Rational and node.exp.q == 2 and node.base.is_number
-    }
-    return len(bases) > 1
+            roots.add(node.base)
+    return len(roots) <= 1
 
 
 def _is_small(x: sp.Rational) -> bool:
