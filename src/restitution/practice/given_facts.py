@@ -133,11 +133,21 @@ def _energy_2(d: Dice) -> str:
     )
 
 
+def _simple_share(d: Dice) -> tuple[int, int, Acute, Fraction, Fraction]:
+    """Masses, an angle and a coefficient with which a simple share of the energy is lost."""
+    angle = acute(d, 5)
+    options = []
+    for m1 in range(1, 6):
+        for m2 in range(1, 6):
+            for e in COEFFICIENTS:
+                share = (1 - e * e) * Fraction(m2 * angle.along**2, (m1 + m2) * 25)
+                if m1 != m2 and share.denominator <= 60 and e * m2 != m1:
+                    options.append((m1, m2, angle, e, share))
+    return d.of(options)
+
+
 def _energy_3(d: Dice) -> str:
-    m1, m2 = _unlike_masses(d)
-    angle = acute(d, 13)
-    e = d.of(COEFFICIENTS)
-    share = (1 - e * e) * Fraction(m2, m1 + m2) * Fraction(angle.along, angle.hypotenuse) ** 2
+    m1, m2, angle, e, share = _simple_share(d)
     return _lines(
         f"sphere A: mass {times(m1, 'm')}, velocity u at alpha",
         f"sphere B: mass {times(m2, 'm')}, at rest",
@@ -152,10 +162,7 @@ def _energy_3(d: Dice) -> str:
 
 
 def _energy_4(d: Dice) -> str:
-    m1, m2 = _unlike_masses(d)
-    angle = acute(d, 13)
-    e = d.of(COEFFICIENTS)
-    share = (1 - e * e) * Fraction(m2, m1 + m2) * Fraction(angle.along, angle.hypotenuse) ** 2
+    m1, m2, angle, e, share = _simple_share(d)
     return _lines(
         f"sphere A: mass {times(m1, 'm')}, velocity u at alpha",
         f"sphere B: mass {times(m2, 'm')}, at rest",
@@ -202,7 +209,7 @@ def _rest_1(d: Dice) -> str:
 
 def _rest_2(d: Dice) -> str:
     m, big = d.of([(a, b) for a in range(1, 5) for b in range(2, 7) if a < b])
-    angle = acute(d, 13)
+    angle = acute(d, 5)
     return _lines(
         f"sphere A: mass {times(m, 'm')}, velocity u at alpha",
         f"sphere B: mass {times(big, 'm')}, at rest",
@@ -241,7 +248,7 @@ def _rest_3(d: Dice) -> str:
 
 def _rest_4(d: Dice) -> str:
     e = d.of([each for each in COEFFICIENTS if each.numerator < 4])
-    angle = acute(d, 13)
+    angle = acute(d, 5)
     return _lines(
         "sphere A: mass m, velocity u at alpha",
         "sphere B: mass k m, at rest",

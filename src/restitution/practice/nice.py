@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from itertools import combinations
-from math import sqrt
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
 from restitution import law
+from restitution.expression.tree import Binary, Number, walk
+from restitution.expression.writing import write_expression
 from restitution.practice.dice import Dice
+from restitution.problem import trees
 from restitution.vector import Vector
+
+if TYPE_CHECKING:
+    from restitution.solving.solution import Solution
 
 MOST_DENOMINATOR = 60
 _MOST_NUMERATOR = 2500
@@ -152,15 +156,27 @@ def pair(
         if not at_rest:
             p2 = Fraction(d.between(-reach, reach))
             s2 = Fraction(d.between(1, reach) * d.sign()) if both_across else Fraction(0)
-        e = d.of(COEFFICIENTS)
-        if p2 >= p1:
+        given = [p1, s1, *((p2,) if p2 else ()), *((s2,) if s2 else ())]
+        if p2 >= p1 or not unlike(given):
             continue
-        u1, u2, c = Vector(p1, s1), Vector(p2, s2), Vector(Fraction(1), Fraction(0))
-        v1, v2 = law.impact(u1, u2, 1 / m1, 1 / m2, c, e)
-        sizes = [p1, s1, v1.x, v2.x, *((p2,) if p2 else ()), *((s2,) if s2 else ())]
-        simple = all(v.x.denominator <= denominators for v in (v1, v2))
-        if simple and v1.x and unlike(sizes):
-            return Pair(m1, m2, p1, s1, p2, s2, e, v1.x, v2.x)
+        options = []
+        for e in COEFFICIENTS:
+            q1, q2 = along_after(m1, m2, p1, p2, e)
+            simple = q1.denominator <= denominators and q2.denominator <= denominators
+            if simple and unlike([*given, q1, q2]):
+                options.append(Pair(m1, m2, p1, s1, p2, s2, e, q1, q2))
+        if options:
+            return d.of(options)
+
+
+def along_after(
+    m1: Fraction, m2: Fraction, p1: Fraction, p2: Fraction, e: Fraction
+) -> tuple[Fraction, Fraction]:
+    """The components along the line of centres after a collision."""
+    c = Vector(Fraction(1), Fraction(0))
+    u1, u2 = Vector(p1, Fraction(0)), Vector(p2, Fraction(0))
+    v1, v2 = law.impact(u1, u2, m2, m1, c, e)
+    return v1.x, v2.x
 
 
 def unlike(sizes: list[Fraction]) -> bool:
@@ -197,13 +213,30 @@ def _is_small(x: sp.Rational) -> bool:
     return x.q <= MOST_DENOMINATOR and abs(x.p) <= _MOST_NUMERATOR
 
 
-def distances(a: tuple[float, ...], b: tuple[float, ...]) -> Iterator[float]:
-    """How far answers lie apart, each as a share of the larger one."""
-    for x, y in zip(a, b, strict=True):
-        size = max(abs(x), abs(y))
-        yield abs(x - y) / size if size > 1e-9 else 0.0
+def ugly_value(solution: Solution) -> str:
+    """A value of the route that is not nice, in words, or nothing.
+
+    The route holds the numbers of the statement, components along and across each line of
+    centres, and the answers.
+    """
+    for tree in trees(solution.problem):
+        for node in walk(tree):
+            if isinstance(node, Number) and node.value.denominator > MOST_DENOMINATOR:
+                return write_expression(node)
+            if isinstance(node, Binary) and node.op == "/" and _is_large(node):
+                return write_expression(node)
+    for part in solution.parts.values():
+        for branch in part.branches[:1]:
+            for happening in branch.story.happenings:
+                for velocity in happening.after.values():
+                    if not is_nice(tuple(velocity)):
+                        return "a velocity"
+    for _, item in solution.items():
+        for answer in item.answers[:1]:
+            if item.kind in ("value", "vector") and not is_nice(answer.value):
+                return item.text
+    return ""
 
 
-def size_of(x: float, y: float) -> float:
-    """The length of a vector."""
-    return sqrt(x * x + y * y)
+def _is_large(node: Binary) -> bool:
+    return isinstance(node.right, Number) and node.right.value > MOST_DENOMINATOR

@@ -1,0 +1,155 @@
+"""The story of a part told in doubles, in the true world or in an altered one.
+
+`solving.Story` tells in any arithmetic; this is the quick one. Letters take their values from a
+sample of the solution, and those that facts fix are sought again where a law is altered.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from restitution.errors import RestitutionError
+from restitution.expression.evaluate import Angle
+from restitution.problem import Part, Problem, Value
+from restitution.solving import facts
+from restitution.solving.conditions import Equation
+from restitution.solving.story import Story, lets_of
+from restitution.vector import Vector
+
+REFUSALS = (RestitutionError, ArithmeticError, ValueError, LookupError, TypeError, AttributeError)
+_TINY = 1e-10
+
+
+class Doubles:
+    """Arithmetic of doubles, as `expression.evaluate` wants one."""
+
+    exact = False
+    pi = math.pi
+    zero = 0.0
+
+    def number(self, value: Fraction) -> float:
+        return float(value)
+
+    def sqrt(self, x: float) -> float:
+        return math.sqrt(x) if x > 0 else math.sqrt(0.0 if x > -_TINY else x)
+
+    def abs(self, x: float) -> float:
+        return abs(x)
+
+    def power(self, x: float, y: float) -> float:
+        return float(x**y)
+
+    def cos_sin(self, x: float) -> tuple[float, float]:
+        return math.cos(x), math.sin(x)
+
+    def arctan2(self, y: float, x: float) -> float:
+        return math.atan2(y, x)
+
+    def arc(self, function: str, x: float) -> float:
+        arcs = {"arcsin": math.asin, "arccos": math.acos, "arctan": math.atan}
+        return arcs[function](x)
+
+    def is_zero(self, x: float) -> bool:
+        return abs(x) < _TINY
+
+
+DOUBLES: Any = Doubles()
+
+
+class Letters:
+    """Letters and hidden unknowns with their values, by name."""
+
+    def __init__(self, values: Mapping[str, float]) -> None:
+        self.values = values
+
+    def letter(self, name: str) -> float:
+        return self.values[name]
+
+    def hidden(self, key: str, phrase: str, sign: str) -> float:
+        return self.values[key if key in self.values else f"_{key}"]
+
+    def sign(self, x: float, given: Sequence[Any] = ()) -> int | None:
+        return 0 if abs(x) < _TINY else (1 if x > 0 else -1)
+
+
+def tell(problem: Problem, part: Part, values: Mapping[str, float]) -> Story:
+    """The story up to a part. What is not known, or cannot be, raises one of ``REFUSALS``."""
+    letters: Any = Letters(values)
+    return Story(problem, part, DOUBLES, letters, lets_of(problem, part))
+
+
+def residuals(problem: Problem, part: Part, story: Story) -> list[float]:
+    """What vanishes where all facts hold."""
+    equations = list(story.equations)
+    for given, now in facts.givens(problem, part):
+        for relation in given.relations:
+            required = facts.requirements(relation, story, now)
+            equations += [each for each in required if isinstance(each, Equation)]
+    return [float(each.value) for each in equations]
+
+
+def fitted(
+    problem: Problem, part: Part, values: Mapping[str, float], sought: Sequence[str]
+) -> dict[str, float] | None:
+    """The values with those sought changed so that all facts hold, or None.
+
+    By Newton's method from the values given; the least change where facts leave room.
+    """
+    current = dict(values)
+    for _ in range(25):
+        errors = _errors(problem, part, current)
+        if errors is None:
+            return None
+        if not errors.size or float(np.max(np.abs(errors))) < 1e-9 * _scale(current):
+            return current
+        if not sought:
+            return None
+        columns = []
+        for name in sought:
+            step = 1e-6 * max(abs(current[name]), 0.1)
+            moved = _errors(problem, part, {**current, name: current[name] + step})
+            if moved is None or moved.shape != errors.shape:
+                return None
+            columns.append((moved - errors) / step)
+        change = np.linalg.lstsq(np.column_stack(columns), -errors, rcond=None)[0]
+        if not np.all(np.isfinite(change)):
+            return None
+        for name, by in zip(sought, change, strict=True):
+            current[name] += float(by)
+    return None
+
+
+def _scale(values: Mapping[str, float]) -> float:
+    return max(1.0, *(abs(each) for each in values.values())) if values else 1.0
+
+
+def _errors(problem: Problem, part: Part, values: Mapping[str, float]) -> Any:
+    try:
+        story = tell(problem, part, values)
+        return np.array(residuals(problem, part, story), dtype=float)
+    except REFUSALS:
+        return None
+
+
+def answers(problem: Problem, part: Part, story: Story) -> tuple[float, ...]:
+    """What is asked of a part, in doubles: components of vectors one by one, angles in radians.
+
+    Ranges, extrema and what is to be shown have no number. Raises one of ``REFUSALS``.
+    """
+    numbers: list[float] = []
+    for item, now in problem.asked(part):
+        if not isinstance(item, Value):
+            continue
+        value = story.evaluator(now).value(item.expression)
+        if isinstance(value, Vector):
+            numbers += [float(value.x), float(value.y)]
+        else:
+            numbers.append(float(value.measure() if isinstance(value, Angle) else value))
+    if not all(map(math.isfinite, numbers)):
+        raise ArithmeticError("a value is not finite")
+    return tuple(numbers)

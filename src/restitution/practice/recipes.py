@@ -1,0 +1,15 @@
+"""All recipes for questions, by topic and level."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from restitution.practice import given_facts, one_wall, two_spheres, two_walls
+from restitution.practice.one_wall import Recipe
+
+RECIPES: Mapping[tuple[str, int], tuple[Recipe, ...]] = {
+    **one_wall.RECIPES,
+    **two_walls.RECIPES,
+    **two_spheres.RECIPES,
+    **given_facts.RECIPES,
+}
