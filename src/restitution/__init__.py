@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from restitution.impact import impact
     from restitution.language import parse, read, to_statement
     from restitution.motion import Table, simulate
+    from restitution.practice.generate import PracticeQuestion, practice_question
     from restitution.problem import Point, Problem, Sphere, Wall
     from restitution.solving import solve
     from restitution.vector import Vector
@@ -53,6 +54,7 @@ __all__ = [
     "ImpossibleError",
     "MissingError",
     "Point",
+    "PracticeQuestion",
     "Problem",
     "RestitutionError",
     "Sphere",
@@ -70,6 +72,7 @@ __all__ = [
     "impacts",
     "parse",
     "play",
+    "practice_question",
     "question",
     "read",
     "simulate",
@@ -98,6 +101,7 @@ _NAMES_OF_MODULES = {
     "gas": ("Gas",),
     "batch.impacts": ("impacts",),
     "batch.ensemble": ("ensemble",),
+    "practice.generate": ("PracticeQuestion", "practice_question"),
     "problem": ("Point", "Problem", "Sphere", "Wall"),
     "solving": ("solve",),
     "explaining.consequences": ("solve_as",),

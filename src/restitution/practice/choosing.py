@@ -174,11 +174,10 @@ def _attempt(data: Any) -> _Attempt | None:
     """An attempt as read; None where it is none."""
     if not isinstance(data, Mapping) or data.get("topic") not in _IDS:
         return None
-    level, day = data.get("level"), data.get("day")
-    earned, of = data.get("earned"), data.get("of")
-    if not (_is_whole(level) and level in LEVELS and _is_whole(day) and abs(day) < 10**8):
+    level, day, earned, of = (_whole(data.get(key)) for key in ("level", "day", "earned", "of"))
+    if level is None or day is None or level not in LEVELS or abs(day) >= 10**8:
         return None
-    if not (_is_whole(earned) and _is_whole(of) and 0 <= earned <= of <= 1000):
+    if earned is None or of is None or not 0 <= earned <= of <= 1000:
         return None
     named = data.get("mistakes")
     mistakes = tuple(
@@ -188,8 +187,8 @@ def _attempt(data: Any) -> _Attempt | None:
     return _Attempt(data["topic"], level, day, share, data.get("lost_method") is True, mistakes)
 
 
-def _is_whole(value: Any) -> bool:
-    return isinstance(value, int) and not isinstance(value, bool)
+def _whole(value: Any) -> int | None:
+    return value if isinstance(value, int) and not isinstance(value, bool) else None
 
 
 def _is_id(value: Any) -> bool:

@@ -11,16 +11,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields, is_dataclass, replace
 from fractions import Fraction
-from functools import lru_cache
-from itertools import combinations
+from functools import cached_property
 from typing import Any
 
-from restitution.explaining.altered import altered
+from restitution.explaining.altered import AlteredProblem, altered
 from restitution.explaining.misconceptions import MISCONCEPTIONS
 from restitution.expression.tree import Binary, Degrees, Number, Quantity
 from restitution.practice import doubles
 from restitution.practice.dice import Dice
-from restitution.problem import Problem
+from restitution.problem import Event, Given, Let, Problem, Value
 from restitution.solving.solution import Solution
 
 RIGHT = "the right answer"
@@ -29,13 +28,8 @@ _SAME = 1e-7
 
 INSEPARABLE: Mapping[frozenset[str], str] = {
     frozenset({"restitution-omitted", "energy-conserved"}): "both are an impact with e = 1",
-    frozenset({"sine-cosine", "angle-from-normal"}): "sine for cosine in every line is both",
-    frozenset({"speed-for-component", "impulse-of-speeds"}): "both put whole speeds into an impulse",
-    frozenset({"across-changed", "speed-for-component"}): (
-        "an impact treated as a direct one has no component across"
-    ),
-    frozenset({"energy-one-sphere", "energy-component-missing"}): (
-        "where one sphere has no component left, its energy is what is missing"
+    frozenset({"sine-cosine", "angle-from-normal"}): (
+        "the angle from the wrong line is sine for cosine in every line"
     ),
 }
 """Pairs of mistakes that no numbers tell apart; lines of working do."""
@@ -56,25 +50,21 @@ class Clash:
 
 def clash(solution: Solution) -> Clash | None:
     """The first two whose answers are not told apart, or None where a question is diagnosable."""
-    problem = solution.problem
-    known = _worlds(problem, solution)
-    if RIGHT not in known:
-        return None
-    alike = None
-    for one, other in combinations(known, 2):
-        if _mistake(one) == _mistake(other) or _in_table(one, other):
-            continue
-        if _apart(known[one], known[other]):
-            continue
-        alike = _alike_for_good(problem, solution) if alike is None else alike
-        if frozenset((one, other)) not in alike:
-            return Clash(_mistake(one), _mistake(other))
+    desk = _Desk(solution)
+    known: dict[str, Answers] = {}
+    for name, answers in desk.worlds(solution.problem):
+        for other, theirs in known.items():
+            if _mistake(name) == _mistake(other) or _in_table(name, other):
+                continue
+            if not _apart(answers, theirs) and not desk.alike_for_good(name, other):
+                return Clash(_mistake(other), _mistake(name))
+        known[name] = answers
     return None
 
 
 def answers_of(solution: Solution) -> dict[str, Answers]:
     """The answers of each part in doubles: the right ones, and those of each variant by its id."""
-    return _worlds(solution.problem, solution)
+    return dict(_Desk(solution).worlds(solution.problem))
 
 
 def difference(solution: Solution, mistake: str) -> float:
@@ -98,78 +88,128 @@ def _in_table(one: str, other: str) -> bool:
 # --- worlds -------------------------------------------------------------------------------------
 
 
-def _worlds(problem: Problem, solution: Solution) -> dict[str, Answers]:
-    """Answers by the id of a variant; what applies nowhere, or has no world, is left out."""
-    right = _answers(problem, solution, problem)
-    if right is None or not any(right):
-        return {}
-    known: dict[str, Answers] = {RIGHT: right}
-    for mistake in MISCONCEPTIONS.values():
-        for variant in mistake.variants:
-            if not variant.solvable:
-                continue
+@dataclass(frozen=True)
+class _Sample:
+    """A part solved, with values for all its letters, and the names of those that facts fix.
+
+    ``key`` is the same for parts of which the stories and the facts are the same.
+    """
+
+    index: int
+    values: Mapping[str, float]
+    sought: tuple[str, ...]
+    key: object
+
+
+class _Desk:
+    """The worlds of one solved question, and of the same question with shaken numbers."""
+
+    def __init__(self, solution: Solution) -> None:
+        self.problem = solution.problem
+        self.samples = tuple(_samples(solution))
+        self._shaken = [_shaken(self.problem, n) for n in (1, 2)]
+        self._known: dict[tuple[int, str], Answers | None] = {}
+
+    @cached_property
+    def _stories(self) -> list[Any]:
+        """The true story of each part; None where it cannot be told in doubles."""
+        return [
+            doubles.fitted(self.problem, self.problem.parts[each.index], each.values, each.sought)
+            for each in self.samples
+        ]
+
+    def worlds(self, problem: Problem) -> Iterator[tuple[str, Answers]]:
+        """Answers with the id of a variant, the right ones first.
+
+        What applies nowhere, or has no world, is left out.
+        """
+        right = self._answers(problem)
+        if right is None or not any(right):
+            return
+        yield RIGHT, right
+        for name, variant in _VARIANTS.items():
             changed = altered(problem, variant)
-            if changed is None or not _sensible(changed.at, problem, solution):
+            if changed is None or not self._is_sensible(changed):
                 continue
-            led = _answers(changed.problem, solution, problem)
+            led = self._answers(changed.problem)
             if led is not None and any(each is not None for each in led):
-                known[variant.id] = led
-    return known
+                yield name, led
 
-
-def _sensible(at: Any, problem: Problem, solution: Solution) -> bool:
-    """Whether the signs that are put in by hand are those of the components in the true world."""
-    trees = [sense for each in at for sense in each.senses]
-    trees += [each.sense for one in at for each in one.results if each.sense is not None]
-    if not trees:
-        return True
-    for part, values, _ in _samples(solution):
-        try:
-            story = doubles.tell(problem, part, values)
-            evaluator = story.evaluator(len(story.happenings))
-            if any(evaluator.scalar(tree) < -_SAME for tree in trees):
+    def alike_for_good(self, one: str, other: str) -> bool:
+        """Whether two agree with shaken numbers too: what is asked does not tell them apart."""
+        for number in range(len(self._shaken)):
+            pair = [self._answers_of(number, name) for name in (one, other)]
+            if pair[0] is None or pair[1] is None or not _equal(pair[0], pair[1]):
                 return False
-        except doubles.REFUSALS:
-            continue
-    return True
+        return True
 
-
-def _answers(problem: Problem, solution: Solution, true: Problem) -> Answers | None:
-    """The answers of each part of a problem, its unknown letters fitted to its facts."""
-    found: list[tuple[float, ...] | None] = []
-    for (part, values, sought), own in zip(
-        _samples(solution), _parts(problem, solution), strict=True
-    ):
-        if not any(True for _ in problem.asked(own)):
-            found.append(())
-            continue
-        fit = doubles.fitted(problem, own, values, sought)
-        try:
-            found.append(
-                None
-                if fit is None
-                else doubles.answers(problem, own, doubles.tell(problem, own, fit))
+    def _answers_of(self, number: int, name: str) -> Answers | None:
+        """The answers of a variant to the question with shaken numbers."""
+        if (number, name) not in self._known:
+            problem = self._shaken[number]
+            changed = None if name == RIGHT else altered(problem, _VARIANTS[name])
+            self._known[number, name] = self._answers(
+                problem if changed is None else changed.problem
             )
-        except doubles.REFUSALS:
-            found.append(None)
-    return tuple(found)
+        return self._known[number, name]
+
+    def _is_sensible(self, changed: AlteredProblem) -> bool:
+        """Whether the signs that are put in by hand are those of the components in the truth."""
+        trees = [sense for each in changed.at for sense in each.senses]
+        trees += [
+            each.sense for one in changed.at for each in one.results if each.sense is not None
+        ]
+        for story in self._stories if trees else ():
+            if story is None:
+                continue
+            evaluator = story.evaluator(len(story.happenings))
+            try:
+                if any(evaluator.scalar(tree) < -_SAME for tree in trees):
+                    return False
+            except doubles.REFUSALS:
+                continue
+        return True
+
+    def _answers(self, problem: Problem) -> Answers | None:
+        """The answers of each part, its unknown letters fitted to its facts."""
+        stories: dict[object, Any] = {}
+        answers: list[tuple[float, ...] | None] = []
+        for sample in self.samples:
+            part = problem.parts[sample.index]
+            if sample.key not in stories:
+                stories[sample.key] = doubles.fitted(problem, part, sample.values, sample.sought)
+            story = stories[sample.key]
+            try:
+                answers.append(None if story is None else doubles.answers(problem, part, story))
+            except doubles.REFUSALS:
+                answers.append(None)
+        return tuple(answers)
 
 
-def _parts(problem: Problem, solution: Solution) -> Iterator[Any]:
-    """The parts of a problem that stand where those of the solution do."""
-    for solved in solution.parts.values():
-        if solved.branches:
-            yield problem.parts[solution.problem.parts.index(solved.part)]
+_VARIANTS = {
+    variant.id: variant
+    for mistake in MISCONCEPTIONS.values()
+    for variant in mistake.variants
+    if variant.solvable
+}
 
 
-def _samples(solution: Solution) -> Iterator[tuple[Any, dict[str, float], tuple[str, ...]]]:
-    """Each part solved with values for all its letters, and the names of those that facts fix."""
-    for solved in solution.parts.values():
-        if not solved.branches:
+def _samples(solution: Solution) -> Iterator[_Sample]:
+    for index, part in enumerate(solution.problem.parts):
+        solved = solution.parts.get(part.label)
+        if solved is None or not solved.branches:
+            continue
+        if not any(isinstance(item, Value) for item, _ in solution.problem.asked(part)):
             continue
         branch = solved.branches[0]
         values = {name: float(value) for name, value in branch.sample.items()}
-        yield solved.part, values, tuple(name for name in branch.values if name in values)
+        sought = tuple(name for name in branch.values if name in values)
+        story = tuple(
+            (step, events)
+            for step, events, _ in solution.problem.timeline(part)
+            if isinstance(step, Event | Given | Let)
+        )
+        yield _Sample(index, values, sought, (story, tuple(values.items()), sought))
 
 
 # --- comparing ----------------------------------------------------------------------------------
@@ -203,16 +243,6 @@ def _equal(one: Answers, other: Answers) -> bool:
 # --- what no numbers tell apart -----------------------------------------------------------------
 
 
-def _alike_for_good(problem: Problem, solution: Solution) -> frozenset[frozenset[str]]:
-    """Pairs that agree with shaken numbers too: what is asked does not tell them apart."""
-    known = [_worlds(_shaken(problem, n), solution) for n in (1, 2)]
-    names = set(known[0]) & set(known[1])
-    pairs = (frozenset(pair) for pair in combinations(sorted(names), 2))
-    return frozenset(
-        pair for pair in pairs if all(_equal(*(each[name] for name in pair)) for each in known)
-    )
-
-
 def _shaken(problem: Problem, number: int) -> Problem:
     """A problem with every number of it changed a little, each by its own share."""
     dice = Dice(f"shaken/{number}")
@@ -221,6 +251,8 @@ def _shaken(problem: Problem, number: int) -> Problem:
 
 
 def _rebuilt(value: Any, dice: Dice) -> Any:
+    if isinstance(value, Degrees) and value.value % 90 == 0:
+        return value  # a right angle is what a question is about, and no number of it
     if isinstance(value, Number | Degrees):
         factor = 1 + Fraction(dice.between(-60, 60), 1000)
         return replace(value, value=value.value * factor)
@@ -238,6 +270,3 @@ def _rebuilt(value: Any, dice: Dice) -> Any:
         }
         return replace(value, **changes)
     return value
-
-
-_ = lru_cache

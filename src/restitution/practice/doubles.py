@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -95,45 +96,77 @@ def residuals(problem: Problem, part: Part, story: Story) -> list[float]:
 
 def fitted(
     problem: Problem, part: Part, values: Mapping[str, float], sought: Sequence[str]
-) -> dict[str, float] | None:
-    """The values with those sought changed so that all facts hold, or None.
+) -> Story | None:
+    """The story with the values sought changed so that all facts hold, or None.
 
-    By Newton's method from the values given; the least change where facts leave room.
+    By Broyden's method from the values given; the least change where facts leave room.
     """
     current = dict(values)
-    for _ in range(25):
-        errors = _errors(problem, part, current)
-        if errors is None:
-            return None
-        if not errors.size or float(np.max(np.abs(errors))) < 1e-9 * _scale(current):
-            return current
-        if not sought:
-            return None
-        columns = []
-        for name in sought:
-            step = 1e-6 * max(abs(current[name]), 0.1)
-            moved = _errors(problem, part, {**current, name: current[name] + step})
-            if moved is None or moved.shape != errors.shape:
-                return None
-            columns.append((moved - errors) / step)
-        change = np.linalg.lstsq(np.column_stack(columns), -errors, rcond=None)[0]
+    told = _told(problem, part, current)
+    if told is None or _is_met(told.errors, current):
+        return None if told is None else told.story
+    slopes = _slopes(problem, part, current, sought, told.errors)
+    for _ in range(_MOST_STEPS if slopes is not None else 0):
+        assert slopes is not None
+        change = np.linalg.lstsq(slopes, -told.errors, rcond=None)[0]
         if not np.all(np.isfinite(change)):
             return None
         for name, by in zip(sought, change, strict=True):
             current[name] += float(by)
+        moved = _told(problem, part, current)
+        if moved is None or moved.errors.shape != told.errors.shape:
+            return None
+        if _is_met(moved.errors, current):
+            return moved.story
+        square = float(change @ change)
+        if square == 0.0:
+            return None
+        off = moved.errors - told.errors - slopes @ change
+        slopes = slopes + np.outer(off, change) / square
+        told = moved
     return None
 
 
-def _scale(values: Mapping[str, float]) -> float:
-    return max(1.0, *(abs(each) for each in values.values())) if values else 1.0
+_MOST_STEPS = 16
 
 
-def _errors(problem: Problem, part: Part, values: Mapping[str, float]) -> Any:
+@dataclass(frozen=True)
+class _Told:
+    story: Story
+    errors: Any
+
+
+def _told(problem: Problem, part: Part, values: Mapping[str, float]) -> _Told | None:
+    """The story and what should vanish, an array; None where something cannot be."""
     try:
         story = tell(problem, part, values)
-        return np.array(residuals(problem, part, story), dtype=float)
+        errors = np.array(residuals(problem, part, story), dtype=float)
     except REFUSALS:
         return None
+    return _Told(story, errors) if np.all(np.isfinite(errors)) else None
+
+
+def _is_met(errors: Any, values: Mapping[str, float]) -> bool:
+    scale = max(1.0, *map(abs, values.values())) if values else 1.0
+    return not errors.size or float(np.max(np.abs(errors))) < 1e-8 * scale
+
+
+def _slopes(
+    problem: Problem,
+    part: Part,
+    values: Mapping[str, float],
+    sought: Sequence[str],
+    errors: Any,
+) -> Any:
+    """How errors change with each value sought, a matrix; None where that cannot be told."""
+    columns = []
+    for name in sought:
+        step = 1e-6 * max(abs(values[name]), 0.1)
+        moved = _told(problem, part, {**values, name: values[name] + step})
+        if moved is None or moved.errors.shape != errors.shape:
+            return None
+        columns.append((moved.errors - errors) / step)
+    return np.column_stack(columns) if columns else None
 
 
 def answers(problem: Problem, part: Part, story: Story) -> tuple[float, ...]:

@@ -194,12 +194,12 @@ def objection(solution: Solution) -> str:
         return solution.error.message
     if solution.problem.notes:
         return "its notation is doubtful"
-    for _, item in solution.items():
+    for item in (each for part in solution.parts.values() for each in part.items):
         if item.error is not None:
             return item.error.message
         if item.kind == "show" and item.holds is not True:
             return f"{item.text} does not hold"
-        if len(item.distinct) > 1 or any(answer.condition for answer in item.answers):
+        if len(item.distinct) > 1:
             return f"{item.text} has several answers"
     ugly = ugly_value(solution)
     if ugly:

@@ -83,7 +83,7 @@ def _right_angle_3(d: Dice) -> str:
 
 
 def _right_angle_4(d: Dice) -> str:
-    m1, m2, angle, e = _turned(d)
+    m1, m2, _, e = _turned(d)
     return _lines(
         f"sphere A: mass {times(m1, 'm')}, velocity u at alpha",
         f"sphere B: mass {times(m2, 'm')}, at rest",
@@ -147,7 +147,7 @@ def _simple_share(d: Dice) -> tuple[int, int, Acute, Fraction, Fraction]:
 
 
 def _energy_3(d: Dice) -> str:
-    m1, m2, angle, e, share = _simple_share(d)
+    m1, m2, angle, _, share = _simple_share(d)
     return _lines(
         f"sphere A: mass {times(m1, 'm')}, velocity u at alpha",
         f"sphere B: mass {times(m2, 'm')}, at rest",
@@ -162,7 +162,7 @@ def _energy_3(d: Dice) -> str:
 
 
 def _energy_4(d: Dice) -> str:
-    m1, m2, angle, e, share = _simple_share(d)
+    m1, m2, _, e, share = _simple_share(d)
     return _lines(
         f"sphere A: mass {times(m1, 'm')}, velocity u at alpha",
         f"sphere B: mass {times(m2, 'm')}, at rest",
@@ -191,7 +191,7 @@ def _rest_1(d: Dice) -> str:
         # e that leaves B at rest
         gap = c.p1 - c.p2
         e = -(c.m1 * c.p1 + c.m2 * c.p2) / (c.m1 * gap)
-        if 0 < e < 1 and e.denominator <= 12 and c.p2:
+        if 0 < e < 1 and e.denominator <= 12:
             break
     return _lines(
         f"sphere A: mass {_mass(c.m1)}, velocity {vector(c.p1, c.s1)}",
@@ -230,7 +230,7 @@ def _rest_3(d: Dice) -> str:
         c = pair(d, denominators=4)
         gap = c.p1 - c.p2
         e = (c.m1 * c.p1 + c.m2 * c.p2) / (c.m2 * gap)
-        if 0 < e < 1 and e.denominator <= 12 and c.p2:
+        if 0 < e < 1 and e.denominator <= 12:
             break
     return _lines(
         f"sphere A: mass {_mass(c.m1)}, velocity {vector(c.p1, c.s1)}",

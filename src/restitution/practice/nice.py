@@ -154,7 +154,7 @@ def pair(
         p1, s1 = Fraction(d.between(1, reach)), Fraction(d.between(1, reach) * d.sign())
         p2, s2 = Fraction(0), Fraction(0)
         if not at_rest:
-            p2 = Fraction(d.between(-reach, reach))
+            p2 = Fraction(d.between(1, reach) * d.sign())
             s2 = Fraction(d.between(1, reach) * d.sign()) if both_across else Fraction(0)
         given = [p1, s1, *((p2,) if p2 else ()), *((s2,) if s2 else ())]
         if p2 >= p1 or not unlike(given):
@@ -210,7 +210,7 @@ def _is_nice(x: sp.Expr) -> bool:
 
 
 def _is_small(x: sp.Rational) -> bool:
-    return x.q <= MOST_DENOMINATOR and abs(x.p) <= _MOST_NUMERATOR
+    return bool(x.q <= MOST_DENOMINATOR and abs(x.p) <= _MOST_NUMERATOR)
 
 
 def ugly_value(solution: Solution) -> str:
@@ -231,7 +231,7 @@ def ugly_value(solution: Solution) -> str:
                 for velocity in happening.after.values():
                     if not is_nice(tuple(velocity)):
                         return "a velocity"
-    for _, item in solution.items():
+    for item in (each for part in solution.parts.values() for each in part.items):
         for answer in item.answers[:1]:
             if item.kind in ("value", "vector") and not is_nice(answer.value):
                 return item.text

@@ -110,8 +110,7 @@ def _slanting(d: Dice, *asked: str, weight: str = "") -> str:
     s = _sphere(d)
     x, y = d.of(_SLANTING)
     along, into = d.between(1, 3), d.between(1, 3) * d.sign()
-    size = 1 if abs(x) == abs(y) or abs(x * y) == 2 else 1
-    velocity = vector(size * (along * x - into * y), size * (along * y + into * x))
+    velocity = vector(along * x - into * y, along * y + into * x)
     heavy = f"mass {weight}, " if weight else ""
     return _lines(
         f"wall W: along {vector(x, y)}",

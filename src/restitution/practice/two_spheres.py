@@ -128,7 +128,9 @@ def _at_rest_3(d: Dice) -> str:
 def _at_rest_3_in_letters(d: Dice) -> str:
     angle = acute(d, 5)
     m1, m2, e = _simple_struck(d, angle)
-    one, other = (times(Fraction(each) * (1 if "." not in m1 + m2 else 10), "m") for each in (m1, m2))
+    one, other = (
+        times(Fraction(each) * (1 if "." not in m1 + m2 else 10), "m") for each in (m1, m2)
+    )
     return _struck(
         d,
         one,
@@ -182,7 +184,9 @@ def _at_rest_4(d: Dice) -> str:
 def _moving(d: Dice, *asked: str, direct: bool = False, letters: bool = False) -> str:
     """Two speeds, at angles to the line of centres, towards each other or one after the other."""
     one = acute(d, 13)
-    other = Acute(*d.of([each for each in TRIPLES[:4] if each[0] * one.along != each[1] * one.across]))
+    other = Acute(
+        *d.of([each for each in TRIPLES[:4] if each[0] * one.along != each[1] * one.across])
+    )
     scale, second = d.between(1, 2), d.between(1, 2)
     p1, p2 = Fraction(one.along * scale), -Fraction(other.along * second)
     if direct:
@@ -227,7 +231,7 @@ def _moving_4(d: Dice) -> str:
     """The coefficient from the speed of one sphere afterwards."""
     one = acute(d, 13)
     scale = d.between(1, 2)
-    p1, s1 = Fraction(one.along * scale), Fraction(one.across * scale)
+    p1 = Fraction(one.along * scale)
     p2 = -Fraction(d.between(1, 6))
     (m1, m2), e = _simple_moving(d, p1, p2)
     q2 = (m1 * p1 + m2 * p2 + m1 * e * (p1 - p2)) / (m1 + m2)
@@ -251,7 +255,7 @@ def _moving_4(d: Dice) -> str:
 
 def _vectors_3(d: Dice) -> str:
     x, y = d.of(_LINES)
-    c = pair(d, reach=3, denominators=4)
+    c = pair(d, reach=5, denominators=4)
     m1, m2 = _masses(c)
     return _lines(
         f"sphere A: mass {m1}, velocity {vector(c.p1 * x - c.s1 * y, c.p1 * y + c.s1 * x)}",
@@ -464,7 +468,7 @@ def _line_2(d: Dice) -> str:
 
 def _line_3(d: Dice) -> str:
     """Centres on parallel paths: the line of centres makes arcsin(d/2r) with them."""
-    across, along, whole = d.of(((3, 4, 5), (4, 3, 5), (5, 12, 13), (12, 5, 13)))
+    across, whole = d.of(((3, 5), (4, 5), (5, 13), (12, 13)))
     share = Fraction(2 * across, whole)
     offset = f"{float(share):g} r" if whole == 5 else f"{share} r"
     while True:
