@@ -1,0 +1,384 @@
+"""The lines of a script judged one after another, under one meaning of its letters.
+
+A line is true if one reading of it holds in one admissible solution. After a first false line it is
+judged in the student's own world as well. The truth of a line never depends on the lines above.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Protocol
+
+import numpy as np
+
+from restitution.explaining.misconceptions import VariantAt
+from restitution.expression.tree import Apply, Expression, Letter, Negate, Quantity
+from restitution.practice.agreement import agrees, difference
+from restitution.practice.arrays import UnvaluedError
+from restitution.practice.deduction import deduced_from
+from restitution.practice.entries import (
+    Entry,
+    Meanings,
+    is_numeric,
+    is_root_of,
+    sources_of,
+)
+from restitution.practice.judgement import Accuracy, JudgedLine, Mistake, Use, Verdict
+from restitution.practice.lines import read_as
+from restitution.practice.script import Claim, Link, Script, ScriptLine
+from restitution.practice.student import altered_world, student_world
+from restitution.practice.support import Support, Wanted
+from restitution.practice.world import World
+
+_WORST: tuple[Verdict, ...] = ("false", "unread", "asks", "unsupported", "follows", "true")
+_GRADES: tuple[Accuracy, ...] = ("coarse", "rounded", "exact")
+# How far a student's own rounding to three figures may move his values.
+_OWN_ROUNDING = 0.006
+COARSE = "coarse"
+OTHER_ROOT = "other-root"
+IMPOSSIBLE = "impossible"
+
+
+class Naming(Protocol):
+    """Whoever gives a mistake its name."""
+
+    worlds: dict[Any, World | None]
+
+    def named(self, entry: Entry, judge: Judge) -> Mistake:
+        """The mistake that begins in a claim which is false."""
+
+
+@dataclass(frozen=True)
+class Question:
+    """What a part prints and asks, the letters that it has to find, and those that it gives."""
+
+    wanted: Wanted
+    unknown: frozenset[str] = frozenset()
+    given: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True)
+class JudgedLink:
+    """A link with its verdict: the reading that decided, and what is said of it."""
+
+    verdict: Verdict
+    claim: Claim
+    accuracy: Accuracy | None = None
+    sources: tuple[int, ...] = ()
+    remark: str | None = None
+    letters: frozenset[str] = frozenset()
+
+
+class Judge:
+    """Judges a script under one meaning of its letters.
+
+    ``worlds`` are those of the admissible solutions, ``meanings`` those of the letters in each
+    line, by its number.
+    """
+
+    def __init__(
+        self,
+        worlds: Sequence[World],
+        meanings: Mapping[int, Meanings],
+        naming: Naming,
+        question: Question,
+    ) -> None:
+        self.worlds = tuple(worlds)
+        self.naming = naming
+        self.question = question
+        self.entries: list[Entry] = []
+        self.unknown: set[str] = set()
+        self._meanings = meanings
+        self._own: tuple[int, tuple[World, ...]] = (-1, ())
+        self._base = self.worlds[0]
+        self._stated: set[tuple[str, int | None]] = set()
+
+    # --- a script -----------------------------------------------------------------------------
+
+    def judged(self, script: Script) -> tuple[JudgedLine, ...]:
+        """Every line with its verdict."""
+        self._base = self._likeliest(script)
+        question = self.question
+        self._support = Support(self._base, question.wanted, question.unknown, question.given)
+        return tuple(self._judged(line) for line in script.lines)
+
+    def meanings(self, number: int) -> Meanings:
+        """What letters and phrases mean in a line."""
+        return self._meanings.get(number, {})
+
+    @property
+    def base(self) -> World:
+        """The solution in which most lines are true."""
+        return self._base
+
+    @property
+    def wrong(self) -> bool:
+        """Whether a line so far is false."""
+        return any(entry.wrong for entry in self.entries)
+
+    def _likeliest(self, script: Script) -> World:
+        if len(self.worlds) == 1:
+            return self.worlds[0]
+        links = [(line, link) for line in script.lines for link in line.links]
+        return max(
+            self.worlds,
+            key=lambda world: sum(
+                self._holds(link, line, (world,)) is not None for line, link in links
+            ),
+        )
+
+    def _judged(self, line: ScriptLine) -> JudgedLine:
+        if line.kind == "unread":
+            return JudgedLine(line, "unread")
+        if line.kind in ("remark", "heading", "crossed") or not line.links:
+            return JudgedLine(line, "remark")
+        links = self._links(line)
+        verdict = next(each for each in _WORST if any(link.verdict == each for link in links))
+        place = next(k for k, link in enumerate(links) if link.verdict == verdict)
+        worst = links[place]
+        mistake = None
+        if verdict == "false":
+            entry = self._entry(line, line.links[place], worst)
+            mistake = self.naming.named(entry, self)
+        for name in worst.letters:
+            self.unknown.add(name)
+        accuracies = [link.accuracy for link in links if link.accuracy is not None]
+        self._remember(line, links)
+        return JudgedLine(
+            line,
+            verdict,
+            accuracy=next((each for each in _GRADES if each in accuracies), None)
+            if verdict in ("true", "follows")
+            else None,
+            uses=self._uses(line, links),
+            read_as=read_as(tuple(link.claim for link in links)),
+            link=place if verdict == "false" else None,
+            sources=tuple(dict.fromkeys(n for link in links for n in link.sources)),
+            mistake=mistake,
+            remark=next((link.remark for link in links if link.remark), None),
+        )
+
+    # --- a link -------------------------------------------------------------------------------
+
+    def _links(self, line: ScriptLine) -> list[JudgedLink]:
+        return [self._link(line, link) for link in line.links]
+
+    def _link(self, line: ScriptLine, link: Link) -> JudgedLink:
+        held = self._holds(link, line, self.worlds)
+        if held is not None:
+            accuracy, claim = held
+            remark = COARSE if accuracy == "coarse" else None
+            verdict: Verdict = "true"
+            if self._support.is_missing(
+                self._entry_of(line, link, claim),
+                self.entries,
+                self.students() if self.wrong else (),
+            ):
+                verdict = "unsupported"
+            return JudgedLink(verdict, claim, accuracy, remark=remark)
+        return self._root(line, link) or self._following(line, link) or self._refused(line, link)
+
+    def _holds(
+        self, link: Link, line: ScriptLine, worlds: Iterable[World]
+    ) -> tuple[Accuracy, Claim] | None:
+        """How exactly the best reading of a link holds in one of some worlds, and that reading."""
+        best: tuple[Accuracy, Claim] | None = None
+        for world in worlds:
+            for claim in link.readings:
+                grade = self.accuracy(claim, world, line, link)
+                if grade == "exact":
+                    return grade, claim
+                if grade is not None and (best is None or best[0] == "coarse"):
+                    best = grade, claim
+        return best
+
+    def accuracy(self, claim: Claim, world: World, line: ScriptLine, link: Link) -> Accuracy | None:
+        """How exactly a claim holds in a world; None where it does not, or has no value there."""
+        meanings = self.meanings(line.number)
+        for each in (claim, *_of_sizes(claim, meanings)):
+            try:
+                grade = agrees(each, world, meanings, link.decimals, line.scope)
+            except UnvaluedError:
+                continue
+            if grade is not None:
+                return grade
+        return None
+
+    def _root(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A value that is another root of the student's own equation, beside the right one."""
+        for claim in link.readings:
+            single = [
+                replace(claim, right=right, others=()) for right in (claim.right, *claim.others)
+            ]
+            entries = [e for e in reversed(self.entries) if e.right]
+            for entry in entries:
+                roots = [is_root_of(each, entry) for each in single]
+                if all(r is not None and self._valid(r, entry) for r in roots):
+                    right = any(
+                        self.accuracy(each, w, line, link) for each in single for w in self.worlds
+                    )
+                    if right or any(
+                        same_left(e.claim, claim) and e.right and e.is_value for e in entries
+                    ):
+                        return JudgedLink("true", claim, "exact", remark=OTHER_ROOT)
+        return None
+
+    def _valid(self, claim: Claim, entry: Entry) -> bool:
+        try:
+            return any(
+                agrees(claim, world, entry.meanings, entry.decimals, entry.scope)
+                for world in self.worlds
+            )
+        except UnvaluedError:
+            return False
+
+    def _following(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        if not self.wrong:
+            return None
+        for claim in link.readings:
+            for world in self.students():
+                grade = self.accuracy(claim, world, line, link) or self._loosely(
+                    claim, world, line, link
+                )
+                if grade is not None:
+                    sources = sources_of(claim, self.entries)
+                    return JudgedLink("follows", claim, grade, sources, _impossible(claim))
+        for claim in link.readings:
+            entry = self._entry_of(line, link, claim)
+            places = deduced_from(entry, self.entries, self._base, self.question.given)
+            if places:
+                numbers = tuple(self.entries[place].number for place in places)
+                return JudgedLink("follows", claim, "exact", numbers, _impossible(claim))
+        return None
+
+    def _loosely(self, claim: Claim, world: World, line: ScriptLine, link: Link) -> Accuracy | None:
+        """Whether a claim holds within what the student's own rounding may have moved."""
+        rounded = any(entry.decimals for entry in self.entries)
+        if claim.sign != "=" or not (link.decimals or rounded):
+            return None
+        try:
+            apart, size = difference(claim, world, self.meanings(line.number), line.scope)
+        except UnvaluedError:
+            return None
+        close = np.all(np.abs(apart) <= _OWN_ROUNDING * size)
+        return "rounded" if close and np.all(size > 0) else None
+
+    def _refused(self, line: ScriptLine, link: Link) -> JudgedLink:
+        """A link that neither holds nor follows: false, or not to be decided."""
+        missing: set[str] = set()
+        fault: str | None = None
+        for claim in link.readings:
+            try:
+                agrees(claim, self._base, self.meanings(line.number), link.decimals, line.scope)
+            except UnvaluedError as error:
+                if error.letter is None:
+                    fault = fault or str(error)
+                else:
+                    missing.add(error.letter)
+            else:
+                if not missing:
+                    return JudgedLink("false", claim)
+        first = link.readings[0]
+        if missing:
+            return JudgedLink("asks", first, letters=frozenset(missing))
+        return JudgedLink("unread", first, remark=fault)
+
+    # --- the student's own values -------------------------------------------------------------
+
+    def students(self) -> tuple[World, ...]:
+        """The worlds in which the lines so far hold, as far as they can hold together."""
+        if self._own[0] != len(self.entries):
+            self._own = len(self.entries), tuple(self._worlds_of_student())
+        return self._own[1]
+
+    def _worlds_of_student(self) -> Iterator[World]:
+        for latest in (True, False):
+            world = student_world(self._base, self.entries, self.question.unknown, latest=latest)
+            if world is not None:
+                yield world
+
+    def altered(self, variant: VariantAt) -> World | None:
+        """The world of an altered law, all else being right."""
+        key = variant.id, variant.event.number, self._base.solution
+        if key not in self.naming.worlds:
+            self.naming.worlds[key] = altered_world(self._base, variant, self.question.unknown)
+        return self.naming.worlds[key]
+
+    def stated(self) -> frozenset[tuple[str, int | None]]:
+        """The laws that a line above states rightly, each with its event."""
+        return frozenset(self._stated)
+
+    def _remember(self, line: ScriptLine, links: Sequence[JudgedLink]) -> None:
+        start: Expression | None = None
+        last: Expression | None = None
+        first = len(self.entries)
+        for link, judged in zip(line.links, links, strict=True):
+            claim = judged.claim
+            if start is None or claim.left != last:
+                start, first = claim.left, len(self.entries)
+            last = claim.right
+            if judged.verdict not in ("true", "follows", "false", "unsupported"):
+                continue
+            if not is_numeric(claim.left) or not is_numeric(claim.right):
+                self.entries.append(self._entry(line, link, judged))
+            elif judged.verdict == "false" and not is_numeric(start):
+                # A chain that ends in another number gives that number to what it begins with.
+                del self.entries[first:]
+                whole = replace(judged, claim=replace(claim, left=start))
+                self.entries.append(self._entry(line, link, whole))
+
+    def _entry(self, line: ScriptLine, link: Link, judged: JudgedLink) -> Entry:
+        entry = self._entry_of(line, link, judged.claim)
+        return replace(
+            entry, right=judged.verdict in ("true", "unsupported"), wrong=judged.verdict == "false"
+        )
+
+    def _entry_of(self, line: ScriptLine, link: Link, claim: Claim) -> Entry:
+        meanings = self.meanings(line.number)
+        return Entry(line.number, claim, meanings, line.scope, link.decimals)
+
+    def _uses(self, line: ScriptLine, links: Sequence[JudgedLink]) -> tuple[Use, ...]:
+        found: dict[Use, None] = {}
+        for link in links:
+            if link.verdict in ("true", "follows", "false", "unsupported"):
+                for use in self.uses(link.claim, line):
+                    found[use] = None
+        return tuple(found)
+
+    def uses(self, claim: Claim, line: ScriptLine) -> tuple[Use, ...]:
+        """The laws of which a claim is an instance."""
+        return ()
+
+    def uses_of_entry(self, entry: Entry) -> tuple[Use, ...]:
+        """The laws of which an entry is an instance, altered ones among them."""
+        return ()
+
+
+def same_left(one: Claim, other: Claim) -> bool:
+    """Whether two claims are about the same letter or quantity."""
+    return one.left == other.left
+
+
+def _of_sizes(claim: Claim, meanings: Meanings) -> Iterator[Claim]:
+    """A claim about a size with its other side turned: momenta subtracted in the other order."""
+    if claim.sign != "=" or claim.others:
+        return
+    if _is_impulse(claim.left, meanings):
+        yield replace(claim, right=Negate(claim.right))
+    elif _is_impulse(claim.right, meanings):
+        yield replace(claim, left=Negate(claim.left))
+
+
+def _is_impulse(tree: Expression, meanings: Meanings) -> bool:
+    """Whether a side is the size of an impulse."""
+    if isinstance(tree, Letter):
+        tree = meanings.get(tree.name, tree)
+    if isinstance(tree, Apply) and tree.function == "abs":
+        return True
+    return isinstance(tree, Quantity) and tree.kind == "impulse" and not tree.arguments
+
+
+def _impossible(claim: Claim) -> str | None:
+    """The remark on a coefficient, sine or cosine that cannot have its value."""
+    return None
