@@ -22,7 +22,8 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import JudgedLine, Judgement, Mistake
-from restitution.practice.letters import Interpretation, Interpretations, meanings_of
+from restitution.practice.interpretation import Interpretation, Interpretations
+from restitution.practice.letters import meanings_of
 from restitution.practice.naming import Names
 from restitution.practice.sampling import true_worlds
 from restitution.practice.script import Link, Script, ScriptLine
@@ -54,7 +55,7 @@ def judge(
         own, bench.problem, bench.solution, part, dict(letters or {}), bench.worlds
     )
     if not bench.worlds:
-        return Judgement(own.lines and tuple(JudgedLine(each, "remark") for each in own.lines), ())
+        return Judgement(tuple(JudgedLine(each, "remark") for each in own.lines), ())
     return _Sitting(bench, own, meanings).judgement()
 
 
