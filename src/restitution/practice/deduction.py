@@ -26,7 +26,7 @@ from restitution.expression.tree import (
     Pi,
     Quantity,
     Unit,
-    walk,
+    children,
 )
 from restitution.practice.arrays import UnvaluedError, is_bare
 from restitution.practice.entries import Entry
@@ -92,12 +92,24 @@ def _symbols(entry: Entry) -> frozenset[Expression]:
 
 def _parts(entry: Entry) -> Iterator[Expression]:
     for side in (entry.claim.left, entry.claim.right):
-        for each in walk(side):
-            if isinstance(each, Letter):
-                meant = entry.meanings.get(each.name, each)
-                yield meant if isinstance(meant, Quantity) else each
-            elif isinstance(each, Quantity):
-                yield each
+        yield from _within(side, entry, ())
+
+
+def _within(tree: Expression, entry: Entry, opened: tuple[str, ...]) -> Iterator[Expression]:
+    """The symbols of a tree; a letter that means a sum or a product counts by what is in it."""
+    pending = [tree]
+    while pending:
+        each = pending.pop()
+        if isinstance(each, Letter):
+            meant = entry.meanings.get(each.name, each)
+            if each.name in opened or isinstance(meant, Quantity) or meant == each:
+                yield each if each.name in opened else meant
+            else:
+                yield from _within(meant, entry, (*opened, each.name))
+        elif isinstance(each, Quantity):
+            yield each
+        else:
+            pending.extend(children(each))
 
 
 def _follows(entry: Entry, earlier: Sequence[Entry], world: World, data: frozenset[str]) -> bool:
@@ -184,7 +196,7 @@ class _Plane:
         one, other = (np.stack([np.broadcast_to(p, (_POINTS,)) for p in each]) for each in (a, b))
         return one - other, np.maximum(np.abs(one), np.abs(other))
 
-    def _tree(self, tree: Expression, entry: Entry, x: Array) -> Any:
+    def _tree(self, tree: Expression, entry: Entry, x: Array, opened: tuple[str, ...] = ()) -> Any:
         match tree:
             case Number(value):
                 return complex(value)
@@ -193,22 +205,24 @@ class _Plane:
             case Pi():
                 return complex(np.pi)
             case Letter(name):
-                meant = entry.meanings.get(name, tree)
+                meant = tree if name in opened else entry.meanings.get(name, tree)
                 if isinstance(meant, Quantity) or meant == tree:
                     return self._symbol(meant, x)
-                return self._tree(meant, entry, x)
+                return self._tree(meant, entry, x, (*opened, name))
             case Quantity():
                 return self._symbol(tree, x)
             case Unit(axis):
                 return (1 + 0j, 0j) if axis == "i" else (0j, 1 + 0j)
             case Pair(a, b):
-                return self._tree(a, entry, x), self._tree(b, entry, x)
+                return self._tree(a, entry, x, opened), self._tree(b, entry, x, opened)
             case Negate(operand):
-                return _scaled(-1, self._tree(operand, entry, x))
+                return _scaled(-1, self._tree(operand, entry, x, opened))
             case Binary(op, left, right):
-                return _combined(op, self._tree(left, entry, x), self._tree(right, entry, x))
+                return _combined(
+                    op, self._tree(left, entry, x, opened), self._tree(right, entry, x, opened)
+                )
             case Apply(function, argument) if function in _FUNCTIONS:
-                inside = self._tree(argument, entry, x)
+                inside = self._tree(argument, entry, x, opened)
                 if isinstance(inside, tuple):
                     raise _UnfitError
                 if function in _TURNING and is_bare(argument):
@@ -219,6 +233,8 @@ class _Plane:
     def _symbol(self, symbol: Expression, x: Array) -> Any:
         if symbol in self.fixed:
             return self.fixed[symbol]
+        if symbol not in self.columns:
+            raise _UnfitError
         columns = self.columns[symbol]
         return tuple(x[k] for k in columns) if len(columns) == 2 else x[columns[0]]
 

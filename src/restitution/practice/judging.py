@@ -21,8 +21,8 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.practice.judgement import JudgedLine, Judgement, Mistake
 from restitution.practice.interpretation import Interpretation, Interpretations
+from restitution.practice.judgement import JudgedLine, Judgement, Mistake
 from restitution.practice.letters import meanings_of
 from restitution.practice.naming import Names
 from restitution.practice.sampling import true_worlds

@@ -26,6 +26,7 @@ from restitution.practice.entries import (
 )
 from restitution.practice.judgement import Accuracy, JudgedLine, Mistake, Use, Verdict
 from restitution.practice.lines import read_as
+from restitution.practice.principles import uses_of
 from restitution.practice.script import Claim, Link, Script, ScriptLine
 from restitution.practice.student import altered_world, student_world
 from restitution.practice.support import Support, Wanted
@@ -93,6 +94,7 @@ class Judge:
         self._own: tuple[int, tuple[World, ...]] = (-1, ())
         self._base = self.worlds[0]
         self._stated: set[tuple[str, int | None]] = set()
+        self._known_uses: dict[Any, tuple[Use, ...]] = {}
 
     # --- a script -----------------------------------------------------------------------------
 
@@ -144,6 +146,9 @@ class Judge:
         for name in worst.letters:
             self.unknown.add(name)
         accuracies = [link.accuracy for link in links if link.accuracy is not None]
+        uses = self._uses(line, links)
+        if verdict == "true":
+            self._stated |= {(use.principle, use.event) for use in uses if use.altered is None}
         self._remember(line, links)
         return JudgedLine(
             line,
@@ -151,7 +156,7 @@ class Judge:
             accuracy=next((each for each in _GRADES if each in accuracies), None)
             if verdict in ("true", "follows")
             else None,
-            uses=self._uses(line, links),
+            uses=uses,
             read_as=read_as(tuple(link.claim for link in links)),
             link=place if verdict == "false" else None,
             sources=tuple(dict.fromkeys(n for link in links for n in link.sources)),
@@ -338,20 +343,41 @@ class Judge:
         meanings = self.meanings(line.number)
         return Entry(line.number, claim, meanings, line.scope, link.decimals)
 
+    # --- laws ---------------------------------------------------------------------------------
+
     def _uses(self, line: ScriptLine, links: Sequence[JudgedLink]) -> tuple[Use, ...]:
         found: dict[Use, None] = {}
-        for link in links:
-            if link.verdict in ("true", "follows", "false", "unsupported"):
-                for use in self.uses(link.claim, line):
-                    found[use] = None
+        for link, judged in zip(line.links, links, strict=True):
+            if judged.verdict in ("true", "follows", "false", "unsupported"):
+                entry = self._entry(line, link, judged)
+                found.update(dict.fromkeys(self.uses_of_entry(entry)))
+        if len(found) > 1:
+            found.pop(Use("arithmetic"), None)
         return tuple(found)
 
-    def uses(self, claim: Claim, line: ScriptLine) -> tuple[Use, ...]:
-        """The laws of which a claim is an instance."""
-        return ()
-
     def uses_of_entry(self, entry: Entry) -> tuple[Use, ...]:
-        """The laws of which an entry is an instance, altered ones among them."""
+        """The laws of which an entry is an instance; altered ones where it is false."""
+        key = entry.claim, entry.number, entry.wrong
+        if key not in self._known_uses:
+            self._known_uses[key] = self._found_uses(entry)
+        return self._known_uses[key]
+
+    def _found_uses(self, entry: Entry) -> tuple[Use, ...]:
+        students = () if entry.right or entry.wrong else self.students()
+        for world in (self._base, *students):
+            try:
+                uses = uses_of(
+                    entry.claim,
+                    world,
+                    entry.meanings,
+                    entry.decimals,
+                    entry.scope,
+                    altered=not entry.right,
+                )
+            except UnvaluedError:
+                continue
+            if uses:
+                return uses
         return ()
 
 
