@@ -5,6 +5,8 @@ from __future__ import annotations
 import functools
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from restitution.expression import write_expression
 from restitution.expression.tree import Expression
@@ -121,3 +123,30 @@ def test_a_claim_is_written_in_symbols() -> None:
 def test_a_phrase_has_its_quantity() -> None:
     assert written(read_phrase("KE lost", problem())[0]) == "energy_lost"
     assert written(read_phrase("along(velocity(A), i)", problem())[0]) == "along(velocity(A), i)"
+
+
+# --- whatever is typed ----------------------------------------------------------------------------
+
+PIECES = st.sampled_from(
+    [*"uvwmeαβθij0123456789.+-*/^()[]{}|=<>,;:~±√²½'%°_ \t", "sin", "cos", "tan", "sqrt", "KE"]
+    + ["speed of A", " after", " so ", " or ", "let ", " x ", "v_A", "=>", "≤", "\\frac{1}{2}"]
+    + ["before ", "(a)", "case 1", "m/s", "ms^-1", "10^99", "a", " and ", "impulse", "A", "AB"]
+)
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.one_of(st.text(max_size=120), st.lists(PIECES, max_size=40).map("".join)))
+def test_any_text_gives_a_script(text: str) -> None:
+    for statement in (SPHERES, WALLS):
+        script = read_working(text, problem(statement))
+        for read in script.lines:
+            assert (read.kind == "relations") == bool(read.links) or read.kind == "crossed"
+            for link in read.links:
+                assert 0 < len(link.readings) <= 24
+                assert all(write_claim(each) for each in link.readings[:2])
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.one_of(st.text(max_size=80), st.lists(PIECES, max_size=12).map(" ".join)))
+def test_any_words_are_read_or_have_no_meaning(words: str) -> None:
+    assert isinstance(read_phrase(words, problem()), tuple)

@@ -39,6 +39,7 @@ _SAME: dict[str, str] = {
     "⟩": ")",
     "←": " ",
 }
+_POINTED = re.compile(r"<([^<>=,]{1,20}),([^<>=,]{1,20})>")
 _FRACTIONS = re.compile(r"(\d*)([½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅐⅛⅜⅝⅞⅑⅒])")
 _RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾ⁿ"
 _LOWERED = "₀₁₂₃₄₅₆₇₈₉ₐₑₓ"
@@ -98,6 +99,7 @@ class Plain:
 def plain(line: str) -> Plain:
     """A line as typed, with every variant of a sign made one and accents taken off."""
     text = _without_latex(line) if "\\" in line or "$" in line else line
+    text = _POINTED.sub(r"(\1,\2)", text)
     if text.isascii() and "\t" not in text and not _changes(text):
         return Plain(text, tuple(range(1, len(text) + 1)))
     characters: list[str] = []
@@ -125,7 +127,8 @@ def plain(line: str) -> Plain:
             stretch = text[offset:end]
             if kinds is _RAISED:
                 inside = stretch.translate(_RAISED_PLAIN)
-                add(f"^{inside}" if inside.isdigit() else f"^({inside})", offset + 1)
+                alone = inside.isdigit() and not text[end : end + 1].isdigit()
+                add(f"^{inside}" if alone else f"^({inside})", offset + 1)
             else:
                 add("_" + stretch.translate(_LOWERED_PLAIN), offset + 1)
             offset = end

@@ -240,23 +240,39 @@ class _Parser:
             elif self.begins_factor():
                 tree = self.multiplied(tree, self.factor(), None)
             elif kind == "measure":
-                self.take()
+                tree = self.measure(tree)
             else:
                 return tree
+
+    def measure(self, tree: Expression) -> Expression:
+        """A value with its unit, which adds nothing; a J may be the letter of an impulse."""
+        token = self.take()
+        if token.value and self.choose("unit") == (token.value == 1):
+            return Binary("*", tree, Letter("J", place=self.place(token)))
+        return tree
 
     def begins_factor(self) -> bool:
         """Whether a factor stands next without a sign before it."""
         kind = self.kind()
         if kind == "number":
-            return self.position > 0 and self.kind(-1) not in ("number", "percent", "degrees")
+            return self.position > 0 and self.may_multiply_numbers()
         if kind == "|":
             return not self.bars
         return kind in _OPERANDS
+
+    def may_multiply_numbers(self) -> bool:
+        """Whether a number may stand behind what is there: ``1/2 3m``, but not ``3 4``."""
+        if self.kind(-1) == "number":
+            fraction = self.position > 1 and self.kind(-2) == "/"
+            return fraction and self.token().gap > 0
+        return self.kind(-1) not in ("percent", "degrees")
 
     def multiplied(self, left: Expression, right: Expression, sign: Token | None) -> Expression:
         """The product of two factors; of two vectors the scalar product."""
         vectors = self.usage.vectors
         both = is_vector(left, vectors) and is_vector(right, vectors)
+        if sign is None and (isinstance(left, Letter | Unit) or isinstance(right, Letter | Unit)):
+            both = False  # v i is a component along i
         symbols = sign is not None and sign.kind == "dot" and _may_be_vectors(left, right)
         if both or (symbols and self.choose("scalar product")):
             return Quantity("dot", (left, right))
@@ -328,9 +344,7 @@ class _Parser:
         if kind == "number":
             return self.number()
         if kind == "letter":
-            token = self.take()
-            tree: Expression = Letter(token.name, place=self.place(token))
-            return self.behind_angle(tree)
+            return self.behind_angle(self.letter())
         if kind == "phrase":
             token = self.take()
             return Letter(token.name, place=self.place(token))
@@ -348,13 +362,23 @@ class _Parser:
             return self.size()
         raise self.fail("a number or a letter")
 
+    def letter(self) -> Expression:
+        """A letter; ``v2`` may be the square of v."""
+        token = self.take()
+        head, _, subscript = token.name.partition("_")
+        typed = subscript == "2" and token.text == f"{head}2"
+        if typed and head in self.usage.squares and not self.choose("square"):
+            return Binary("^", Letter(head, place=self.place(token)), Number(Fraction(2)))
+        return Letter(token.name, place=self.place(token))
+
     def number(self) -> Expression:
         """A number with its percent or degree sign."""
         token = self.take()
         place = self.place(token)
         if self.kind() == "percent":
             self.take()
-            return Number(token.value / 100, place=place)
+            whole = self.choose("percent")
+            return Number(token.value if whole else token.value / 100, place=place)
         if self.kind() == "degrees":
             self.take()
             return Degrees(token.value, place=place)
@@ -516,8 +540,9 @@ class _Parser:
             return tree
         if self.kind() in ("letter", "pi") and not self.token().gap:
             usual = self.kind() == "pi" or self.token().name in self.usage.angles
+            angle = usual and name in _TRIGONOMETRIC
             usual = usual and name != "sqrt"
-            if self.choose("multiple") ^ usual:
+            if angle or self.choose("multiple") ^ usual:
                 return Binary("*", tree, self.primary())
         return tree
 
@@ -559,10 +584,8 @@ class _Parser:
 
 
 def _is_number(tree: Expression) -> bool:
-    """Whether a numerator is a plain number, perhaps with a sign."""
-    if isinstance(tree, Negate):
-        return _is_number(tree.operand)
-    return isinstance(tree, Number)
+    """Whether a numerator is a number, perhaps with a sign or a root."""
+    return not any(isinstance(each, Letter | Name | Quantity) for each in walk(tree))
 
 
 def _may_be_vectors(left: Expression, right: Expression) -> bool:

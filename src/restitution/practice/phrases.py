@@ -157,8 +157,7 @@ def _with_direction(found: Features, word: str) -> Features:
 def names_quantity(words: Sequence[str], problem: Problem) -> bool:
     """Whether words name a quantity: they have a head, or a direction and nothing strange."""
     found = features(words, problem)
-    heads = found.heads - {"direction", "magnitude"}
-    return bool(heads or found.direction or found.axis is not None or found.heads & {"magnitude"})
+    return bool(found.heads or found.direction or found.axis is not None)
 
 
 def is_phrase(name: str) -> bool:

@@ -74,12 +74,20 @@ def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[T
         token = tokens[place]
         found.append(_prose_name(found, token, tokens[place + 1 : place + 2]))
         place += 1
+    found = [each for n, each in enumerate(found) if not _is_article(found, n)]
     return [_equality(found, place) for place in range(len(found))]
+
+
+def _is_article(tokens: Sequence[Token], place: int) -> bool:
+    """Whether a word is the article before a phrase: ``v is the speed of A``."""
+    behind = tokens[place + 1].kind if place + 1 < len(tokens) else ""
+    articles = ("the", "a", "an", "its", "their", "that")
+    return tokens[place].word in articles and behind == "phrase"
 
 
 def _phrase(tokens: Sequence[Token], text: str) -> Token:
     """A phrase as a token: its words in small letters, but for names, as its name."""
-    words = [each.text if each.kind in ("name", "unit") else each.text.lower() for each in tokens]
+    words = [each.text if each.kind in ("name", "unit") else each.word for each in tokens]
     joined = re.sub(r"- ([ij])\b", r"-\1", " ".join(words).replace(" - c", " c"))
     first, last = tokens[0], tokens[-1]
     name = joined if " " in joined else f"the {joined}"
@@ -98,7 +106,7 @@ def _phrase_end(tokens: Sequence[Token], place: int, problem: Problem) -> int:
     stretch = tokens[place:end]
     if depth or not any(each.kind == "word" for each in stretch):
         return place
-    words = [each.text for each in stretch]
+    words = [each.text if each.kind == "name" else each.word for each in stretch]
     if end > place and names_quantity(words, problem):
         return end
     return place
@@ -110,24 +118,26 @@ def _begins_phrase(tokens: Sequence[Token], place: int) -> bool:
         return token.text in ("i", "j", "x", "y", "X", "Y") and _has_axis_behind(tokens, place)
     if token.kind != "word":
         return False
-    low = token.text.lower()
+    low = token.word
+    if low in ("change", "gain"):
+        return place + 1 < len(tokens) and tokens[place + 1].word in ("in", "of")
     known = low in HEADS or low in DIRECTIONS or low in STAGES or low in _STARTS
-    return known and low not in ("right", "left", "up", "down", "turned", "end", "normal", "change")
+    return known and low not in ("right", "left", "up", "down", "turned", "end", "normal")
 
 
 def _has_axis_behind(tokens: Sequence[Token], place: int) -> bool:
     behind = place + 1
     if behind < len(tokens) and tokens[behind].kind == "-":
         behind += 1
-    return behind < len(tokens) and tokens[behind].text.lower() in _BEHIND_AXIS
+    return behind < len(tokens) and tokens[behind].word in _BEHIND_AXIS
 
 
 def _goes_on(tokens: Sequence[Token], place: int, end: int) -> bool:
     """Whether the token at an end still belongs to the phrase that began at a place."""
     token = tokens[end]
-    before = tokens[end - 1].text.lower() if end > place else ""
+    before = tokens[end - 1].word if end > place else ""
     if token.kind == "word":
-        low = token.text.lower()
+        low = token.word
         if low in PHRASE_WORDS or re.fullmatch(r"\d(?:st|nd|rd|th)", low):
             return True
         return low == "a" or (low.isalpha() and token.text.isupper() and len(low) <= 3)
@@ -140,7 +150,7 @@ def _goes_on(tokens: Sequence[Token], place: int, end: int) -> bool:
         behind = tokens[end + 1] if end + 1 < len(tokens) else None
         if behind is None:
             return False
-        if behind.text.lower() in _BEHIND_AXIS and before in ("i", "j", "x", "y"):
+        if behind.word in _BEHIND_AXIS and before in ("i", "j", "x", "y"):
             return True
         return behind.kind == "unit" and before in _BEFORE_AXIS and behind.gap == 0
     return False
@@ -148,7 +158,7 @@ def _goes_on(tokens: Sequence[Token], place: int, end: int) -> bool:
 
 def _is_trailing(tokens: Sequence[Token], place: int) -> bool:
     token = tokens[place]
-    return token.kind == "-" or (token.kind == "word" and token.text.lower() in _TRAILING)
+    return token.kind == "-" or (token.kind == "word" and token.word in _TRAILING)
 
 
 def _prose_name(found: Sequence[Token], token: Token, behind: Sequence[Token]) -> Token:
@@ -167,7 +177,9 @@ def _equality(tokens: Sequence[Token], place: int) -> Token:
         return token
     before, behind = tokens[place - 1], tokens[place + 1]
     opens = behind.kind in _OPERANDS or behind.kind in ("-", "|")
-    if token.text in EQUALS and before.kind in _CLOSING and opens:
+    if behind.kind == "phrase" and not set(behind.name.split()) & HEADS.keys():
+        return token
+    if token.text in EQUALS and before.kind in _CLOSING - {"name"} and opens:
         return replace(token, kind="relation", name="=")
     if token.text == "of" and before.kind in ("number", "percent", ")") and opens:
         return replace(token, kind="times")
@@ -196,7 +208,7 @@ def segments(tokens: Sequence[Token]) -> list[Segment]:
         if pending:
             found.append(Segment(tuple(pending), tuple(before)))
             pending, before = [], []
-        before.append(token.text.lower() if token.kind in ("word", "phrase") else token.text)
+        before.append(token.word if token.kind in ("word", "phrase") else token.text)
     if pending:
         found.append(Segment(tuple(pending), tuple(before)))
     return [each for each in map(_without_swallowed, found) if each.tokens]

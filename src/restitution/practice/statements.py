@@ -9,6 +9,7 @@ from itertools import product
 
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Degrees,
     Expression,
     Letter,
@@ -25,10 +26,15 @@ from restitution.practice.phrases import is_phrase, read_phrase
 from restitution.practice.script import Claim, Decimal, Declaration, Link, Sign
 from restitution.practice.segments import Segment, split_at_spaces
 from restitution.practice.tokens import Token, Usage
-from restitution.practice.vocabulary import DECLARES
+from restitution.practice.vocabulary import DECLARES, HEADS
 from restitution.problem import Problem
 
 MAX_CLAIMS = 24
+# Words behind which a relation without a left side goes on from the last right one.
+_CONNECTING = frozenset(
+    ("so", "hence", "therefore", "=>", ",", "and", "or", "then", "thus", "which", "giving", "->")
+)
+_ENDING = frozenset(("so", "hence", "therefore", "=>", ";", "thus"))
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "function", "("))
 
 
@@ -116,7 +122,9 @@ class _Reader:
         elif words & {"so", "hence", "therefore", "=>", ";", "then"}:
             self.declares = False
         self.defines = "where" in words or (self.defines and not words - {",", "and"})
-        if segment.is_phrase and following and not self._is_alternative(segment):
+        if not any(each.kind in (*_OPERANDS, "|", "phrase", "relation") for each in segment.tokens):
+            return
+        if segment.is_phrase and self._is_label(segment, following):
             self.label = segment.tokens[0]
             return
         label = self._label(segment)
@@ -128,8 +136,15 @@ class _Reader:
         for part, _ in split_at_spaces(segment):
             self.relations(part)
 
-    def _is_alternative(self, segment: Segment) -> bool:
-        return bool(set(segment.before) & {"or", "and"}) and bool(self.links)
+    def _is_label(self, segment: Segment, following: Sequence[Segment]) -> bool:
+        """Whether a phrase, or a name, labels what follows."""
+        if not following or (self.pending_letters and ":" in segment.before):
+            return False
+        between = set(following[0].before)
+        if segment.tokens[0].kind == "name":
+            return between == {":"}
+        begins = following[0].tokens[0].kind == "relation"
+        return begins or between <= {":", "by", "of", "as", "to", "about", "only"}
 
     def _label(self, segment: Segment) -> Token | None:
         """A phrase with mathematics directly behind it."""
@@ -152,18 +167,34 @@ class _Reader:
         sides = self.sides(tokens)
         words = set(segment.before)
         if self.label is not None:
-            self.labelled(sides, tokens)
+            label, self.label = self.label, None
+            if is_vector(sides[0].tree, self.usage.vectors) and not _has_head(label):
+                self.statements.values += (sides[0].tree,)
+            elif not isinstance(sides[0].tree, Name):
+                self.labelled(label, sides, tokens)
             return
         listed = words & {"or", ","} and not words - {"or", ",", "and", "either"}
         if self.links and listed and self.further(sides):
             return
-        if self.past.waiting and not self.links:
-            self.link(self.past.waiting, self.past.sign, sides, tokens)
+        waiting, sign = self._waiting(segment)
+        if waiting:
+            self.link(waiting, sign, sides, tokens)
             return
         if len(tokens) == 1 and tokens[0].kind == "letter" and isinstance(sides[0].tree, Letter):
             self.pending_letters.append(sides[0].tree)
-        if not isinstance(sides[0].tree, Name):
+        if not isinstance(sides[0].tree, Name) and tokens[0].kind != "phrase":
             self.statements.values += (sides[0].tree,)
+
+    def _waiting(self, segment: Segment) -> tuple[tuple[Side, ...], Sign]:
+        """The left side that waits for its right one, on this line or the one above."""
+        if self.waiting:
+            found, sign = self.waiting, self.waiting_sign
+            self.waiting = ()
+            return (() if set(segment.before) & _ENDING else found), sign
+        if self.past.waiting and not self.links:
+            found, self.past = self.past.waiting, replace(self.past, waiting=())
+            return found, self.past.sign
+        return (), "="
 
     def pending(self, segment: Segment) -> bool:
         """A letter with a colon before a phrase: ``v: component of A after``."""
@@ -175,10 +206,8 @@ class _Reader:
             return True
         return False
 
-    def labelled(self, sides: tuple[Side, ...], tokens: Sequence[Token]) -> None:
+    def labelled(self, label: Token, sides: tuple[Side, ...], tokens: Sequence[Token]) -> None:
         """The value of a label: ``A: 3i - 2j``, ``KE after: 12``."""
-        assert self.label is not None
-        label, self.label = self.label, None
         self.link((Side(self.label_tree(label, sides)),), "=", sides, tokens, label)
 
     def label_tree(self, label: Token, sides: tuple[Side, ...]) -> Expression:
@@ -211,18 +240,32 @@ class _Reader:
     def relations(self, segment: Segment) -> None:
         """Reads a chain of relations."""
         sides, signs = _sides(segment.tokens)
-        if not sides[-1]:
-            self.waiting = self.sides(sides[-2]) if sides[-2] else self.past.side
-            self.waiting_sign = signs[-1]
-            sides, signs = sides[:-1], signs[:-1]
-            if not signs:
-                self.label = None
-                return
+        if not sides[0] and not self._goes_on(segment):
+            sides, signs = sides[1:], signs[1:]
+        if not sides[-1] and len(sides) > 1 and sides[-2]:
+            ending = self.sides(sides[-2])
+            sides, sign, signs = sides[:-1], signs[-1], signs[:-1]
+            if signs:
+                self.chain(segment, sides, signs)
+            self.label = None
+            self.waiting, self.waiting_sign = ending, sign
+            return
+        if signs:
+            self.chain(segment, sides, signs)
+
+    def _goes_on(self, segment: Segment) -> bool:
+        """Whether a relation without a left side goes on from something, or is a fault."""
+        if self.waiting or self.label is not None:
+            return True
+        return set(segment.before) <= _CONNECTING
+
+    def chain(self, segment: Segment, sides: list[list[Token]], signs: list[Sign]) -> None:
+        """Reads the sides of a chain, and what they state."""
         read: list[tuple[Side, ...]] = []
         for place, tokens in enumerate(sides):
             if tokens:
                 read.append(self.sides(tokens))
-            elif place == 0 and (self.links or self.label or self.past.side):
+            elif place == 0 and (self.waiting or self.links or self.label or self.past.side):
                 read.append(self._side_before())
             else:
                 column = segment.tokens[0].column
@@ -244,6 +287,9 @@ class _Reader:
 
     def _side_before(self) -> tuple[Side, ...]:
         """The left side of a line that begins with its sign: the label, or what stood last."""
+        if self.waiting:
+            found, self.waiting = self.waiting, ()
+            return found
         if self.label is not None:
             label, self.label = self.label, None
             return (Side(self.label_tree(label, (Side(Number(Fraction(0))),))),)
@@ -315,6 +361,8 @@ class _Reader:
             if turned == (first, second):
                 return
         yield Claim(first, sign, second, others)
+        if _is_percentage(first) and not others:
+            yield Claim(first, sign, Binary("/", second, Number(Fraction(100))))
         if left.other is not None and left.other != left.tree:
             yield Claim(left.other, sign, second, others)
 
@@ -328,7 +376,7 @@ class _Reader:
         signs: Sequence[Sign],
     ) -> bool:
         """Whether a relation declares a letter, and is no claim."""
-        if len(signs) != 1 or signs[0] != "=":
+        if len(signs) != 1 or signs[0] != "=" or not (sides[0] and sides[1]):
             return False
         left, right = read[0][0].tree, read[1][0].tree
         if _is_letter(right) and not _is_letter(left) and isinstance(left, Letter):
@@ -388,6 +436,18 @@ def _is_letter(tree: Expression) -> bool:
 
 def _is_numeric(tree: Expression) -> bool:
     return not letters(tree)
+
+
+def _is_percentage(tree: Expression) -> bool:
+    """Whether a side is a phrase such as *percentage lost*, whose value people give in percent."""
+    return isinstance(tree, Letter) and bool({"percentage", "percent"} & set(tree.name.split()))
+
+
+def _has_head(label: Token) -> bool:
+    """Whether a label names more than a direction."""
+    if label.kind == "name":
+        return True
+    return any(HEADS.get(each, "direction") != "direction" for each in label.name.split())
 
 
 def _is_function(tree: Expression) -> bool:

@@ -48,6 +48,17 @@ _UNIT = re.compile(
 _DEGREES = re.compile(r"°|deg(?:rees?|s)?\b|degress?\b")
 _RADIANS = re.compile(r"rads?\b|radians?\b|\^c\b")
 _PERCENT = re.compile(r"%|per\s?cent\b")
+_INVERSE = re.compile(
+    r"inv(?:erse)?\s+(sin|cos|tan)e?(?:\s+of\b)?|(sin|cos|tan)\s?inv(?:erse)?(?:\s+of)?\b",
+    re.IGNORECASE,
+)
+_ENERGY = re.compile(r"(?:KE|ke|Ke)_?\{?([A-Z]|[a-z]{1,7})(?![A-Za-z0-9])\}?")
+_ENERGY_WORDS = {
+    **dict.fromkeys(("i", "before", "initial", "bef"), "before"),
+    **dict.fromkeys(("f", "after", "final", "aft"), "after"),
+    **dict.fromkeys(("lost", "loss"), "lost"),
+}
+_DOTTED = re.compile(r"\b([Kk])\.\s?([Ee])\b\.?")
 _ORDINAL = re.compile(r"(\d)(?:st|nd|rd|th)\b", re.IGNORECASE)
 
 _SIGNS = {
@@ -93,6 +104,11 @@ class Token:
     name: str = ""
     value: Fraction = Fraction(0)
 
+    @property
+    def word(self) -> str:
+        """What it is as a word, in small letters."""
+        return self.name if self.kind == "word" and self.name else self.text.lower()
+
 
 @dataclass(frozen=True)
 class Usage:
@@ -100,7 +116,9 @@ class Usage:
 
     ``letters`` are those of the question, ``angles`` the letters that are angles, ``vectors``
     those that are vectors; ``alone`` the Latin letters that stand alone in the script. ``aliases``
-    are the letters that stand for others (``a`` for ``alpha``).
+    are the letters that stand for others (``a`` for ``alpha``). ``times`` is whether an x is a sign,
+    ``joules`` whether a J may be a letter; a 2 behind one of the ``squares`` is a power, and so is
+    one behind ``sin`` where ``powers``.
     """
 
     spheres: frozenset[str] = frozenset()
@@ -112,6 +130,8 @@ class Usage:
     alone: frozenset[str] = frozenset()
     aliases: dict[str, str] = field(default_factory=dict, hash=False)
     times: bool = True
+    joules: bool = False
+    squares: frozenset[str] = frozenset()
     powers: bool = False
 
     @property
@@ -121,7 +141,8 @@ class Usage:
 
 
 def blanked(text: str) -> str:
-    """A plain line without its remarks on accuracy, at the same offsets."""
+    """A plain line without its remarks on accuracy and the points of K.E., at the same offsets."""
+    text = _DOTTED.sub(lambda match: (match[1] + match[2]).ljust(len(match[0])), text)
     return _FIGURES.sub(lambda match: " " * len(match[0]), text)
 
 
@@ -185,8 +206,10 @@ class _Scanner:
             self._add("relation", offset + (2 if text.startswith("~=", offset) else 1), gap, "=")
         elif text.startswith("**", offset):
             self._add("^", offset + 2, gap)
-        elif self._after_operand() and (match := _PERCENT.match(text, offset)):
+        elif self._is_percent() and (match := _PERCENT.match(text, offset)):
             self._add("percent", match.end(), gap)
+        elif character == "%":
+            self._add("word", offset + 1, gap, "percentage")
         elif character == "°":
             self._add("degrees", offset + 1, gap)
         elif character == ".":
@@ -196,6 +219,10 @@ class _Scanner:
             self._add(kind, offset + 1, gap, "sqrt" if kind == "function" else "")
         else:
             self._add("strange", offset + 1, gap)
+
+    def _is_percent(self) -> bool:
+        """Whether a percent sign belongs to the value before it."""
+        return bool(self.found) and self.found[-1].kind in ("number", ")", "pi")
 
     def _is_point(self) -> bool:
         """Whether a decimal begins here with its point: ``.5``, not the ``.`` of ``2.v``."""
@@ -245,7 +272,11 @@ class _Scanner:
             return False
         if not _ends_a_side(text, match.end()):
             return False
-        self._add("measure", match.end(), gap, re.sub(r"\s", "", match[0]))
+        name = re.sub(r"\s", "", match[0])
+        other = any(token.name == "J" for token in self.found)
+        letter = name == "J" and self.usage.joules
+        value = Fraction(2 if letter and not other else 1 if letter else 0)
+        self._add("measure", match.end(), gap, name, value)
         return True
 
     def _is_unit(self, text: str, gap: int) -> bool:
@@ -268,7 +299,7 @@ class _Scanner:
     # -- runs of letters --------------------------------------------------------------------
 
     def _run(self, gap: int) -> None:
-        if self._unit(gap):
+        if self._unit(gap) or self._inverse(gap) or self._energy(gap):
             return
         match = _RUN.match(self.text, self.offset)
         assert match is not None
@@ -282,6 +313,31 @@ class _Scanner:
             self._word(run, low, end, gap)
         else:
             self._product(self.offset + len(run), gap)
+
+    def _inverse(self, gap: int) -> bool:
+        """Takes ``inv tan``, ``inverse tan of``, ``tan inverse``."""
+        match = _INVERSE.match(self.text, self.offset)
+        if match:
+            name = FUNCTION_NAMES[(match[1] or match[2]).lower()]
+            self._add("function", match.end(), gap, f"arc{name}")
+        return match is not None
+
+    def _energy(self, gap: int) -> bool:
+        """Takes ``KEA``, ``KE_B``, ``KEf`` as words."""
+        match = _ENERGY.match(self.text, self.offset)
+        if match is None:
+            return False
+        behind = match[1]
+        if behind not in self.usage.spheres and behind.lower() not in _ENERGY_WORDS:
+            return False
+        self._add("word", self.offset + 2, gap, "ke")
+        while self.text[self.offset] in "_ ":
+            self.offset += 1
+        if behind in self.usage.spheres:
+            self._add("name", match.end(), 0, behind)
+        else:
+            self._add("word", match.end(), 0, _ENERGY_WORDS[behind.lower()])
+        return True
 
     def _name(self, run: str, end: int) -> str:
         """The name of a body that stands here as a whole, or nothing."""
@@ -376,7 +432,7 @@ class _Scanner:
             if low.startswith(name):
                 return "function", run[offset : offset + len(name)]
         for name in _GREEK:
-            if low.startswith(name) and not (name in ("eta",) and offset and len(run) > 3):
+            if low.startswith(name) and not (name == "eta" and low[3:4] == "n"):
                 return "greek", run[offset : offset + len(name)]
         if low.startswith("mu") and "mu" in self.usage.letters and "u" not in self.usage.letters:
             return "greek", run[offset : offset + 2]
@@ -418,7 +474,16 @@ class _Scanner:
             if letter in usage.spheres:
                 self._add("name", stop, gap, letter)
                 return
+            axis = text[last : last + 1] if not follows else ""
+            if axis in ("x", "y") and last + 1 == end and self._is_component(letter, last + 1):
+                self._add("letter", last + 1, gap, f"{letter}_{behind}{axis}")
+                return
             self._add("letter", last, gap, f"{letter}_{behind}" + text[stop + 1 : last])
+            return
+        if behind in ("x", "y") and stop + 1 == end and self._is_component(letter, stop + 1):
+            last = _PRIMES.match(text, stop + 1)
+            dash = last[0] if last else ""
+            self._add("letter", stop + 1 + len(dash), gap, f"{letter}_{behind}{dash}")
             return
         pair = letter + behind
         if stop < end and pair in usage.aliases:
@@ -431,6 +496,13 @@ class _Scanner:
             self._add("name", stop, gap, letter)
             return
         self._letter(letter, stop, gap)
+
+    def _is_component(self, letter: str, stop: int) -> bool:
+        """Whether ``vx`` is the component of v: where no product could be meant."""
+        if letter not in "uvwVU" or self.text[stop - 1] in self.usage.letters:
+            return False
+        behind = self.text[stop:].lstrip()[:1]
+        return not behind or behind in "=+-/)^,;<>'*"
 
     def _is_times(self, stop: int) -> bool:
         """Whether an x at the offset is a sign, between what stands before and behind it."""

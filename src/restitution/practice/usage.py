@@ -36,8 +36,10 @@ _LETTER_X = re.compile(
     r"|(?<![A-Za-z])x\s*(?:[=+/^)<>,]|-\s|_|'|²|$)|\dx\s*(?:[=+/^)<>,]|-\s|$)",
     re.IGNORECASE,
 )
+# A J that can only be a letter, and no unit.
+_JOULES = re.compile(r"(?:^|[=;,(:]|so|let|=>)\s*-?J\s*[=/]|=\s*J\s*$", re.MULTILINE)
 _VECTOR = re.compile(
-    r"(?<![\w'])([A-Za-z])(?:_?\w)?\s*=\s*[^=<>|·.]*(?<![A-Za-z])\d*[ij](?![A-Za-z])"
+    r"(?<![\w'])([A-Za-z])(?:_?(\w))?\s*=\s*[^=<>|·.]*(?<![A-Za-z])\d*[ij](?![A-Za-z])"
 )
 _LATIN_FOR = {
     "a": "alpha",
@@ -62,7 +64,7 @@ def usage_of(lines: Sequence[str], problem: Problem) -> Usage:
     greek |= {each for each in GREEK if any(each in run.lower() for run in runs if len(each) > 2)}
     spheres = frozenset(each.name for each in problem.spheres)
     aliases = _aliases(of_question | greek, of_question, trigonometric, alone, text)
-    aliases |= _subscripts(spheres, of_question | frozenset(alone), runs)
+    aliases |= _subscripts(spheres, of_question, runs)
     angles = GREEK_ANGLES | _angles(problem) | (trigonometric - spheres - set("uvwme"))
     return Usage(
         spheres=spheres,
@@ -70,12 +72,32 @@ def usage_of(lines: Sequence[str], problem: Problem) -> Usage:
         points=frozenset(each.name for each in problem.points),
         letters=of_question,
         angles=frozenset(angles),
-        vectors=frozenset(match[1] for match in _VECTOR.finditer(text)),
+        vectors=frozenset(_vectors(text, spheres)),
         alone=frozenset(alone),
         aliases=aliases,
         times=not ("x" in of_question or _uses_x(lines)),
+        joules=bool(_JOULES.search(text)),
+        squares=_squares(text, of_question | alone),
         powers=bool(re.search(r"(?:sin|cos)2.*\+.*(?:sin|cos)2", text)),
     )
+
+
+def _vectors(text: str, spheres: frozenset[str]) -> Iterator[str]:
+    """The letters that the script equates with vectors: ``n = (3i + 4j)/5``, ``vA = 3i``."""
+    for match in _VECTOR.finditer(text):
+        if (
+            match[2]
+            and not match[0][1:].startswith("_")
+            and not (match[2].isdigit() or match[2] in spheres)
+        ):
+            continue
+        yield f"{match[1]}_{match[2]}" if match[2] else match[1]
+
+
+def _squares(text: str, letters: frozenset[str] | set[str]) -> frozenset[str]:
+    """The letters of which a 2 behind is a power: ``1/2mv2`` where there is no ``v1``."""
+    typed = {match[1] for match in re.finditer(r"([A-Za-z])_?[13]", text)}
+    return frozenset(set("uvwVUWxyt") & letters - typed)
 
 
 def _letters(problem: Problem) -> frozenset[str]:
@@ -169,6 +191,7 @@ def _subscripts(
     """``va`` and ``vb`` where A and B are spheres, and no letter is called a or b."""
     small = {each.lower(): each for each in spheres if len(each) == 1}
     pairs = [run for run in runs if len(run) == 2 and run[0] in "uvwmUV" and run[1] in small]
-    if any(run[1] in letters for run in pairs) or len({run[1] for run in pairs}) < 2:
+    of_both = len({run[1] for run in pairs}) > 1
+    if any(run[1] in letters for run in pairs) or not of_both:
         return {}
     return {run: f"{run[0]}_{small[run[1]]}" for run in pairs}
