@@ -233,6 +233,9 @@ class _Parser:
             kind = self.kind()
             if kind in ("*", "times", "dot"):
                 sign = self.take()
+                if sign.value and self.choose("x") == (sign.value == 2):
+                    tree = Binary("*", tree, Letter("x", place=self.place(sign)))
+                    continue
                 tree = self.multiplied(tree, self.signed_factor(), sign)
             elif kind in ("/", ":"):
                 sign = self.take()
@@ -548,7 +551,7 @@ class _Parser:
 
     def bare_quotient(self, name: str, tree: Expression) -> Expression:
         """An argument that is a quotient: ``tan^-1 3/4``; ``sin a/2`` in one of its readings."""
-        if self.kind() != "/" or self.kind(1) not in ("number", "letter", "function", "("):
+        if self.kind() != "/" or self.kind(1) not in ("number", "letter"):
             return tree
         usual = name.startswith("arc") or isinstance(tree, Pi)
         if self.choose("argument") ^ usual:
@@ -575,6 +578,9 @@ class _Parser:
         if self.kind() not in ("+", "-"):
             return tree
         usual = isinstance(tree, Binary) and tree.op == "^"
+        last = self.kind(1) == "number" and self.kind(2) == ""
+        if not usual and not (last and isinstance(tree, Number) and self.position == 2):
+            return tree
         if self.choose("radicand") ^ usual:
             while self.kind() in ("+", "-"):
                 sign = self.take()

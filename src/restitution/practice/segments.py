@@ -68,7 +68,11 @@ def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[T
     while place < len(tokens):
         end = _phrase_end(tokens, place, problem)
         if end > place:
-            found.append(_phrase(tokens[place:end], text))
+            first = place
+            if found and _is_owner(found, tokens[place]):
+                found.pop()
+                first -= 1
+            found.append(_phrase(tokens[first:end], text))
             place = end
             continue
         token = tokens[place]
@@ -76,6 +80,13 @@ def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[T
         place += 1
     found = [each for n, each in enumerate(found) if not _is_article(found, n)]
     return [_equality(found, place) for place in range(len(found))]
+
+
+def _is_owner(found: Sequence[Token], token: Token) -> bool:
+    """Whether the last token is the name of a body before its quantity: ``B perp``, ``A's KE``."""
+    if found[-1].kind != "name" or not token.gap:
+        return False
+    return len(found) == 1 or found[-2].kind in (",", ";", ":", "arrow", "stop")
 
 
 def _is_article(tokens: Sequence[Token], place: int) -> bool:
@@ -326,11 +337,23 @@ def _cut(tokens: Sequence[Token], first: int, second: int) -> tuple[int, bool] |
     if wide:
         return max(wide, key=lambda place: tokens[place].gap), False
     for place in gaps:
-        left_of, right = tokens[:first], tokens[place:second]
-        simple = _is_simple(right) and _is_simple(left_of[-len(right) - 3 :])
-        if simple and not any(each.kind == "letter" for each in tokens[first + 1 : place]):
-            return place, False
+        if _begins_another(tokens, first, place, second):
+            doubtful = any(each.kind == "letter" for each in tokens[first + 1 : place])
+            return place, doubtful
     return None
+
+
+def _begins_another(tokens: Sequence[Token], first: int, place: int, second: int) -> bool:
+    """Whether a relation for something new begins at a place: not ``speed = √7/4 u = 7u/16``."""
+    start = max((n for n in range(first) if tokens[n].kind == "relation"), default=-1) + 1
+    right = tokens[place:second]
+    if not (_is_simple(right) and _is_simple(tokens[start:first])):
+        return False
+    found = {each.name for each in right if each.kind == "letter"}
+    other = {each.name for each in tokens[start:place] if each.kind == "letter"}
+    behind = {each.name for each in tokens[second:] if each.kind == "letter"}
+    function = "function" in (right[0].kind, tokens[start].kind)
+    return function or not found & (other | behind)
 
 
 def _may_part(tokens: Sequence[Token], place: int) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from itertools import product
+from itertools import pairwise, product
 
 from restitution.expression.tree import (
     Apply,
@@ -34,6 +34,8 @@ MAX_CLAIMS = 24
 _CONNECTING = frozenset(
     ("so", "hence", "therefore", "=>", ",", "and", "or", "then", "thus", "which", "giving", "->")
 )
+_CONDITIONS = frozenset(("when", "if", "suppose", "unless", "whenever"))
+_PARTING = frozenset(("so", "hence", "therefore", "=>", ";", "thus", ",", "and", "or", "stop", "."))
 _ENDING = frozenset(("so", "hence", "therefore", "=>", ";", "thus"))
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "function", "("))
 
@@ -90,10 +92,11 @@ class _Reader:
         self.statements = Statements()
         self.links: list[Link] = []
         self.label: Token | None = None
-        self.declares = False
+        self.declares = self.supposes = False
         self.defines = False
         self.waiting: tuple[Side, ...] = ()
         self.waiting_sign: Sign = "="
+        self.before: tuple[Side, ...] = ()
         self.pending_letters: list[Letter] = []
 
     def finish(self) -> None:
@@ -121,6 +124,10 @@ class _Reader:
             self.declares = True
         elif words & {"so", "hence", "therefore", "=>", ";", "then"}:
             self.declares = False
+        if words & _CONDITIONS:
+            self.supposes = True
+        elif words & _ENDING:
+            self.supposes = False
         self.defines = "where" in words or (self.defines and not words - {",", "and"})
         if not any(each.kind in (*_OPERANDS, "|", "phrase", "relation") for each in segment.tokens):
             return
@@ -133,17 +140,47 @@ class _Reader:
         if not segment.has_relation:
             self.value(segment)
             return
-        for part, _ in split_at_spaces(segment):
+        if self.supposes:
+            self.supposed(segment)
+            return
+        if segment.tokens[0].kind == "relation" and not set(segment.before) & _PARTING:
+            self.waiting, self.before = self.waiting or self.before, ()
+        parts = list(split_at_spaces(segment))
+        for place, (part, doubtful) in enumerate(parts):
+            first = len(self.links)
             self.relations(part)
+            if doubtful and 0 < first < len(self.links):
+                self.joined(parts[place - 1][0], part, first)
+
+    def supposed(self, segment: Segment) -> None:
+        """What stands behind *when* or *if* is no claim; its sides are values of a remark."""
+        for tokens in _sides(segment.tokens)[0]:
+            if tokens:
+                self.statements.values += (self.sides(tokens)[0].tree,)
+
+    def joined(self, before: Segment, behind: Segment, first: int) -> None:
+        """Adds the readings of ``w = 0.6u v = 2`` as a chain to those of two relations."""
+        middle = [*_sides(before.tokens)[0][-1], *_sides(behind.tokens)[0][0]]
+        try:
+            chained = self.sides(middle)[0].tree
+        except UnreadableError:
+            return
+        above, below = self.links[first - 1], self.links[first]
+        self.links[first - 1] = replace(
+            above, readings=(*above.readings, replace(above.readings[0], right=chained))
+        )
+        self.links[first] = replace(
+            below, readings=(*below.readings, replace(below.readings[0], left=chained))
+        )
 
     def _is_label(self, segment: Segment, following: Sequence[Segment]) -> bool:
         """Whether a phrase, or a name, labels what follows."""
         if not following or (self.pending_letters and ":" in segment.before):
             return False
         between = set(following[0].before)
-        if segment.tokens[0].kind == "name":
-            return between == {":"}
         begins = following[0].tokens[0].kind == "relation"
+        if segment.tokens[0].kind == "name":
+            return between == {":"} or (begins and not between & _ENDING)
         return begins or between <= {":", "by", "of", "as", "to", "about", "only"}
 
     def _label(self, segment: Segment) -> Token | None:
@@ -164,7 +201,9 @@ class _Reader:
         tokens = segment.tokens
         if self.pending(segment):
             return
-        sides = self.sides(tokens)
+        if tokens[0].name in self.usage.spheres and self.velocities(tokens):
+            return
+        sides = self.before = self.sides(tokens)
         words = set(segment.before)
         if self.label is not None:
             label, self.label = self.label, None
@@ -184,6 +223,19 @@ class _Reader:
             self.pending_letters.append(sides[0].tree)
         if not isinstance(sides[0].tree, Name) and tokens[0].kind != "phrase":
             self.statements.values += (sides[0].tree,)
+
+    def velocities(self, tokens: Sequence[Token]) -> bool:
+        """Velocities with the bodies before them: ``A 3i + 5j  B 2i - j``."""
+        places = [n for n, each in enumerate(tokens) if each.kind == "name"]
+        stretches = [tokens[a + 1 : b] for a, b in pairwise((*places, len(tokens)))]
+        if not all(stretches):
+            return False
+        read = [self.sides(each) for each in stretches]
+        if not all(is_vector(each[0].tree, self.usage.vectors) for each in read):
+            return False
+        for place, stretch, sides in zip(places, stretches, read):
+            self.labelled(tokens[place], sides, stretch)
+        return True
 
     def _waiting(self, segment: Segment) -> tuple[tuple[Side, ...], Sign]:
         """The left side that waits for its right one, on this line or the one above."""

@@ -116,9 +116,9 @@ class Usage:
 
     ``letters`` are those of the question, ``angles`` the letters that are angles, ``vectors``
     those that are vectors; ``alone`` the Latin letters that stand alone in the script. ``aliases``
-    are the letters that stand for others (``a`` for ``alpha``). ``times`` is whether an x is a sign,
-    ``joules`` whether a J may be a letter; a 2 behind one of the ``squares`` is a power, and so is
-    one behind ``sin`` where ``powers``.
+    are the letters that stand for others (``a`` for ``alpha``). ``times`` is whether an x is a
+    sign, ``joules`` whether a J may be a letter; a 2 behind one of the ``squares`` is a power, and
+    so is one behind ``sin`` where ``powers``.
     """
 
     spheres: frozenset[str] = frozenset()
@@ -368,6 +368,8 @@ class _Scanner:
             return False
         if low in SHORT:
             return self._is_short_word(run, low, end)
+        if low == "ke" and run.islower() and set(run) <= self.usage.letters:
+            return not re.match(r"\s*[=<>+*/^)-]|\s*$", self.text[end:])
         if behind in ("_", "^") or (behind.isdigit() and low not in PHRASE_WORDS):
             return False
         if low == "pi" or low in GREEK:
@@ -465,7 +467,7 @@ class _Scanner:
         """A letter of a run, with the name of a sphere behind it as its subscript."""
         usage, text = self.usage, self.text
         if letter in "xX" and self._is_times(stop):
-            self._add("times", stop, gap)
+            self._add("times", stop, gap, "x", Fraction(self._doubt(stop)))
             return
         behind = text[stop : stop + 1]
         if stop < end and behind in usage.spheres and not letter.isspace():
@@ -481,8 +483,8 @@ class _Scanner:
             self._add("letter", last, gap, f"{letter}_{behind}" + text[stop + 1 : last])
             return
         if behind in ("x", "y") and stop + 1 == end and self._is_component(letter, stop + 1):
-            last = _PRIMES.match(text, stop + 1)
-            dash = last[0] if last else ""
+            primes = _PRIMES.match(text, stop + 1)
+            dash = primes[0] if primes else ""
             self._add("letter", stop + 1 + len(dash), gap, f"{letter}_{behind}{dash}")
             return
         pair = letter + behind
@@ -509,18 +511,22 @@ class _Scanner:
         if not self._after_operand() or self.text[stop : stop + 1] in ("_", "'", "^"):
             return False
         behind = re.match(r"\s*-?\s*([A-Za-z0-9.(√|½α-ω])", self.text[stop:])
-        if not behind:
-            return False
+        return bool(behind) and (self.usage.times or self._doubt(stop) > 0)
+
+    def _doubt(self, stop: int) -> int:
+        """Whether an x between operands is a sign alone (0), may be one (1), or rather is (2)."""
         if self.usage.times:
-            return True
-        digits = self.found[-1].kind in ("number", ")") and (
-            behind[1].isdigit() or behind[1] in ".("
-        )
-        apart = (
-            self.text[self.offset - 1 : self.offset].isspace()
-            and self.text[stop : stop + 1].isspace()
-        )
-        return digits or apart
+            return 0
+        behind = re.match(r"(\s*)(-?)\s*(\S)", self.text[stop:])
+        if behind is None:
+            return 0
+        number = self.found[-1].kind in ("number", ")")
+        if behind[2]:
+            return 1
+        if number and (behind[3].isdigit() or behind[3] in ".("):
+            return 2
+        apart = self.text[self.offset - 1 : self.offset].isspace() and bool(behind[1])
+        return 2 if apart else 0
 
     def _letter(self, name: str, stop: int, gap: int) -> None:
         """Takes a letter with its subscript and its dashes."""

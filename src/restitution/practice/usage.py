@@ -28,11 +28,11 @@ GREEK_ANGLES = frozenset(GREEK) - _NO_ANGLES
 _RUN = re.compile(r"[A-Za-z]+")
 _ALONE = re.compile(r"(?<![A-Za-z_])([A-Za-z])(?![A-Za-z_0-9'])")
 _IN_FUNCTION = re.compile(
-    r"(?:sin|cos|tan|cot|sec)(?:\s*\^?\s*(?:\(?-\s?1\)?|[23]))?\s*\(?\s*\d*\s*([A-Za-z])(?!rc)"
+    r"(?:sin|cos|tan|cot|sec)(?: *\^? *(?:\(?- ?1\)?|[23]))? *\(? *\d* *([A-Za-z])(?!rc)"
 )
 # An x that can only be a letter: beside a relation, an operation, a power, or at an end.
 _LETTER_X = re.compile(
-    r"(?:^|[=+\-/^(<>,]|\blet\b|\b(?:sin|cos|tan))\s*\d*\s*x(?![A-Za-z-])(?!\s*(?:comp|dir|axis|:))"
+    r"(?:^|[=+\-/^(<>,]|\blet\b|\b(?:sin|cos|tan))\s*x(?![A-Za-z-])(?!\s*(?:comp|dir|axis|:))"
     r"|(?<![A-Za-z])x\s*(?:[=+/^)<>,]|-\s|_|'|²|$)|\dx\s*(?:[=+/^)<>,]|-\s|$)",
     re.IGNORECASE,
 )
