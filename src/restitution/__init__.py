@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from restitution.language import parse, read, to_statement
     from restitution.motion import Table, simulate
     from restitution.practice.generate import PracticeQuestion, practice_question
+    from restitution.practice.marking import mark
     from restitution.problem import Point, Problem, Sphere, Wall
     from restitution.solving import solve
     from restitution.vector import Vector
@@ -70,6 +71,7 @@ __all__ = [
     "explain",
     "impact",
     "impacts",
+    "mark",
     "parse",
     "play",
     "practice_question",
@@ -98,6 +100,7 @@ _NAMES_OF_MODULES = {
     "impact": ("impact",),
     "language": ("parse", "read", "to_statement"),
     "motion": ("Table", "simulate"),
+    "practice.marking": ("mark",),
     "gas": ("Gas",),
     "batch.impacts": ("impacts",),
     "batch.ensemble": ("ensemble",),

@@ -65,7 +65,8 @@ def answer(worker: Worker, file: str, task: Task, limit: float | None) -> Answer
             if debugging()
             else f"{job.file}: internal error: the working could not be written; {REPORT}"
         )
-    return Answer(0 if reply.answered else UNANSWERED, reply.content, tuple(messages))
+    failed = UNREADABLE if reply.unreadable else UNANSWERED
+    return Answer(0 if reply.answered else failed, reply.content, tuple(messages))
 
 
 def _reply(worker: Worker, job: Job) -> Reply:

@@ -19,6 +19,7 @@ from restitution.cli.asking import answer, worker_of
 from restitution.cli.files import hint, parse, pointed, read, say, shown_name
 from restitution.cli.output import (
     Format,
+    MarkingFormat,
     Marks,
     PictureFormat,
     RefusedError,
@@ -153,6 +154,19 @@ _MISTAKES = """List the mistakes that students make, or tell of one.
     restitution play ball.impact --as momentum-sign
 
 Each is a law, or a result, that is altered.
+"""
+
+_MARK = """Mark a working of a question, line by line.
+
+\b
+    restitution mark ball.impact working.txt
+    restitution mark ball.impact working.txt --letters letters.txt --hints 3
+    restitution mark ball.impact scripts/ --csv > marks.csv
+    restitution mark ball.impact --answer "speed(P) = 4.51"
+
+A step a line, as on paper; a line (a) opens a part. A letters file has a line
+for each letter: v: component of A along i after. Exit status: 0 marked; 1 the
+question has no answer; 2 something cannot be read.
 """
 
 _EXAMPLES = """List the examples, or print one.
@@ -587,6 +601,57 @@ def mistakes(
         say(error.message)
         raise typer.Exit(UNREADABLE) from None
     typer.echo(text, nl=False)
+
+
+@app.command(help=_MARK)
+def mark(
+    context: typer.Context,
+    question: Annotated[
+        str, typer.Argument(metavar="QUESTION", help="A statement; - is standard input.")
+    ],
+    working: Annotated[
+        str | None,
+        typer.Argument(
+            metavar="[WORKING]", help="A script, a folder of scripts, or - for standard input."
+        ),
+    ] = None,
+    part: Annotated[
+        str | None, typer.Option(metavar="LABEL", help="The part that the working is of.")
+    ] = None,
+    letters: Annotated[
+        str | None, typer.Option(metavar="FILE", help="What the letters of the working mean.")
+    ] = None,
+    answers: Annotated[
+        list[str] | None,
+        typer.Option("--answer", metavar="TEXT", help="An answer alone; may be repeated."),
+    ] = None,
+    hints: Annotated[
+        int, typer.Option(metavar="0..4", min=0, max=4, help="How much is said of a line.")
+    ] = 1,
+    form: Annotated[
+        MarkingFormat, typer.Option("--format", "-f", help="How to write the marking down.")
+    ] = MarkingFormat.text,
+    csv: Annotated[bool, typer.Option("--csv", help="A table: a row for each script.")] = False,
+    output: Annotated[
+        str, typer.Option("--output", "-o", metavar="PATH", help="- is standard output.")
+    ] = "-",
+    time_limit: _TimeLimit = TIME_LIMIT,
+) -> None:
+    """Mark the workings of one question."""
+    from restitution.cli.marking import Scripts
+    from restitution.cli.marking import mark as marked
+    from restitution.export.marking import Workings
+
+    columns = min(shutil.get_terminal_size().columns, 100)
+    kind = "csv" if csv else form.value
+    task = Workings((), tuple(answers or ()), part, "", hints, kind, columns)
+    with _refusing(), interruptible(), worker_of(context.obj) as worker:
+        done = marked(worker, Scripts(question, working, letters, task), _limit(time_limit))
+        for message in done.messages:
+            say(message)
+        if done.content is not None:
+            write_file(output, done.content.encode(), [question])
+    raise typer.Exit(done.status)
 
 
 @app.command(help=_TRACE)

@@ -43,6 +43,14 @@ class Marks(StrEnum):
     none = "none"
 
 
+class MarkingFormat(StrEnum):
+    """How a marking is written down."""
+
+    text = "text"
+    json = "json"
+    html = "html"
+
+
 class Stage(StrEnum):
     """A stage of a statement on its way to its answers."""
 

@@ -16,13 +16,14 @@ from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
-from restitution.errors import RestitutionError, TimeLimitError
+from restitution.errors import RestitutionError, StatementError, TimeLimitError
 from restitution.expression.tree import Binary, Name, Number, Quantity
 from restitution.problem import Find, Impact, Part, Problem, Sphere, Value, Wall
 from restitution.work import confirm, limited
 
 if TYPE_CHECKING:
     from restitution.explaining.marks import Style
+    from restitution.export.marking import Workings
     from restitution.export.sheet import Form, Options
     from restitution.export.trace import Stage
     from restitution.solving.solution import Solution
@@ -93,6 +94,13 @@ class Tracing:
 
 
 @dataclass(frozen=True)
+class Marking:
+    """Workings of the question to be marked."""
+
+    workings: Workings
+
+
+@dataclass(frozen=True)
 class Picturing:
     """Pictures to be drawn, each by itself: that of one event, or all (None)."""
 
@@ -109,7 +117,7 @@ class Showing:
     early: Callable[[dict[str, Any]], None] | None = None
 
 
-Task: TypeAlias = Writing | Drawing | Playing | Setting | Tracing | Picturing | Showing
+Task: TypeAlias = Writing | Drawing | Playing | Setting | Tracing | Picturing | Showing | Marking
 
 
 @dataclass(frozen=True)
@@ -130,7 +138,8 @@ class Reply:
     for a page.
     ``fault`` is the traceback of a failure of the program while it wrote the working; ``tired``
     tells that a piece of work was broken off, and that the process should end. ``notes`` tell what
-    is no warning: that a working was followed.
+    is no warning: that a working was followed. ``unreadable`` tells that what came with the question
+    (letters, an answer) cannot be read.
     """
 
     content: Any
@@ -140,6 +149,7 @@ class Reply:
     fault: str = ""
     tired: bool = False
     notes: tuple[str, ...] = ()
+    unreadable: bool = False
 
 
 def prepare() -> None:
@@ -264,6 +274,14 @@ def serve(job: Job) -> Reply:
                 tired or bool(explained.why_not or explained.fault),
                 explained.notes,
             )
+        case Marking(workings):
+            from restitution.export.marking import written
+
+            try:
+                text = written(solution, workings)
+            except StatementError as error:  # in the letters, or in what is said to be an answer
+                return Reply(None, False, (error,), unreadable=True)
+            return Reply(text, True, (), tuple(reply["warnings"]), tired=tired)
         case Drawing(event):
             from restitution.export.pictures import picture
 

@@ -88,6 +88,17 @@ _TASKS = {
     ),
     "simulate": _Task(work.simulated, about="scene"),
     "statement": _Task(work.put_as_a_question, about="impact"),
+    "mark": _Task(
+        work.marked,
+        {
+            "working": (str, ""),
+            "part": (str, None),
+            "letters": (dict, None),
+            "hints": (int | dict, 0),
+        },
+    ),
+    "practise": _Task(work.to_practise, about="wanted"),
+    "progress": _Task(work.progress, about="record"),
 }
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 from collections.abc import Mapping
+from types import UnionType
 from typing import Any
 
 from starlette.requests import Request
@@ -22,8 +23,8 @@ class RefusedError(Exception):
         self.message = message
 
 
-Kind = type | tuple[str, ...]
-"""What something that is told has to be: of a type, or one of several texts."""
+Kind = type | UnionType | tuple[str, ...]
+"""What something that is told has to be: of a type, of one of two, or one of several texts."""
 
 
 async def asked(
@@ -51,7 +52,7 @@ async def asked(
                 raise RefusedError(400, "malformed", f'"{name}" has to be one of {known}')
             continue
         # In Python a truth value is a number too.
-        if not isinstance(value, wanted) or (wanted is int and isinstance(value, bool)):
+        if not isinstance(value, wanted) or (isinstance(value, bool) and wanted is not bool):
             raise RefusedError(400, "malformed", f'"{name}" has to be {_NAMES[wanted]}')
     length = len(fields["statement"]) if about == "statement" else 0
     if length > settings.longest:
@@ -60,7 +61,13 @@ async def asked(
     return fields
 
 
-_NAMES = {str: "a text", int: "a whole number", bool: "true or false", dict: "an object"}
+_NAMES: Mapping[type | UnionType, str] = {
+    str: "a text",
+    int: "a whole number",
+    bool: "true or false",
+    dict: "an object",
+    int | dict: "a whole number or an object",
+}
 
 
 async def _body(request: Request, settings: Settings) -> bytes:

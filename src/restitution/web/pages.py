@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Awaitable, Callable
 from importlib.resources import files
 from importlib.util import find_spec
 from pathlib import Path
@@ -13,6 +14,7 @@ from starlette.responses import Response
 from starlette.routing import Route
 
 from restitution.examples.topics import TOPICS
+from restitution.practice.topics import TOPICS as PRACTICE
 from restitution.web.files import digest, files_of, imported, stored
 from restitution.web.guides import GUIDES, rendered
 from restitution.web.words import vocabulary
@@ -47,6 +49,14 @@ _KINDS = {
 def _form() -> dict[str, Any]:
     """What the page has to know of the language, and of what this server can do."""
     return {"words": vocabulary(), "sheet": find_spec("typst") is not None}
+
+
+def _topics() -> dict[str, dict[str, str]]:
+    """The topics of practice by group: the title of each id."""
+    groups: dict[str, dict[str, str]] = {}
+    for topic in PRACTICE:
+        groups.setdefault(topic.group, {})[topic.id] = topic.title
+    return groups
 
 
 def routes() -> list[Route]:
@@ -98,8 +108,11 @@ def routes() -> list[Route]:
         up = "../" * (request.url.path.count("/") - 1)
         return stored(written("missing", up), _HTML).reply(request, "no-store", 404)
 
-    async def without_slash(request: Request) -> Response:
-        return Response(status_code=308, headers={"Location": "../lab"})
+    def without_slash(name: str) -> Callable[[Request], Awaitable[Response]]:
+        async def redirect(request: Request) -> Response:
+            return Response(status_code=308, headers={"Location": f"../{name}"})
+
+        return redirect
 
     return [
         page(
@@ -110,7 +123,9 @@ def routes() -> list[Route]:
             topics={topic: names[0] for topic, names in TOPICS.items()},
         ),
         page("lab"),
-        Route("/lab/", without_slash),
+        Route("/lab/", without_slash("lab")),
+        page("practise", groups=_topics()),
+        Route("/practise/", without_slash("practise")),
         *map(guide, GUIDES),
         Route("/static/{digest}/{path:path}", file),
         Route("/{path:path}", missing),

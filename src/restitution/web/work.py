@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 from restitution.errors import RestitutionError, StatementError, TimeLimitError, UnsupportedError
 from restitution.export import contract
-from restitution.export.job import Job, Picturing, Setting, Showing, Task, Writing, serve
+from restitution.export.job import Job, Picturing, Setting, Showing, Task, Writing, serve, stopped
 from restitution.language import parse
 from restitution.problem import Problem
+from restitution.work import limited
 
 if TYPE_CHECKING:
     from restitution.explaining.marks import Style
@@ -125,6 +126,41 @@ def put_as_a_question(impact: contract.Object, limit: float) -> Made:
     from restitution.export import lab
 
     return _tried(lambda: {"statement": lab.question(impact)})
+
+
+def marked(
+    statement: str,
+    limit: float,
+    working: str = "",
+    part: str | None = None,
+    letters: contract.Object | None = None,
+    hints: int | contract.Object = 0,
+) -> Made:
+    """A working marked; an error where the question has no answer, or a letter no meaning."""
+    from restitution.export.marking import marking_of
+    from restitution.solving import solve
+
+    def marking() -> contract.Object:
+        solution = solve(parse(statement))
+        return marking_of(solution, working, part, letters or {}, hints)
+
+    with limited(limit, error=stopped(limit)):
+        return _tried(marking)
+
+
+def to_practise(wanted: contract.Object, limit: float) -> Made:
+    """A question to practise, with its letters box."""
+    from restitution.export import practising
+
+    with limited(limit, error=stopped(limit)):
+        return _tried(lambda: practising.asked(wanted))
+
+
+def progress(record: contract.Object, limit: float) -> Made:
+    """How sure one is of each topic."""
+    from restitution.export import practising
+
+    return _tried(lambda: practising.progress(record))
 
 
 def given_up(

@@ -1,0 +1,158 @@
+"""Workings marked, as work for a process: text, JSON, HTML, or a table of many scripts."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal
+
+from restitution.errors import StatementError
+
+if TYPE_CHECKING:
+    from restitution.practice.answers import AnswerMark
+    from restitution.practice.marking import Marking
+    from restitution.solving.solution import Solution
+
+Form = Literal["text", "json", "html", "csv"]
+Object = dict[str, Any]
+
+HEADER = ("script", "part", "earned", "open", "of", "mistakes")
+"""The columns of the table of many scripts."""
+
+
+@dataclass(frozen=True)
+class Workings:
+    """Workings to be marked, each by its name, or ``answers`` alone such as ``speed(P) = 4.5``.
+
+    ``letters`` is the text of a letters file, ``hints`` the level of messages.
+    """
+
+    workings: tuple[tuple[str, str], ...] = ()
+    answers: tuple[str, ...] = ()
+    part: str | None = None
+    letters: str = ""
+    hints: int = 1
+    form: Form = "text"
+    width: int = 80
+
+
+def written(solution: Solution, task: Workings) -> str:
+    """What is said of the workings, in the form asked for.
+
+    Raises StatementError for letters or answers that cannot be read, and the error of a part that
+    has no answer.
+    """
+    from restitution.practice.answers import mark_answers
+
+    if task.answers:
+        return _of_answers(mark_answers(solution, task.answers, task.part), task.form)
+    letters = _letters(task.letters, solution)
+    marked = [
+        (name, marking)
+        for name, text in task.workings
+        for marking in _marked(solution, text, task, letters)
+    ]
+    if task.form == "csv":
+        return table((name, marking) for name, marking in marked)
+    if task.form == "json":
+        named = len(task.workings) > 1
+        return "".join(
+            json.dumps(
+                {**({"script": name} if named else {}), **marking.json()}, ensure_ascii=False
+            )
+            + "\n"
+            for name, marking in marked
+        )
+    from restitution.practice.showing import document, to_text
+
+    if task.form == "html":
+        return document([marking for _, marking in marked])
+    blocks = [
+        (f"{name}\n" if len(task.workings) > 1 else "") + to_text(marking, task.width)
+        for name, marking in marked
+    ]
+    return "\n\n".join(blocks) + "\n"
+
+
+def marking_of(
+    solution: Solution,
+    working: str,
+    part: str | None,
+    letters: Mapping[str, str],
+    hints: int | Mapping[str, int],
+) -> Object:
+    """The object of one part, or ``{"parts": [...]}`` where the working opens several."""
+    from restitution.practice.marking import mark, mark_parts
+
+    levels = hints if isinstance(hints, int) else dict(_levels(hints))
+    if part is not None:
+        _require_part(solution, part)
+        return mark(solution, working, part, letters, hints=levels).json()
+    markings = mark_parts(solution, working, letters, hints=levels)
+    if len(markings) == 1:
+        return markings[0].json()
+    return {"parts": [each.json() for each in markings]}
+
+
+def table(marked: Iterator[tuple[str, Marking]]) -> str:
+    """Scripts and their marks as CSV, a row for each part of each."""
+    text = io.StringIO()
+    rows = csv.writer(text, lineterminator="\n")
+    rows.writerow(HEADER)
+    for name, marking in marked:
+        marks = marking.marks
+        mistakes = " ".join(dict.fromkeys(marking.mistakes))
+        rows.writerow(
+            [_cell(name), marking.part or "", marks.earned, marks.open, marks.of, mistakes]
+        )
+    return text.getvalue()
+
+
+def _cell(text: str) -> str:
+    """A text that no spreadsheet takes for a formula."""
+    return f"'{text}" if text[:1] in "=+-@\t" else text
+
+
+def _levels(hints: Mapping[str, int]) -> Iterator[tuple[int | None, int]]:
+    for line, level in hints.items():
+        if not (line == "next" or (line.isascii() and line.isdigit() and len(line) < 4)):
+            raise StatementError(
+                f"hints are for lines by number, or for next, not for {line[:20]!r}"
+            )
+        if isinstance(level, bool) or not isinstance(level, int):
+            raise StatementError(f"the hint for line {line} has a level from 0 to 4")
+        yield (None if line == "next" else int(line)), level
+
+
+def _letters(text: str, solution: Solution) -> Mapping[str, Any]:
+    from restitution.practice.declaring import letters_from_text
+
+    return letters_from_text(text, solution.problem)
+
+
+def _marked(
+    solution: Solution, text: str, task: Workings, letters: Mapping[str, Any]
+) -> Sequence[Marking]:
+    from restitution.practice.marking import mark, mark_parts
+
+    if task.part is not None:
+        return (mark(solution, text, task.part, letters, hints=task.hints),)
+    return mark_parts(solution, text, letters, hints=task.hints)
+
+
+def _require_part(solution: Solution, part: str) -> None:
+    if part not in solution.parts:
+        known = ", ".join(str(label) for label in solution.parts if label is not None)
+        rule = f"its parts are {known}" if known else "the statement has no parts"
+        raise StatementError(f"there is no part {part!r}: {rule}")
+
+
+def _of_answers(answers: Sequence[AnswerMark], form: Form) -> str:
+    if form == "json":
+        return "".join(json.dumps(each.json(), ensure_ascii=False) + "\n" for each in answers)
+    from restitution.practice.showing import answer_line
+
+    return "".join(f"{answer_line(each)}\n" for each in answers)

@@ -1,0 +1,253 @@
+"""A working marked: its lines with verdicts, its marks point by point, and what is said of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from restitution.errors import StatementError
+from restitution.expression.tree import Expression
+from restitution.expression.writing import write_expression
+from restitution.practice.answers import AnswerMark, answers_of
+from restitution.practice.declaring import letters_from_mapping
+from restitution.practice.judgement import JudgedLine, Judgement, Meaning
+from restitution.practice.judging import bench_of, judge
+from restitution.practice.letters_box import letters_box
+from restitution.practice.messages import LEVELS, Message, messages_of
+from restitution.practice.points import Marks, PointMark, marked
+from restitution.practice.scheme import schemes
+from restitution.practice.script import Script
+from restitution.practice.values import Values
+from restitution.practice.working import read_working
+from restitution.problem import Problem
+from restitution.solving.solution import Solution
+
+Object = dict[str, Any]
+Meant = str | Expression | tuple[Expression, ...]
+"""A meaning: a quantity as text, a phrase, or trees that it may be."""
+
+_PROPOSALS = 6
+
+
+@dataclass(frozen=True)
+class Ask:
+    """A letter of which the meaning has to be known, with meanings that would do."""
+
+    letter: str
+    text: str
+    proposals: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True, repr=False)
+class Marking:
+    """A working of one part, marked.
+
+    ``lines`` have their verdicts, ``letters`` are their meanings, ``answers`` the values given for
+    what is asked, ``marks`` the points. It shows itself in a terminal and in Jupyter.
+    """
+
+    part: str | None
+    lines: tuple[JudgedLine, ...]
+    letters: tuple[Meaning, ...]
+    answers: tuple[AnswerMark, ...]
+    marks: Marks
+    messages: tuple[Message, ...]
+    asks: tuple[Ask, ...] = ()
+    error: str | None = None
+
+    @property
+    def mistakes(self) -> tuple[str, ...]:
+        """The names of the mistakes that begin in its lines, in their order."""
+        names = (line.mistake.id for line in self.lines if line.mistake is not None)
+        return tuple(name for name in names if name is not None)
+
+    def json(self) -> Object:
+        """The marking as plain data; every line has all its keys."""
+        return {
+            "part": self.part,
+            "letters": [
+                {
+                    "letter": each.letter,
+                    "meaning": write_expression(each.quantity),
+                    "words": each.words,
+                    "by": each.by,
+                }
+                for each in self.letters
+            ],
+            "lines": [_line(each) for each in self.lines],
+            "answers": [each.json() for each in self.answers],
+            "marks": {
+                "earned": self.marks.earned,
+                "lost": self.marks.lost,
+                "open": self.marks.open,
+                "of": self.marks.of,
+                "points": [_point(each) for each in self.marks.points],
+            },
+            "messages": [vars(each) for each in self.messages],
+            "asks": [
+                {
+                    "letter": each.letter,
+                    "text": each.text,
+                    "proposals": [{"meaning": m, "words": w} for m, w in each.proposals],
+                }
+                for each in self.asks
+            ],
+            "error": self.error,
+        }
+
+    def __str__(self) -> str:
+        from restitution.practice.showing import to_text
+
+        return to_text(self)
+
+    __repr__ = __str__
+
+    def _repr_html_(self) -> str:
+        from restitution.practice.showing import to_html
+
+        return to_html(self)
+
+
+def mark(
+    question: Problem | Solution,
+    working: str | Sequence[str],
+    part: str | None = None,
+    letters: Mapping[str, Meant] | None = None,
+    *,
+    hints: int | Mapping[int | None, int] = 0,
+) -> Marking:
+    """A student's working of one part, marked line by line and point by point.
+
+    ``working`` is text, a step a line. ``part`` is the label of the part; left out, it is the part
+    that the working opens, or the first. ``letters`` maps a letter to a quantity of the statement
+    language (``along(velocity(A), i)``) or to a phrase (``component of A along i after``).
+    ``hints`` is the level of messages, 0 to 4, for all lines or by line (None: for the next step).
+
+    Raises KeyError for a part that is not there, StatementError for a meaning that cannot be read,
+    and the error of a question that has no answer.
+    """
+    problem = question.problem if isinstance(question, Solution) else question
+    script = read_working(working, problem)
+    if part is None and None not in _labels(problem):
+        opened = [line.part for line in script.lines if line.part is not None]
+        part = opened[0] if opened else _labels(problem)[0]
+    return _marked(question, problem, script, part, letters, hints)
+
+
+def mark_parts(
+    question: Problem | Solution,
+    working: str | Sequence[str],
+    letters: Mapping[str, Meant] | None = None,
+    *,
+    hints: int | Mapping[int | None, int] = 0,
+) -> tuple[Marking, ...]:
+    """The same for every part that a working opens, in the order of the question.
+
+    A working that opens none is one of the first part.
+    """
+    problem = question.problem if isinstance(question, Solution) else question
+    script = read_working(working, problem)
+    opened = {line.part for line in script.lines}
+    labels = [label for label in _labels(problem) if label in opened] or _labels(problem)[:1]
+    return tuple(_marked(question, problem, script, label, letters, hints) for label in labels)
+
+
+def _labels(problem: Problem) -> list[str | None]:
+    return [part.label for part in problem.parts]
+
+
+def _marked(
+    question: Problem | Solution,
+    problem: Problem,
+    script: Script,
+    part: str | None,
+    letters: Mapping[str, Meant] | None,
+    hints: int | Mapping[int | None, int],
+) -> Marking:
+    if part not in _labels(problem):
+        known = ", ".join(str(label) for label in _labels(problem) if label is not None)
+        raise KeyError(f"there is no part {part!r}; {f'parts: {known}' if known else 'no parts'}")
+    levels, usual = ({}, hints) if isinstance(hints, int) else (dict(hints), 0)
+    for level in (usual, *levels.values()):
+        if level not in LEVELS:
+            raise StatementError(f"hints have the levels 0 to 4, not {level}")
+    bench = bench_of(question, part)
+    solved = bench.solved
+    if solved.error is not None:
+        raise solved.error
+    judgement = judge(bench.solution, script, part, _meanings(letters or {}, problem))
+    values = Values(bench.worlds, bench.question.unknown, judgement.letters)
+    marks = marked(judgement, schemes(bench.solution, part), values)
+    return Marking(
+        part,
+        judgement.lines,
+        judgement.letters,
+        tuple(answers_of(solved, judgement, values, bench)),
+        marks,
+        tuple(messages_of(judgement.lines, marks.points, judgement.letters, levels, usual)),
+        tuple(_asks(judgement, bench.solution, part)),
+    )
+
+
+def _meanings(
+    letters: Mapping[str, Meant], problem: Problem
+) -> Mapping[str, Expression | Sequence[Expression]]:
+    texts = {name: meant for name, meant in letters.items() if not isinstance(meant, tuple)}
+    trees = {name: meant for name, meant in letters.items() if isinstance(meant, tuple)}
+    return {**letters_from_mapping(texts, problem), **trees}
+
+
+def _asks(judgement: Judgement, solution: Solution, part: str | None) -> list[Ask]:
+    if not judgement.asks:
+        return []
+    known = {write_expression(meaning.quantity) for meaning in judgement.letters}
+    rows = [
+        (row.meaning, row.words)
+        for row in letters_box(solution.problem, solution, part)
+        if row.meaning not in known
+    ]
+    return [
+        Ask(letter, f"What is {letter} here?", tuple(rows[:_PROPOSALS]))
+        for letter in judgement.asks
+    ]
+
+
+# --- plain data -----------------------------------------------------------------------------------
+
+
+def _line(line: JudgedLine) -> Object:
+    use = next(iter(line.uses), None)
+    mistake = line.mistake
+    return {
+        "n": line.line.number,
+        "text": line.line.text,
+        "read_as": line.read_as,
+        "verdict": line.verdict,
+        "accuracy": line.accuracy,
+        "principle": None if use is None else use.principle,
+        "event": None if use is None else use.event,
+        "link": line.link,
+        "from": list(line.sources),
+        "mistake": None
+        if mistake is None
+        else {
+            "id": mistake.id,
+            "also": list(mistake.also),
+            "kind": mistake.kind,
+            "at": mistake.at,
+            "sure": mistake.sure,
+            "leads_to": dict(mistake.leads_to or {}),
+        },
+    }
+
+
+def _point(mark: PointMark) -> Object:
+    return {
+        "id": mark.point.id,
+        "kind": mark.point.kind,
+        "for": mark.point.purpose,
+        "state": mark.state,
+        "line": mark.line,
+        "why": mark.why,
+    }

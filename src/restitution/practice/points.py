@@ -1,0 +1,372 @@
+"""Marks for a working: which points of a scheme its lines earn, as an examiner gives them.
+
+Each point of a scheme looks for the line that earns it. A method is a line that uses its principle,
+a mistake in it having its own rule (`explaining.misconceptions`); accuracy is a true line beside a
+method, or a value reached; a value that cannot be had without a method earns that as well.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from restitution.explaining.misconceptions import MISCONCEPTIONS
+from restitution.practice.judgement import JudgedLine, Judgement, Use
+from restitution.practice.scheme import MarkPoint, Scheme
+from restitution.practice.values import Values
+
+State = Literal["earned", "lost", "open"]
+
+_SOUND = ("true", "follows")
+_UNSURE = ("asks", "unread")
+
+
+@dataclass(frozen=True)
+class PointMark:
+    """A point with its state, the line that decided, and why, in one clause.
+
+    ``implied`` tells that it was earned by a later value that cannot be had without it.
+    """
+
+    point: MarkPoint
+    state: State
+    line: int | None = None
+    why: str = ""
+    implied: bool = False
+
+
+@dataclass(frozen=True)
+class Marks:
+    """The points of the scheme by which a working has most."""
+
+    scheme: Scheme
+    points: tuple[PointMark, ...]
+
+    def count(self, state: State) -> int:
+        """How many points are in a state."""
+        return sum(each.state == state for each in self.points)
+
+    @property
+    def earned(self) -> int:
+        return self.count("earned")
+
+    @property
+    def lost(self) -> int:
+        return self.count("lost")
+
+    @property
+    def open(self) -> int:
+        return self.count("open")
+
+    @property
+    def of(self) -> int:
+        return len(self.points)
+
+
+def marked(judgement: Judgement, schemes: Sequence[Scheme], values: Values) -> Marks:
+    """The marks of a judged working, by the scheme that gives most.
+
+    ``values`` knows what the sides of lines are worth, and which of them name what is asked.
+    """
+    tried = [_Examiner(judgement, scheme, values).marks() for scheme in schemes]
+    return max(tried, key=lambda marks: (marks.earned / max(marks.of, 1), marks.open))
+
+
+class _Examiner:
+    """One working marked by one scheme."""
+
+    def __init__(self, judgement: Judgement, scheme: Scheme, values: Values) -> None:
+        self.lines = judgement.lines
+        self.scheme = scheme
+        self.values = values
+        self.states: dict[str, PointMark] = {}
+
+    def marks(self) -> Marks:
+        for point in self.scheme.points:
+            self.states[point.id] = self._first(point)
+        self._imply()
+        self._require()
+        points = [self.states[point.id] for point in self.scheme.points]
+        points = self._misread(points)
+        points = self._too_coarse(points)
+        return Marks(self.scheme, tuple(points))
+
+    # --- each point by itself ---------------------------------------------------------------------
+
+    def _first(self, point: MarkPoint) -> PointMark:
+        if point.letter == "M":
+            return self._method(point)
+        if point.equation:
+            return self._equation(point)
+        if point.letter == "B" and point.item is None:
+            return self._independent(point)
+        return self._value(point)
+
+    def _method(self, point: MarkPoint) -> PointMark:
+        """A line that uses the principle; one with a mistake has the rule of that mistake."""
+        worst: PointMark | None = None
+        for line in self.lines:
+            use = self._use(line, point)
+            if use is None:
+                continue
+            if line.verdict in _SOUND:
+                return self._earned(point, line, "")
+            earns, why = self._with_mistake(line, use)
+            if earns:
+                return self._earned(point, line, why)
+            worst = worst or PointMark(point, "lost", line.line.number, why)
+        if worst is None and point.principle in ("solve", "condition", "method", "inequality"):
+            line_of_value = self._elimination(point)
+            if line_of_value is not None:
+                return self._earned(point, line_of_value, "")
+        return worst or self._missing(point)
+
+    def _equation(self, point: MarkPoint) -> PointMark:
+        """The equation itself, correct."""
+        for line in self.lines:
+            if self._use(line, point) is None:
+                continue
+            if line.verdict == "true" or (line.verdict == "follows" and point.follows):
+                return self._earned(point, line, "")
+            if line.verdict == "follows":
+                # Newton's law with the sense that his momentum gives his letters.
+                if point.principle == "restitution":
+                    return self._earned(point, line, "consistent with the line of momentum")
+                return PointMark(point, "lost", line.line.number, "follows from an earlier slip")
+            return PointMark(point, "lost", line.line.number, self._reason(line))
+        return self._missing(point)
+
+    def _independent(self, point: MarkPoint) -> PointMark:
+        """A component that stays, or one read off: as a line, or used in one."""
+        for line in self.lines:
+            if line.verdict in _SOUND and self._use(line, point) is not None:
+                return self._earned(point, line, "")
+        value = self._value(point)
+        if value.state == "earned":
+            return value
+        for line in self.lines:
+            if self._use(line, point) is not None and line.verdict == "false":
+                return PointMark(point, "lost", line.line.number, self._reason(line))
+        return value
+
+    def _value(self, point: MarkPoint) -> PointMark:
+        """A value: true, or his own where the point follows through; the last one given counts."""
+        last: PointMark | None = None
+        for line in self.lines:
+            match = self.values.matches(point, line)
+            if match is None:
+                continue
+            if line.verdict == "true" and match == "true":
+                last = self._earned(point, line, "")
+            elif line.verdict == "follows" and match != "true":
+                state: State = "earned" if point.follows else "lost"
+                last = PointMark(point, state, line.line.number, "follows from an earlier slip")
+            elif line.verdict == "false":
+                if last is not None and last.state == "earned":
+                    continue  # what is wrong behind a right answer loses nothing
+                last = PointMark(point, "lost", line.line.number, self._reason(line))
+            elif line.verdict == "unsupported":
+                why = "does not follow from the lines above"
+                if last is None or last.state != "earned":
+                    state = "lost" if point.shown else "earned"
+                    last = PointMark(point, state, line.line.number, why if point.shown else "")
+        return last or self._missing(point)
+
+    def _elimination(self, point: MarkPoint) -> JudgedLine | None:
+        """A line that has one unknown less, after the methods on which the point depends."""
+        return next(
+            (
+                line
+                for line in self.lines
+                if line.verdict in _SOUND and self.values.is_solved(point, line)
+            ),
+            None,
+        )
+
+    # --- what a line uses ---------------------------------------------------------------------------
+
+    def _use(self, line: JudgedLine, point: MarkPoint) -> Use | None:
+        """The use of the point's principle in a line, at its event and for its bodies."""
+        for use in line.uses:
+            if use.principle not in _NAMES.get(point.principle, (point.principle,)):
+                continue
+            if point.event is not None and use.event not in (None, point.event):
+                continue
+            own = point.principle in ("unchanged", "impulse", "speed", "angle", "deflection")
+            if own and use.bodies and point.bodies and not set(use.bodies) & set(point.bodies):
+                continue
+            return use
+        return None
+
+    def _with_mistake(self, line: JudgedLine, use: Use) -> tuple[bool, str]:
+        """Whether a false line of a principle keeps its method, and why."""
+        mistake = line.mistake
+        name = (use.altered or "").partition("/")[0] or (mistake.id if mistake else None)
+        named = MISCONCEPTIONS.get(name or "")
+        if named is not None:
+            rule = named.mark_of(use.principle) or "M0"
+            kept = rule.startswith("M1")
+            return kept, f"{named.title[0].lower()}{named.title[1:]}" + (
+                "; the method stands" if kept else ""
+            )
+        if mistake is not None and mistake.kind == "slip":
+            return True, "all terms are there; a slip keeps the method"
+        return False, "not an instance of the law"
+
+    def _reason(self, line: JudgedLine) -> str:
+        mistake = line.mistake
+        if mistake is None or mistake.id is None:
+            return "not true"
+        named = MISCONCEPTIONS.get(mistake.id)
+        if named is not None:
+            return f"{named.title[0].lower()}{named.title[1:]}"
+        return f"a slip ({mistake.id})"
+
+    # --- the whole -------------------------------------------------------------------------------------
+
+    def _imply(self) -> None:
+        """A true value earns what it cannot be had without."""
+        for point in reversed(self.scheme.points):
+            own = self.states[point.id]
+            if own.state != "earned" or own.line is None or point.shown:
+                continue
+            line = self._line(own.line)
+            if line is None or line.verdict not in ("true", "unsupported", "remark"):
+                continue
+            if point.letter == "M" and not own.implied:
+                continue
+            if point.letter == "B":
+                continue
+            for name in point.above:
+                state = self.states[name]
+                if state.state == "earned" or state.point.shown:
+                    continue
+                if state.line is not None and self._is_wrong(state.line):
+                    continue
+                why = f"line {own.line} cannot be had without it"
+                self.states[name] = replace(
+                    state, state="earned", line=own.line, why=why, implied=True
+                )
+
+    def _is_wrong(self, number: int) -> bool:
+        line = self._line(number)
+        return line is not None and line.verdict == "false"
+
+    def _require(self) -> None:
+        """No accuracy without its method, and no dependent method without those it depends on."""
+        for point in self.scheme.points:
+            own = self.states[point.id]
+            if own.state != "earned":
+                continue
+            needed = [self.states[name] for name in point.depends]
+            if point.shown:
+                needed = [
+                    self.states[name]
+                    for name in point.above
+                    if self.states[name].point.letter == "M"
+                ]
+            missing = next((each for each in needed if each.state == "lost"), None)
+            if missing is not None:
+                why = f"{missing.point.kind} for {missing.point.purpose} is not earned"
+                self.states[point.id] = replace(own, state="lost", why=why)
+            elif any(each.state == "open" for each in needed):
+                self.states[point.id] = replace(
+                    own, state="open", why="rests on a point still open"
+                )
+            elif point.shown and self._is_broken(own.line):
+                why = "a line above it is not true"
+                self.states[point.id] = replace(own, state="lost", why=why)
+
+    def _is_broken(self, number: int | None) -> bool:
+        """Whether a false or unsupported line stands above the printed result."""
+        return any(
+            line.verdict in ("false", "unsupported", "follows")
+            for line in self.lines
+            if number is None or line.line.number < number
+        )
+
+    def _misread(self, points: list[PointMark]) -> list[PointMark]:
+        """A misread datum: what follows from it is earned, and two A or B are taken away."""
+        first = next(
+            (
+                line
+                for line in self.lines
+                if line.mistake is not None and line.mistake.id == "misread"
+            ),
+            None,
+        )
+        if first is None:
+            return points
+        through = _Examiner(
+            Judgement(tuple(_as_true(line) for line in self.lines), ()), self.scheme, self.values
+        )
+        through.values = self.values.of_his_own()
+        own = {each.point.id: each for each in through.marks().points}
+        taken = 0
+        marks: list[PointMark] = []
+        for each in points:
+            after = own[each.point.id]
+            if after.state == "earned" and each.point.letter in "AB" and taken < 2:
+                taken += 1
+                after = replace(
+                    after, state="lost", why="a misread: the first two of these are lost"
+                )
+            marks.append(after)
+        return marks
+
+    def _too_coarse(self, points: list[PointMark]) -> list[PointMark]:
+        """Answers that are right and given too coarsely cost one mark, once."""
+        for place, each in enumerate(points):
+            if each.state != "earned" or each.point.item is None or each.implied:
+                continue
+            line = self._line(each.line)
+            if line is not None and line.accuracy == "coarse" and not self._is_exact_above(each):
+                why = "given too coarsely"
+                return [*points[:place], replace(each, state="lost", why=why), *points[place + 1 :]]
+        return points
+
+    def _is_exact_above(self, mark: PointMark) -> bool:
+        """Whether a finer form of the same value stands in a line."""
+        return any(
+            line.verdict == "true"
+            and line.accuracy in ("exact", "rounded")
+            and self.values.matches(mark.point, line) == "true"
+            for line in self.lines
+        )
+
+    # --- states ---------------------------------------------------------------------------------------
+
+    def _earned(self, point: MarkPoint, line: JudgedLine, why: str) -> PointMark:
+        return PointMark(point, "earned", line.line.number, why)
+
+    def _missing(self, point: MarkPoint) -> PointMark:
+        """Lost; open where a line that cannot be judged may be the one."""
+        unsure = next((line for line in self.lines if line.verdict in _UNSURE), None)
+        if unsure is None:
+            return PointMark(point, "lost", None, "not seen")
+        return PointMark(point, "open", unsure.line.number, "a line could not be judged")
+
+    def _line(self, number: int | None) -> JudgedLine | None:
+        return next((each for each in self.lines if each.line.number == number), None)
+
+
+# The words of verdicts for the principle of a point, where they are several.
+_NAMES: Mapping[str, tuple[str, ...]] = {
+    "momentum": ("momentum", "impulse"),
+    "velocity": ("velocity", "component"),
+    "speed": ("speed", "energy"),
+    "deflection": ("deflection", "angle"),
+    "angle": ("angle", "deflection", "direction"),
+    "scalar-product": ("scalar-product", "angle", "deflection"),
+    "fact": ("fact", "energy", "angle", "deflection", "speed"),
+    "solve": ("solve",),
+}
+
+
+def _as_true(line: JudgedLine) -> JudgedLine:
+    if line.verdict in ("follows", "false") and (
+        line.verdict == "follows" or (line.mistake is not None and line.mistake.id == "misread")
+    ):
+        return replace(line, verdict="true", mistake=None)
+    return line

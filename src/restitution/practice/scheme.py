@@ -1,0 +1,342 @@
+"""The mark points of a part: what an examiner would give marks for, and on what each rests.
+
+They are read from the derivations that the planner makes, with the marks that stand beside their
+lines (`explaining.awarding`): one scheme a route. A working is marked by the one that gives most.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from restitution.explaining.awarding import awarded
+from restitution.explaining.derivation import Derivation, ItemEnd, Line, Link, Relation
+from restitution.explaining.marks import Mark, Style
+from restitution.explaining.saying import say
+from restitution.explaining.titles import title_of
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import Expression, Letter
+from restitution.planning.planner import plan
+from restitution.solving.solution import PartSolution, Solution
+
+ROUTES = 3
+"""How many ways to the answers have a scheme, at most."""
+
+PRINCIPLES: Mapping[str, str] = {
+    "unchanged": "unchanged",
+    "restitution-wall": "restitution",
+    "restitution": "restitution",
+    "momentum": "momentum",
+    "momentum-vector": "momentum",
+    "impulse": "impulse",
+    "impulse-vector": "impulse",
+    "opposite-impulses": "impulse",
+    "across-the-impulse": "impulse",
+    "along-the-change": "impulse",
+    "wall-direction": "impulse",
+    "equal-across": "unchanged",
+    "moves-off": "direction",
+    "component": "component",
+    "assemble": "velocity",
+    "product": "scalar-product",
+    "speed": "speed",
+    "size": "speed",
+    "tan": "angle",
+    "tan-squared": "angle",
+    "tan-direction": "angle",
+    "scalar-angle": "angle",
+    "sum": "deflection",
+    "difference": "deflection",
+    "tan-deflection": "deflection",
+    "perpendicular": "fact",
+    "parallel": "fact",
+    "energy": "energy",
+    "energy-ratio": "energy",
+    "energy-lost": "energy",
+    "energy-change": "energy",
+    "total": "energy",
+    "total-lost": "energy",
+    "straight-line": "place",
+    "distance": "place",
+    "momentum-of": "momentum-of",
+}
+"""What a line of each record uses, in the words of verdicts on lines."""
+
+_FOR = {
+    "unchanged": "component that the impact does not change",
+    "restitution": "Newton's experimental law",
+    "momentum": "momentum along the line of centres",
+    "impulse": "impulse as a change of momentum",
+    "direction": "direction of the line of centres",
+    "component": "components",
+    "velocity": "velocity from its components",
+    "scalar-product": "scalar product",
+    "speed": "speed from its components",
+    "angle": "angle from components",
+    "deflection": "angle of deflection",
+    "fact": "the condition as an equation",
+    "energy": "kinetic energy",
+    "place": "distance = speed × time",
+    "momentum-of": "momentum",
+    "solve": "solving for one unknown",
+    "inequality": "condition as an inequality",
+    "condition": "the condition used",
+}
+
+_OF_MOVES = {
+    "combine": "solve",
+    "divide": "solve",
+    "square-add": "solve",
+    "solve": "solve",
+    "identity": "solve",
+    "roots": "solve",
+    "reject": "condition",
+    "sign": "inequality",
+    "compare": "inequality",
+    "monotone": "inequality",
+    "complete": "inequality",
+    "fact": "fact",
+    "put": "condition",
+}
+
+
+@dataclass(frozen=True)
+class MarkPoint:
+    """One mark, and what it is for.
+
+    ``kind`` is as printed (``DM1``, ``A1ft``, ``A1*``). ``principle``, ``event`` and ``bodies`` say
+    which law earns it. ``link`` is what its line says, in quantities of the statement language.
+    ``depends`` are the points without which it is not given: the method beside it, or those on
+    which a dependent method rests; ``above`` all on which its line rests. ``item`` is the place of
+    the item that it answers, ``shown`` tells that the statement prints that.
+    """
+
+    id: str
+    kind: str
+    purpose: str
+    principle: str
+    event: int | None = None
+    bodies: tuple[str, ...] = ()
+    link: Link | None = None
+    depends: tuple[str, ...] = ()
+    above: tuple[str, ...] = ()
+    item: int | None = None
+    shown: bool = False
+    equation: bool = False
+
+    @property
+    def letter(self) -> str:
+        """M for a method, A for accuracy, B for what stands by itself."""
+        return self.kind.removeprefix("D")[0]
+
+    @property
+    def follows(self) -> bool:
+        """Whether it follows through from an earlier slip."""
+        return self.kind.endswith("ft")
+
+
+@dataclass(frozen=True)
+class Scheme:
+    """The points of a part by one route, in order."""
+
+    route: int
+    points: tuple[MarkPoint, ...]
+
+    @property
+    def total(self) -> int:
+        return len(self.points)
+
+
+def schemes(
+    solution: Solution, part: str | None = None, style: Style = "fm1"
+) -> tuple[Scheme, ...]:
+    """The schemes of a part, that of the usual way first; none twice.
+
+    Raises KeyError for a part that is not there.
+    """
+    solved = solution.parts[part]
+    known: dict[tuple[tuple[str, str, int | None], ...], Scheme] = {}
+    for route in range(1, ROUTES + 1):
+        derivation = awarded(plan(solution, route, partial=True), style)
+        points = tuple(_points(derivation, solved))
+        key = tuple((point.kind, point.principle, point.event) for point in points)
+        if points:
+            known.setdefault(key, Scheme(route, points))
+    return tuple(known.values()) or (_of_answers(solved),)
+
+
+def _of_answers(solved: PartSolution) -> Scheme:
+    """Where no working is known: a method and a value for each item."""
+    points: list[MarkPoint] = []
+    prefix = solved.part.label or ""
+    for place, item in enumerate(solved.items):
+        method = MarkPoint(
+            f"{prefix}{len(points) + 1}", "M1", f"a method for {item.text}", "method", item=place
+        )
+        value = MarkPoint(
+            f"{prefix}{len(points) + 2}",
+            "A1",
+            item.text,
+            "answer",
+            depends=(method.id,),
+            above=(method.id,),
+            item=place,
+        )
+        points += [method, value]
+    return Scheme(1, tuple(points))
+
+
+def _points(derivation: Derivation, solved: PartSolution) -> Iterator[MarkPoint]:
+    """The points that stand beside the lines of a part, and beside what is not written out."""
+    label = solved.part.label
+    items = {name: place for place, name in enumerate(_items(derivation, label))}
+    ends = {end.line: end for end in derivation.items}
+    lines = {line.number: line for line in derivation.lines}
+    by_line: dict[int, list[MarkPoint]] = {}
+    count = 0
+
+    def above(line: Line) -> tuple[str, ...]:
+        seen, open_ = set[int](), [ref for ref in line.premises if isinstance(ref, int)]
+        while open_:
+            number = open_.pop()
+            if number not in seen and number in lines:
+                seen.add(number)
+                open_ += [ref for ref in lines[number].premises if isinstance(ref, int)]
+        return tuple(point.id for n in sorted(seen) for point in by_line.get(n, ()))
+
+    for line in derivation.lines:
+        if line.item is None and not line.marks:
+            continue
+        if derivation.asked.get(line.item or "") != label:
+            continue
+        under = above(line)
+        for mark in line.marks:
+            count += 1
+            method = [point.id for point in by_line.get(line.number, ()) if point.letter == "M"]
+            rests = [p.id for n in mark.on for p in by_line.get(n, ()) if p.letter == "M"]
+            if mark.kind == "A" and not method:
+                method = _nearest_methods(line, lines, by_line)
+            point = _point(
+                f"{label or ''}{count}",
+                mark,
+                line,
+                derivation,
+                depends=tuple(rests if mark.kind == "M" else method),
+                above=(*under, *(p.id for p in by_line.get(line.number, ()))),
+                end=ends.get(line.number),
+                item=items.get(line.item or ""),
+            )
+            by_line.setdefault(line.number, []).append(point)
+            yield point
+    for note in derivation.notes:
+        if note.part != label:
+            continue
+        for mark in note.marks:
+            count += 1
+            yield MarkPoint(
+                f"{label or ''}{count}",
+                str(mark),
+                "a method for it" if mark.kind == "M" else "the answer",
+                "method" if mark.kind == "M" else "answer",
+                depends=(f"{label or ''}{count - 1}",) if mark.kind == "A" else (),
+                above=(f"{label or ''}{count - 1}",) if mark.kind == "A" else (),
+                item=items.get(note.item),
+            )
+
+
+def _items(derivation: Derivation, label: str | None) -> list[str]:
+    return [name for name, part in derivation.asked.items() if part == label]
+
+
+def _nearest_methods(
+    line: Line, lines: Mapping[int, Line], by_line: Mapping[int, list[MarkPoint]]
+) -> list[str]:
+    """The methods on which a value directly rests: those of the nearest lines that have some."""
+    methods: list[str] = []
+    seen, open_ = set[int](), [ref for ref in line.premises if isinstance(ref, int)]
+    while open_:
+        number = open_.pop(0)
+        if number in seen or number not in lines:
+            continue
+        seen.add(number)
+        own = [point.id for point in by_line.get(number, ()) if point.letter == "M"]
+        methods += own
+        if not own:
+            open_ += [ref for ref in lines[number].premises if isinstance(ref, int)]
+    return methods
+
+
+def _point(
+    name: str,
+    mark: Mark,
+    line: Line,
+    derivation: Derivation,
+    depends: tuple[str, ...],
+    above: tuple[str, ...],
+    end: ItemEnd | None,
+    item: int | None,
+) -> MarkPoint:
+    move = line.move
+    principle = PRINCIPLES.get(move.record or "") or _OF_MOVES.get(move.id, "answer")
+    answers = end is not None and mark.kind != "M"
+    equation = move.id == "law" and mark.kind == "A" and not answers
+    link = _link(line, derivation)
+    return MarkPoint(
+        name,
+        str(mark),
+        _purpose(mark, line, derivation, principle, answers, equation),
+        principle,
+        move.event,
+        move.bodies,
+        link,
+        depends,
+        above,
+        item if answers else None,
+        answers and end is not None and end.shown,
+        equation,
+    )
+
+
+def _purpose(
+    mark: Mark,
+    line: Line,
+    derivation: Derivation,
+    principle: str,
+    answers: bool,
+    equation: bool,
+) -> str:
+    """For what a mark is given, in words."""
+    if mark.star:
+        return "the printed result, from correct working"
+    if answers:
+        return "correct answer"
+    if equation:
+        return "correct equation"
+    if mark.kind == "A":
+        return "correct value"
+    event = next((each for each in derivation.events if each.number == line.move.event), None)
+    title = title_of(line.move.record or "", event)
+    if title is not None and principle in ("momentum", "restitution"):
+        words = str(say(title))
+        return words[0].lower() + words[1:] if words.startswith("Conserv") else words
+    return _FOR.get(principle, "method")
+
+
+def _link(line: Line, derivation: Derivation) -> Link | None:
+    """What a line says from its first side to its last, in quantities."""
+    relation = line.relation
+    if not isinstance(relation, Relation) or len(relation.options) != 1:
+        return None
+    first, last = relation.only[0], relation.only[-1]
+    return Link(_settled(first.left, derivation), first.sign, _settled(last.right, derivation))
+
+
+def _settled(tree: Expression, derivation: Derivation) -> Expression:
+    """A tree in which the letters of the working are the quantities that they stand for."""
+    meanings = derivation.meanings
+
+    def put(node: Expression) -> Expression:
+        meaning = meanings.get(node.name) if isinstance(node, Letter) else None
+        return node if meaning is None else meaning.quantity
+
+    return rebuilt(tree, put)

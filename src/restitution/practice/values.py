@@ -1,0 +1,197 @@
+"""What a student's lines give: which side names what is asked, and whether the other is its value.
+
+A side names a quantity if both are worth the same, up to a sign, whatever happens at the impacts: in
+a world in which velocities and unknown letters are scattered. A side is a value if nothing there
+changes it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+
+from restitution.expression.evaluate import Angle, Value
+from restitution.expression.tree import Expression
+from restitution.practice.arrays import Array, UnvaluedError
+from restitution.practice.interpretation import Interpretation
+from restitution.practice.judgement import JudgedLine, Meaning
+from restitution.practice.scheme import MarkPoint
+from restitution.practice.script import Claim
+from restitution.practice.student import scattered_world
+from restitution.practice.world import World
+from restitution.vector import Vector
+
+Match = Literal["true", "own"]
+
+_NEAR = 1e-7
+
+
+@dataclass(frozen=True, eq=False)
+class Values:
+    """The values of a part, and how a script's letters reach them.
+
+    ``worlds`` are the true ones, one for each admissible solution, ``unknown`` the letters of the
+    statement that are not given. ``his_own`` counts what follows from a slip as true, as a misread
+    datum makes it.
+    """
+
+    worlds: tuple[World, ...]
+    unknown: frozenset[str]
+    letters: tuple[Meaning, ...] = ()
+    his_own: bool = False
+
+    def of_his_own(self) -> Values:
+        """The same for a working from another datum."""
+        return replace(self, his_own=True)
+
+    def matches(self, point: MarkPoint, line: JudgedLine) -> Match | None:
+        """Whether a line gives the value of a point: the true one, or one of his own.
+
+        None where it gives no value of that quantity.
+        """
+        if point.link is None:
+            return None
+        if point.shown and not self._is_printed(point, line):
+            return None
+        if not point.shown and not self._gives(point.link.left, line):
+            return None
+        return "true" if line.verdict == "true" or self.his_own else "own"
+
+    def is_solved(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line gives an unknown of the impact a value, or that of the point's own line."""
+        meanings = self._meanings(line)
+        return any(
+            self._changes(claim.left, meanings, line)
+            and self._is_value(claim.right, meanings, line)
+            for chain in _chains(line)
+            for claim in chain
+            if claim.sign == "="
+        )
+
+    def value_of(self, tree: Expression, line: JudgedLine) -> Expression | None:
+        """The side of a line that gives a quantity its value, the last one typed."""
+        meanings = self._meanings(line)
+        last: Expression | None = None
+        for chain in _chains(line):
+            if self._names(chain[0].left, tree, meanings, line):
+                last = next(
+                    (
+                        claim.right
+                        for claim in reversed(chain)
+                        if self._is_value(claim.right, meanings, line)
+                    ),
+                    last,
+                )
+            elif self._names(chain[-1].right, tree, meanings, line) and self._is_value(
+                chain[0].left, meanings, line
+            ):
+                last = chain[0].left
+        return last
+
+    # --- sides ----------------------------------------------------------------------------------
+
+    def _gives(self, quantity: Expression, line: JudgedLine) -> bool:
+        if line.verdict == "remark":
+            return False
+        return self.value_of(quantity, line) is not None
+
+    def _is_printed(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line is the printed relation, its sides perhaps exchanged, or ends in it."""
+        link = point.link
+        assert link is not None
+        meanings = self._meanings(line)
+        for chain in _chains(line):
+            first, last = chain[0].left, chain[-1].right
+            for left, right in ((first, last), (last, first)):
+                if self._names(left, link.left, meanings, line) and self._names(
+                    right, link.right, meanings, line
+                ):
+                    return True
+        return False
+
+    def _names(
+        self,
+        side: Expression,
+        quantity: Expression,
+        meanings: Mapping[str, Expression],
+        line: JudgedLine,
+    ) -> bool:
+        """Whether a side is worth what a quantity is, up to a sign, whatever happens."""
+        world = self._scattered
+        try:
+            own = world.value(side, meanings, line.line.scope)
+            asked = world.value(quantity)
+        except UnvaluedError:
+            return False
+        return _same(world, own, asked)
+
+    def _changes(
+        self, side: Expression, meanings: Mapping[str, Expression], line: JudgedLine
+    ) -> bool:
+        try:
+            true = self._base.value(side, meanings, line.line.scope)
+            other = self._scattered.value(side, meanings, line.line.scope)
+        except UnvaluedError:
+            return False
+        return not _same(self._base, true, other)
+
+    def _is_value(
+        self, side: Expression, meanings: Mapping[str, Expression], line: JudgedLine
+    ) -> bool:
+        """Whether nothing that happens at the impacts changes a side."""
+        try:
+            true = self._base.value(side, meanings, line.line.scope)
+            other = self._scattered.value(side, meanings, line.line.scope)
+        except UnvaluedError:
+            return False
+        return _same(self._base, true, other)
+
+    @property
+    def _base(self) -> World:
+        return self.worlds[0]
+
+    @cached_property
+    def _scattered(self) -> World:
+        return scattered_world(self._base, self.unknown)
+
+    def _meanings(self, line: JudgedLine) -> Mapping[str, Expression]:
+        return Interpretation(self.letters).trees(line.line.number)
+
+
+def _chains(line: JudgedLine) -> Iterator[Sequence[Claim]]:
+    """The relations of a line, links of a chain together, in the reading that is most natural."""
+    chain: list[Claim] = []
+    for link in line.line.links:
+        claim = link.readings[0]
+        if chain and chain[-1].right != claim.left:
+            yield chain
+            chain = []
+        chain.append(claim)
+    if chain:
+        yield chain
+
+
+def _same(world: World, one: Value, other: Value) -> bool:
+    """Whether two values agree in all samples, up to a sign."""
+    if isinstance(one, Vector) or isinstance(other, Vector):
+        if not (isinstance(one, Vector) and isinstance(other, Vector)):
+            return False
+        return any(
+            _near(world.spread(one.x), sign * world.spread(other.x))
+            and _near(world.spread(one.y), sign * world.spread(other.y))
+            for sign in (1, -1)
+        )
+    a, b = _number(world, one), _number(world, other)
+    return _near(a, b) or _near(a, -b)
+
+
+def _number(world: World, value: Value) -> Array:
+    return world.spread(value.measure() if isinstance(value, Angle) else value)
+
+
+def _near(a: Array, b: Array) -> bool:
+    return bool(np.allclose(a, b, rtol=_NEAR, atol=_NEAR))
