@@ -643,7 +643,7 @@ def mark(
     from restitution.export.marking import Workings
 
     columns = min(shutil.get_terminal_size().columns, 100)
-    kind = "csv" if csv else form.value
+    kind: Literal["text", "json", "html", "csv"] = "csv" if csv else form.value
     task = Workings((), tuple(answers or ()), part, "", hints, kind, columns)
     with _refusing(), interruptible(), worker_of(context.obj) as worker:
         done = marked(worker, Scripts(question, working, letters, task), _limit(time_limit))

@@ -138,8 +138,8 @@ class Reply:
     for a page.
     ``fault`` is the traceback of a failure of the program while it wrote the working; ``tired``
     tells that a piece of work was broken off, and that the process should end. ``notes`` tell what
-    is no warning: that a working was followed. ``unreadable`` tells that what came with the question
-    (letters, an answer) cannot be read.
+    is no warning: that a working was followed. ``unreadable`` tells that what came with the
+    question (letters, an answer) cannot be read.
     """
 
     content: Any
@@ -275,10 +275,10 @@ def serve(job: Job) -> Reply:
                 explained.notes,
             )
         case Marking(workings):
-            from restitution.export.marking import written
+            from restitution.export.marking import written as marked
 
             try:
-                text = written(solution, workings)
+                text = marked(solution, workings)
             except StatementError as error:  # in the letters, or in what is said to be an answer
                 return Reply(None, False, (error,), unreadable=True)
             return Reply(text, True, (), tuple(reply["warnings"]), tired=tired)

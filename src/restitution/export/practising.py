@@ -10,7 +10,7 @@ from restitution.export.lab.reading import a_list, an_object
 from restitution.language import parse
 from restitution.practice.choosing import next_question, sureness
 from restitution.practice.generate import practice_question
-from restitution.practice.letters import letters_box
+from restitution.practice.letters_box import letters_box
 from restitution.practice.topics import LEVELS, topic
 from restitution.solving import solve
 

@@ -92,7 +92,7 @@ class _Examiner:
         points = self._too_coarse(points)
         return Marks(self.scheme, tuple(points))
 
-    # --- each point by itself ---------------------------------------------------------------------
+    # --- each point by itself -------------------------------------------------------------------
 
     def _first(self, point: MarkPoint) -> PointMark:
         if point.letter == "M":
@@ -184,7 +184,7 @@ class _Examiner:
             None,
         )
 
-    # --- what a line uses ---------------------------------------------------------------------------
+    # --- what a line uses -----------------------------------------------------------------------
 
     def _use(self, line: JudgedLine, point: MarkPoint) -> Use | None:
         """The use of the point's principle in a line, at its event and for its bodies."""
@@ -223,7 +223,7 @@ class _Examiner:
             return f"{named.title[0].lower()}{named.title[1:]}"
         return f"a slip ({mistake.id})"
 
-    # --- the whole -------------------------------------------------------------------------------------
+    # --- the whole ------------------------------------------------------------------------------
 
     def _imply(self) -> None:
         """A true value earns what it cannot be had without."""
@@ -335,7 +335,7 @@ class _Examiner:
             for line in self.lines
         )
 
-    # --- states ---------------------------------------------------------------------------------------
+    # --- states ---------------------------------------------------------------------------------
 
     def _earned(self, point: MarkPoint, line: JudgedLine, why: str) -> PointMark:
         return PointMark(point, "earned", line.line.number, why)

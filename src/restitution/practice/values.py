@@ -1,8 +1,8 @@
-"""What a student's lines give: which side names what is asked, and whether the other is its value.
+"""What a student's lines give: which side names what is asked, and which one is its value.
 
-A side names a quantity if both are worth the same, up to a sign, whatever happens at the impacts: in
-a world in which velocities and unknown letters are scattered. A side is a value if nothing there
-changes it.
+A side names a quantity if both are worth the same, up to a sign, whatever happens at the impacts:
+in a world in which velocities and unknown letters are scattered. A side is a value if nothing
+there changes it.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ class Values:
         return "true" if line.verdict == "true" or self.his_own else "own"
 
     def is_solved(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether a line gives an unknown of the impact a value, or that of the point's own line."""
+        """Whether a line gives an unknown of the impact a value."""
         meanings = self._meanings(line)
         return any(
             self._changes(claim.left, meanings, line)
