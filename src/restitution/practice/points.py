@@ -117,7 +117,7 @@ class _Examiner:
                 return self._earned(point, line, why)
             worst = worst or PointMark(point, "lost", line.line.number, why)
         if worst is None and point.principle in ("solve", "condition", "method", "inequality"):
-            line_of_value = self._elimination(point)
+            line_of_value = self._elimination()
             if line_of_value is not None:
                 return self._earned(point, line_of_value, "")
         return worst or self._missing(point)
@@ -173,14 +173,10 @@ class _Examiner:
                     last = PointMark(point, state, line.line.number, why if point.shown else "")
         return last or self._missing(point)
 
-    def _elimination(self, point: MarkPoint) -> JudgedLine | None:
-        """A line that has one unknown less, after the methods on which the point depends."""
+    def _elimination(self) -> JudgedLine | None:
+        """A line in which one unknown is left."""
         return next(
-            (
-                line
-                for line in self.lines
-                if line.verdict in _SOUND and self.values.is_solved(point, line)
-            ),
+            (line for line in self.lines if line.verdict in _SOUND and self.values.is_solved(line)),
             None,
         )
 

@@ -15,7 +15,7 @@ from typing import Literal
 import numpy as np
 
 from restitution.expression.evaluate import Angle, Value
-from restitution.expression.tree import Expression
+from restitution.expression.tree import Expression, Letter, Quantity, children
 from restitution.practice.arrays import Array, UnvaluedError
 from restitution.practice.interpretation import Interpretation
 from restitution.practice.judgement import JudgedLine, Meaning
@@ -61,15 +61,16 @@ class Values:
             return None
         return "true" if line.verdict == "true" or self.his_own else "own"
 
-    def is_solved(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether a line gives an unknown of the impact a value."""
+    def is_solved(self, line: JudgedLine) -> bool:
+        """Whether a line gives one unknown of the impact, or a multiple of it, a value."""
         meanings = self._meanings(line)
         return any(
-            self._changes(claim.left, meanings, line)
+            claim.sign == "="
+            and len(set(_names_in(claim.left))) == 1
+            and self._changes(claim.left, meanings, line)
             and self._is_value(claim.right, meanings, line)
             for chain in _chains(line)
             for claim in chain
-            if claim.sign == "="
         )
 
     def value_of(self, tree: Expression, line: JudgedLine) -> Expression | None:
@@ -173,6 +174,15 @@ def _chains(line: JudgedLine) -> Iterator[Sequence[Claim]]:
         chain.append(claim)
     if chain:
         yield chain
+
+
+def _names_in(tree: Expression) -> Iterator[Expression]:
+    """The letters and quantities of a tree; those within a quantity are left out."""
+    if isinstance(tree, Letter | Quantity):
+        yield tree
+        return
+    for child in children(tree):
+        yield from _names_in(child)
 
 
 def _same(world: World, one: Value, other: Value) -> bool:
