@@ -15,8 +15,7 @@ from restitution.expression.tree import (
     Quantity,
     walk,
 )
-
-_ANGLE_WORDS = frozenset(("angle", "deflection", "direction"))
+from restitution.practice.vocabulary import HEADS
 
 
 def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
@@ -25,7 +24,7 @@ def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
         case Degrees():
             return True
         case Letter(name):
-            return name in angles or bool(_ANGLE_WORDS & set(name.split()))
+            return name in angles or _names_angle(name)
         case Apply(function, _):
             return function.startswith("arc")
         case Quantity(kind):
@@ -39,6 +38,12 @@ def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
         case Binary("/", left, right):
             return is_angle(left, angles) and not is_angle(right, angles)
     return False
+
+
+def _names_angle(phrase: str) -> bool:
+    """Whether a phrase names an angle: ``angle to the wall``, not ``speed in the i direction``."""
+    heads = {HEADS[each] for each in phrase.split() if each in HEADS}
+    return bool(heads & {"angle", "deflection"}) or heads == {"direction"}
 
 
 def angular(tree: Expression, angles: frozenset[str]) -> Expression:

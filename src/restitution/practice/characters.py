@@ -10,7 +10,8 @@ _SAME: dict[str, str] = {
     **dict.fromkeys("−–—‐‑‒﹣－➖", "-"),
     **dict.fromkeys("×✕✖⨯⨉", "*"),
     **dict.fromkeys("⋅∙•∗·⸱・", "·"),
-    **dict.fromkeys("÷∕⁄➗", "/"),
+    **dict.fromkeys("∕⁄", "/"),
+    "➗": "÷",
     **dict.fromkeys("≤⩽≦", "<="),
     **dict.fromkeys("≥⩾≧", ">="),
     "≠": "!=",
@@ -146,7 +147,7 @@ def _plain_character(character: str) -> str:
     same = _SAME.get(character)
     if same is not None:
         return same
-    if character.isascii() or character == "√":
+    if character.isascii() or character in "√÷":
         return character
     if unicodedata.combining(character):
         return ""

@@ -294,6 +294,9 @@ class _Parser:
         """A quotient by one factor, or by the whole product that stands behind the line."""
         first = self.position
         below = self.signed_factor()
+        if sign.text == "÷" and self.kind() == "/" and not self.choose("division"):
+            inner = self.take()
+            below = Binary("/", below, self.signed_factor(), place=self.place(inner))
         if self.begins_factor() and self.kind() not in ("unit", "phrase"):
             whole = self.wants_whole(above, first)
             if self.choose("quotient") ^ whole:

@@ -117,7 +117,7 @@ def _event_of(
     walls = {each.name for each in problem.walls}
     low = [each.lower() for each in words]
     spoken = any(each in EVENT_WORDS for each in low)
-    if counted is None and spoken:
+    if counted is None and (spoken or "wall" in low or any(each in STAGES for each in low)):
         counted = next((ORDINALS[each] for each in low if each in ORDINALS), None)
         digits = [int(each) for each in low if each.isdigit()]
         counted = counted or (digits[0] if digits else None)

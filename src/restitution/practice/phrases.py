@@ -11,6 +11,8 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import chain
+from typing import Literal
 
 from restitution.errors import StatementError
 from restitution.expression import read_expression
@@ -35,7 +37,10 @@ from restitution.practice.vocabulary import (
 )
 from restitution.problem import Impact, Problem
 
-MAX_CANDIDATES = 24
+MAX_CANDIDATES = 40
+_DIRECTION = re.compile(
+    r"\b(along|of|to|direction)\s+((?:\(?\s*-?\s*[\d√./()\s]*[ij][\s)/\d√.+-]*){2,})", re.IGNORECASE
+)
 _WORD = re.compile(r"[A-Za-z]+[0-9]*|[0-9](?:st|nd|rd|th)|-(?=[ij]\b)|&|\d")
 _SENSES = frozenset(("left", "right", "up", "down", "towards", "away", "opposite"))
 _AXES: dict[str, Expression] = {
@@ -89,6 +94,8 @@ def features(words: Sequence[str], problem: Problem) -> Features:
         elif low in ("i", "j", "x", "y") and _is_axis(words, place):
             axis = _AXES[low]
             found = replace(found, axis=Negate(axis) if previous == "-" else axis)
+            if "direction" in [each.lower() for each in words[max(0, place - 3) : place]]:
+                found = replace(found, sense="axis")
         elif low in HEADS and not (low == "direction" and _is_filler(words, place)):
             found = replace(found, heads=found.heads | {HEADS[low]})
         elif low in DIRECTIONS:
@@ -101,6 +108,8 @@ def features(words: Sequence[str], problem: Problem) -> Features:
             found = replace(found, wall=True)
         elif low in ("total", "both", "system", "overall", "combined"):
             found = replace(found, both=True)
+        elif low == "relative":
+            found = replace(found, heads=found.heads | {"relative"})
         elif low in ("rebounds", "hits", "collides") and not found.stage:
             found = replace(found, stage="after")
         if low not in ("the", "of", "sphere", "ball", "particle", "point"):
@@ -131,6 +140,8 @@ def _is_filler(words: Sequence[str], place: int) -> bool:
 
 
 def _counts_events(words: Sequence[str], place: int) -> bool:
+    if place and words[place - 1].lower() in ("after", "before", "at"):
+        return True
     return any(each.lower() in EVENT_WORDS for each in words[place + 1 : place + 3])
 
 
@@ -176,8 +187,16 @@ def read_phrase(words: str, problem: Problem) -> tuple[Expression, ...]:
         exact = _exact(text, problem)
         if exact is not None:
             return (exact,)
-    listed = words_of(text)[:40]
-    return _unique(_Reader(features(listed, problem), problem).candidates())
+    axis = _DIRECTION.search(text)
+    direction = _exact(axis[2].strip(), problem) if axis else None
+    if axis is not None and direction is not None:
+        text = text[: axis.start(2)] + text[axis.end() :]
+    found = features(words_of(text)[:40], problem)
+    if direction is not None:
+        found = replace(found, axis=direction)
+    stages: tuple[Literal["after", "before"], ...] = ("after", "before")
+    staged = [found] if found.stage else [replace(found, stage=each) for each in stages]
+    return _unique(chain.from_iterable(_Reader(each, problem).candidates() for each in staged))
 
 
 def _exact(text: str, problem: Problem) -> Expression | None:
@@ -225,7 +244,7 @@ class _Reader:
                 yield Quantity("restitution", (), event)
             elif "mass" in heads:
                 yield from (Quantity("mass", (Name(each),)) for each in self.bodies(event))
-            elif heads & {"approach", "separation"}:
+            elif heads & {"approach", "separation", "relative"}:
                 yield from self.relative(event)
             elif "momentum" in heads:
                 yield from self.momentum(event)
@@ -235,6 +254,9 @@ class _Reader:
                 yield from self.component(event)
             elif "speed" in heads:
                 yield from self.speed(event)
+            elif heads == {"magnitude"} and not self.found.names:
+                yield from self.impulse(event)
+                yield from self.velocity(event)
             elif heads & {"velocity", "magnitude"} or self.found.sense:
                 yield from self.velocity(event)
             elif "direction" in heads:
@@ -401,13 +423,17 @@ class _Reader:
     def relative(self, event: int) -> Iterator[Expression]:
         """Speeds of approach and of separation."""
         bodies = self.bodies_met(event)
-        approach = "approach" in self.found.heads
+        heads = self.found.heads
+        approach = "approach" in heads or ("relative" in heads and self.found.stage == "before")
         stage: Stage = event - 1 if approach else self.after(event)
         velocities = [Quantity("velocity", (Name(each),), stage) for each in bodies]
         if not velocities:
             return
         line = self.line(event)
         difference: Expression = velocities[0]
+        if len(velocities) > 1 and "relative" in heads:
+            yield Binary("-", velocities[0], velocities[1])
+            yield Binary("-", velocities[1], velocities[0])
         if len(velocities) > 1:
             difference = Binary("-", velocities[0], velocities[1])
         value = Quantity("along", (difference, line))
@@ -467,9 +493,6 @@ class _Reader:
             yield Quantity("energy", (Name(body),), stage)
         else:
             yield Quantity("energy", (), stage)
-            if self.found.stage is None:
-                yield Quantity("energy", (), before)
-                yield Quantity("energy_lost", (), after)
 
     def impulse(self, event: int) -> Iterator[Expression]:
         """The size of an impulse; the impulse on a body as a vector as well."""

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from typing import Literal
 
 from restitution.practice.phrases import names_quantity
 from restitution.practice.tokens import Token
@@ -93,6 +94,8 @@ def _is_article(tokens: Sequence[Token], place: int) -> bool:
     """Whether a word is the article before a phrase: ``v is the speed of A``."""
     behind = tokens[place + 1].kind if place + 1 < len(tokens) else ""
     articles = ("the", "a", "an", "its", "their", "that")
+    if tokens[place].word == "of" and place and tokens[place - 1].kind == "function":
+        return True
     return tokens[place].word in articles and behind == "phrase"
 
 
@@ -301,29 +304,32 @@ def _without_swallowed(segment: Segment) -> Segment:
     return Segment(tokens[end:], segment.before) if begins else segment
 
 
-def split_at_spaces(segment: Segment) -> Iterator[tuple[Segment, bool]]:
+Parting = Literal["certain", "likely", "doubtful"]
+
+
+def split_at_spaces(segment: Segment) -> Iterator[tuple[Segment, Parting]]:
     """A segment parted where several relations stand beside each other.
 
-    ``q = 1/6   p = -1/3`` is two; so is ``v = 3 w = 4``, in which the second may also be the end
-    of a chain: the flag says that it is doubtful.
+    ``q = 1/6   p = -1/3`` is two. So, likely, is ``w = 2u v = u``, in which the second may also be
+    the end of a chain; ``tan b = 1/3 tan a = 1/4`` is rather a chain. The word beside a segment
+    tells how certain it is that it is a relation of its own.
     """
     tokens = segment.tokens
     places = [n for n, token in enumerate(tokens) if token.kind == "relation"]
-    cuts: list[tuple[int, bool]] = []
+    start, parting = 0, _CERTAIN
     for first, second in pairwise(places):
         cut = _cut(tokens, first, second)
         if cut is not None:
-            cuts.append(cut)
-    start = 0
-    doubtful = False
-    for place, doubt in cuts:
-        yield Segment(tokens[start:place], segment.before), doubtful
-        start, doubtful = place, doubt
-    yield Segment(tokens[start:], segment.before), doubtful
+            yield Segment(tokens[start : cut[0]], segment.before), parting
+            start, parting = cut
+    yield Segment(tokens[start:], segment.before), parting
 
 
-def _cut(tokens: Sequence[Token], first: int, second: int) -> tuple[int, bool] | None:
-    """Where a side between two relations is parted, and whether that is doubtful."""
+_CERTAIN: Parting = "certain"
+
+
+def _cut(tokens: Sequence[Token], first: int, second: int) -> tuple[int, Parting] | None:
+    """Where a side between two relations is parted, and how certain that is."""
     depth, gaps = 0, []
     for place in range(first + 1, second):
         kind = tokens[place].kind
@@ -335,12 +341,25 @@ def _cut(tokens: Sequence[Token], first: int, second: int) -> tuple[int, bool] |
             depth += 1
     wide = [place for place in gaps if tokens[place].gap >= 2]
     if wide:
-        return max(wide, key=lambda place: tokens[place].gap), False
+        return max(wide, key=lambda place: tokens[place].gap), "certain"
     for place in gaps:
         if _begins_another(tokens, first, place, second):
-            doubtful = any(each.kind == "letter" for each in tokens[first + 1 : place])
-            return place, doubtful
+            return place, _parting(tokens, first, place, second)
     return None
+
+
+def _parting(tokens: Sequence[Token], first: int, place: int, second: int) -> Parting:
+    """How certain it is that a relation begins at a place."""
+    right = tokens[place:second]
+    if right[0].kind == "function":
+        start = max((n for n in range(first) if tokens[n].kind == "relation"), default=-1) + 1
+        same = {each.name for each in tokens[start:first] if each.kind == "letter"} == {
+            each.name for each in right if each.kind == "letter"
+        }
+        both = tokens[start].kind == "function"
+        return "doubtful" if both and not same else "likely"
+    letter = any(each.kind == "letter" for each in tokens[first + 1 : place])
+    return "likely" if letter else "certain"
 
 
 def _begins_another(tokens: Sequence[Token], first: int, place: int, second: int) -> bool:

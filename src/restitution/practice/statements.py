@@ -26,7 +26,7 @@ from restitution.practice.phrases import is_phrase, read_phrase
 from restitution.practice.script import Claim, Decimal, Declaration, Link, Sign
 from restitution.practice.segments import Segment, split_at_spaces
 from restitution.practice.tokens import Token, Usage
-from restitution.practice.vocabulary import DECLARES, HEADS
+from restitution.practice.vocabulary import DECLARES, HEADS, STAGES
 from restitution.problem import Problem
 
 MAX_CLAIMS = 24
@@ -97,6 +97,7 @@ class _Reader:
         self.waiting: tuple[Side, ...] = ()
         self.waiting_sign: Sign = "="
         self.before: tuple[Side, ...] = ()
+        self.last_label = ""
         self.pending_letters: list[Letter] = []
 
     def finish(self) -> None:
@@ -134,6 +135,8 @@ class _Reader:
         if segment.is_phrase and self._is_label(segment, following):
             self.label = segment.tokens[0]
             return
+        if segment.tokens[0].kind == "phrase":
+            self.last_label = segment.tokens[0].name
         label = self._label(segment)
         if label is not None:
             self.label, segment = label, Segment(segment.tokens[1:], segment.before)
@@ -143,14 +146,28 @@ class _Reader:
         if self.supposes:
             self.supposed(segment)
             return
-        if segment.tokens[0].kind == "relation" and not set(segment.before) & _PARTING:
-            self.waiting, self.before = self.waiting or self.before, ()
+        self.carry(segment)
         parts = list(split_at_spaces(segment))
-        for place, (part, doubtful) in enumerate(parts):
+        for place, (part, parting) in enumerate(parts):
             first = len(self.links)
             self.relations(part)
-            if doubtful and 0 < first < len(self.links):
-                self.joined(parts[place - 1][0], part, first)
+            if parting != "certain" and 0 < first < len(self.links):
+                self.joined(parts[place - 1][0], part, first, parting == "doubtful")
+
+    def carry(self, segment: Segment) -> None:
+        """Finds the left side of a relation that begins with its sign behind words.
+
+        It is the value before the words (``v after = 3``), or the last label at another stage
+        (``perp before = 4, after = 2``).
+        """
+        if segment.tokens[0].kind != "relation" or self.waiting:
+            return
+        if not set(segment.before) & _PARTING:
+            self.waiting = self.before
+        elif segment.before[-1] in STAGES and self.last_label:
+            words = [each for each in self.last_label.split() if each not in STAGES]
+            self.waiting = (Side(Letter(" ".join((*words, segment.before[-1])))),)
+        self.before = ()
 
     def supposed(self, segment: Segment) -> None:
         """What stands behind *when* or *if* is no claim; its sides are values of a remark."""
@@ -158,7 +175,7 @@ class _Reader:
             if tokens:
                 self.statements.values += (self.sides(tokens)[0].tree,)
 
-    def joined(self, before: Segment, behind: Segment, first: int) -> None:
+    def joined(self, before: Segment, behind: Segment, first: int, rather: bool) -> None:
         """Adds the readings of ``w = 0.6u v = 2`` as a chain to those of two relations."""
         middle = [*_sides(before.tokens)[0][-1], *_sides(behind.tokens)[0][0]]
         try:
@@ -166,12 +183,13 @@ class _Reader:
         except UnreadableError:
             return
         above, below = self.links[first - 1], self.links[first]
-        self.links[first - 1] = replace(
-            above, readings=(*above.readings, replace(above.readings[0], right=chained))
-        )
-        self.links[first] = replace(
-            below, readings=(*below.readings, replace(below.readings[0], left=chained))
-        )
+        upper = (replace(above.readings[0], right=chained),)
+        lower = (replace(below.readings[0], left=chained),)
+        first_ones = (*upper, *above.readings), (*lower, *below.readings)
+        last_ones = (*above.readings, *upper), (*below.readings, *lower)
+        readings = first_ones if rather else last_ones
+        self.links[first - 1] = replace(above, readings=readings[0][:MAX_CLAIMS])
+        self.links[first] = replace(below, readings=readings[1][:MAX_CLAIMS])
 
     def _is_label(self, segment: Segment, following: Sequence[Segment]) -> bool:
         """Whether a phrase, or a name, labels what follows."""
@@ -188,6 +206,9 @@ class _Reader:
         first = segment.tokens[0]
         if first.kind != "phrase" or len(segment.tokens) < 2:
             return None
+        if segment.tokens[1].kind == "-" and not segment.has_relation and segment.tokens[1].gap:
+            tight = len(segment.tokens) > 2 and not segment.tokens[2].gap
+            return first if tight else None
         return first if segment.tokens[1].kind in (*_OPERANDS, "|") else None
 
     def sides(self, tokens: Sequence[Token]) -> tuple[Side, ...]:
@@ -327,15 +348,20 @@ class _Reader:
                 raise UnreadableError("an expression on both sides of the sign", column)
         if self.declaration(segment, sides, read, signs):
             return
+        angle = self._is_chain_angle(read) or self._is_angle_label()
         self.label_chain(read, signs, sides)
         if self.alternative(segment, read, signs):
             return
         for place, sign in enumerate(signs):
             tokens = [*sides[place], *sides[place + 1]]
-            self.link(read[place], sign, read[place + 1], tokens, angle=self._is_chain_angle(read))
+            self.link(read[place], sign, read[place + 1], tokens, angle=angle)
 
     def _is_chain_angle(self, read: Sequence[tuple[Side, ...]]) -> bool:
         return any(is_angle(each[0].tree, self.usage.angles) for each in read)
+
+    def _is_angle_label(self) -> bool:
+        label = self.label
+        return label is not None and is_angle(Letter(label.name), self.usage.angles)
 
     def _side_before(self) -> tuple[Side, ...]:
         """The left side of a line that begins with its sign: the label, or what stood last."""

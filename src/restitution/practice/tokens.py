@@ -78,6 +78,7 @@ _SIGNS = {
     ";": ";",
     ":": ":",
     "√": "function",
+    "÷": "/",
     "·": "dot",
 }
 _GREEK = tuple(sorted((*GREEK_BY_NAME, "lamda"), key=len, reverse=True))
