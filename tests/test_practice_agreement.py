@@ -146,3 +146,16 @@ def test_what_cannot_be_compared_is_an_error() -> None:
 
 def test_a_bare_name_is_no_number_of_another_kind() -> None:
     assert agrees(claim("P = 2i")[0], world_of(WALL), OF_WALL) is None
+
+
+def test_a_result_that_is_shown_to_some_figures_is_rounded() -> None:
+    world = world_of(
+        """
+        sphere A: mass m, velocity u at 30°
+        sphere B: mass m, velocity u at 60° from -i
+        A hits B: along i, e = sqrt(3)/3
+        show energy_lost = 0.311m u^2 to 3 s.f.
+        """
+    )
+    line, decimals = claim("energy_lost = 0.311m u^2")
+    assert agrees(line, world, {}, decimals) == "rounded"

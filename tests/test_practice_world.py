@@ -20,6 +20,7 @@ from restitution.expression.tree import Letter, Name, Number, Quantity
 from restitution.practice.arrays import UnvaluedError
 from restitution.practice.sampling import true_worlds
 from restitution.practice.script import Scope
+from restitution.practice.timing import retimed
 from restitution.practice.world import World, stacked
 from restitution.problem import Compare, Show, Value
 from restitution.solving.numbers import FIELD
@@ -318,3 +319,51 @@ def test_vectors_are_multiplied_as_scalars() -> None:
     )
     assert np.allclose(world.scalar(read("v^2"), meanings), world.scalar(read("speed(P)^2")))
     assert np.allclose(world.scalar(read("abs(P)")), world.scalar(read("speed(P)")))
+
+
+def test_times_follow_the_velocities() -> None:
+    statement = """
+    wall W: from (0, 0) to (0, 99)
+    wall V: from (8, 0) to (8, 99)
+    sphere P: mass 1, position (4, 0), velocity -2i + 2j
+    P hits W: e = 1/2
+    P hits V: e = 1/4
+    find time(2), position(P, 2)
+    """
+    (world,) = true_worlds(solved(statement))
+    assert np.allclose(world.scalar(read("time(2)")), 2 + 8)
+    assert np.allclose(retimed(world, world).scalar(read("time(2)")), 10)
+    faster = world.replaced(after={(1, "P"): Vector(np.full(4, 2.0), np.full(4, 3.0))})
+    told = retimed(faster, world)
+    assert np.allclose(told.scalar(read("time(2)")), 2 + 4)
+    where = told.value(read("position(P, 2)"))
+    assert np.allclose(where.x, 8)
+    assert np.allclose(where.y, 4 + 3 * 4)
+
+
+def test_two_spheres_meet_when_they_have_come_together() -> None:
+    statement = """
+    sphere A: mass 1, position (0, 0), velocity 3i
+    sphere B: mass 1, position (8, 0), velocity i
+    A hits B: along i, e = 1/2
+    find time(1)
+    """
+    (world,) = true_worlds(solved(statement))
+    assert np.allclose(retimed(world, world).scalar(read("time(1)")), 4)
+
+
+@pytest.mark.parametrize("path", EXAMPLES[4::9], ids=lambda path: path.stem)
+def test_times_of_true_worlds_are_their_own(path: Path) -> None:
+    solution = solved(path.read_text(encoding="utf-8"))
+    for label in solution.parts:
+        for world in true_worlds(solution, label):
+            again = retimed(world, world)
+            for number, time in world.times.items():
+                if time is not None:
+                    assert np.allclose(again.times[number], time)
+
+
+def test_a_body_at_rest_has_no_direction() -> None:
+    (world,) = true_worlds(solved(LETTERS))
+    with pytest.raises(UnvaluedError):
+        world.value(read("deflection(B)"))

@@ -16,7 +16,7 @@ from restitution.practice.judgement import Accuracy
 from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope, Sign
 from restitution.practice.telling import NO_MEANINGS, NO_NUMBERS, Meanings
 from restitution.practice.world import World
-from restitution.problem import Problem, trees
+from restitution.problem import Compare, Problem, Show, trees
 from restitution.vector import Vector
 
 GRADES: tuple[Accuracy, ...] = ("exact", "rounded", "coarse")
@@ -84,6 +84,13 @@ def difference(
     how: dict[str, Any] = {"scope": scope, "degrees": degrees, "put": put}
     left = world.value(claim.left, meanings, **how)
     right = world.value(claim.right, meanings, **how)
+    with np.errstate(all="ignore"):
+        return _difference(claim, world, left, right, degrees)
+
+
+def _difference(
+    claim: Claim, world: World, left: Value, right: Value, degrees: bool
+) -> tuple[Array, Array]:
     left, right = _sized(claim.left, left, right), _sized(claim.right, right, left)
     if isinstance(left, Vector) or isinstance(right, Vector):
         a, b = (_as_vector(each) for each in (left, right))
@@ -236,10 +243,17 @@ def _whole_degrees(claim: Claim, angular: bool) -> Iterator[Number | Degrees]:
 
 @lru_cache(maxsize=64)
 def _numbers_of(problem: Problem) -> Collection[Fraction]:
-    typed = {node.value for node in _numbers(trees(problem))}
+    rounded = {
+        tree
+        for _, step in problem.steps()
+        if isinstance(step, Show) and isinstance(step.relation, Compare) and step.relation.figures
+        for tree in step.relation.operands
+    }
+    exact = [tree for tree in trees(problem) if tree not in rounded]
+    typed = {node.value for node in _numbers(exact)}
     quotients = {
         node.left.value / node.right.value
-        for tree in trees(problem)
+        for tree in exact
         for node in walk(tree)
         if isinstance(node, Binary)
         and node.op == "/"
@@ -251,7 +265,10 @@ def _numbers_of(problem: Problem) -> Collection[Fraction]:
 
 
 def numbers_of(problem: Problem) -> Collection[Fraction]:
-    """The numbers that stand in a statement: what a student copies from it is exact."""
+    """The numbers that stand in a statement: what a student copies from it is exact.
+
+    Those of a result that is to be shown to some figures are left out.
+    """
     try:
         return _numbers_of(problem)
     except TypeError:  # what Python put in has no hash to be remembered by

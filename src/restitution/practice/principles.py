@@ -6,8 +6,10 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import Expression, Letter, Name, Quantity, children, walk
-from restitution.practice.agreement import NOT, difference, grades
+from restitution.practice.agreement import NOT, grades
+from restitution.practice.arrays import Array
 from restitution.practice.judgement import Use
 from restitution.practice.results import altered_results
 from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope
@@ -16,6 +18,7 @@ from restitution.practice.telling import NO_MEANINGS, Meanings, Telling
 from restitution.practice.terms import is_triangle, law_put_in
 from restitution.practice.world import World
 from restitution.problem import Impact
+from restitution.vector import Vector
 
 _ENERGIES = frozenset({"energy", "energy_lost", "total_energy_lost"})
 _ANGLES = frozenset({"angle", "direction"})
@@ -47,8 +50,12 @@ def uses_of(
     if uses or not altered:
         return uses
     tried = states(world, altered=True)
-    unlawful = _Trial(claim, tried, meanings, decimals, scope).altered()
-    return unlawful or altered_results(claim, tried, meanings, decimals, scope)
+    how = (claim, tried, meanings, decimals, scope)
+    return (
+        altered_results(*how, loose=True)
+        or _Trial(*how).altered()
+        or altered_results(*how, loose=False)
+    )
 
 
 def _put_in(
@@ -81,7 +88,10 @@ class _Trial:
         self.plain = not self.quantities and _is_arithmetic(claim)
         self.uses_letters = _has_letters(claim, meanings)
         found = grades(claim, self.world, meanings, decimals, scope)
-        self.sizes = difference(claim, self.world, meanings, scope)[1].max(axis=1)
+        self.sides = [
+            _size(self.world, self.world.value(side, meanings, scope))
+            for side in (claim.left, claim.right)
+        ]
         self.exact = bool((found[: tried.rows] == 0).all())
         self.true = bool((found[: tried.rows] < NOT).all())
         self.holding = tried.holding(found < NOT)
@@ -115,11 +125,12 @@ class _Trial:
         return tuple(dict.fromkeys(found[max(found)])) if found else ()
 
     def _is_of_size(self, block: Block) -> bool:
-        """Whether the sides are not just zero under a law, where they are not in the world."""
+        """Whether the sides are not just both zero under a law, where neither is in the world."""
         rows = self.states.rows
         start = (self.states.places[id(block)] + 1) * rows
-        there, here = self.sizes[start : start + rows].max(), self.sizes[:rows].max()
-        return bool(there > 1e-6 * here)
+        here = [float(side[:rows].max()) for side in self.sides]
+        there = [float(side[start : start + rows].max()) for side in self.sides]
+        return min(here) <= 1e-9 * max(here) or max(there) > 1e-6 * max(here)
 
     def _blocks(self, number: int) -> list[Block]:
         return [
@@ -233,6 +244,14 @@ class _Trial:
             own = (step.first, step.second)
             return tuple(name for name in own if name in named)
         return tuple(sorted(named))
+
+
+def _size(world: World, value: Value) -> Array:
+    """The sizes of a value in the samples."""
+    if isinstance(value, Vector):
+        return world.spread(np.hypot(value.x, value.y))
+    number = value.measure() if isinstance(value, Angle) else value
+    return np.abs(world.spread(number))
 
 
 # --- what a line speaks of ------------------------------------------------------------------------

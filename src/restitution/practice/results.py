@@ -29,15 +29,16 @@ def altered_results(
     meanings: Meanings,
     decimals: Sequence[Decimal],
     scope: Scope,
+    *,
+    loose: bool,
 ) -> tuple[Use, ...]:
     """The altered results of which a line is an instance.
 
-    Where some hold in states that no law binds, or few, they alone are returned; else those that
-    hold in the world with their value put in. Raises UnvaluedError where a side has no value.
+    With ``loose`` those that hold in states that no law binds, or few; else those that hold in the
+    world with their value put in. Raises UnvaluedError where a side has no value.
     """
     spoken = _spoken(claim, tried.world, meanings, scope)
-    loose: list[Use] = []
-    bound: list[Use] = []
+    uses: list[Use] = []
     for variant, result in _results(tried.world):
         if not any(result.quantity == each for each in spoken):
             continue
@@ -48,13 +49,12 @@ def altered_results(
             found = grades(put, tried.world, meanings, decimals, scope)
         except UnvaluedError:
             continue
-        use = Use(_NAMES.get(result.quantity.kind, result.quantity.kind), variant.event.number)  # type: ignore[union-attr]
+        use = Use(_principle(result.quantity), variant.event.number)
         use = replace(use, bodies=variant.event.bodies, altered=variant.id)
-        if _holds_loosely(tried, tried.holding(found < NOT), variant.event.number):
-            loose.append(use)
-        elif (found[: tried.rows] < NOT).all():
-            bound.append(use)
-    return tuple(dict.fromkeys(loose or bound))
+        loosely = _holds_loosely(tried, tried.holding(found < NOT), variant.event.number)
+        if loosely if loose else (found[: tried.rows] < NOT).all():
+            uses.append(use)
+    return tuple(dict.fromkeys(uses))
 
 
 def _holds_loosely(tried: States, holding: object, event: int) -> bool:
@@ -87,6 +87,12 @@ def _is_meant(result: ResultAt, tried: States) -> bool:
     return bool(np.all(sense >= -1e-9))
 
 
+def _principle(result: Expression) -> str:
+    """The principle of lines about a result; of a fraction or a difference, that of its parts."""
+    first = next(node for node in walk(result) if isinstance(node, Quantity))
+    return _NAMES.get(first.kind, first.kind)
+
+
 # --- trees ----------------------------------------------------------------------------------------
 
 
@@ -105,7 +111,6 @@ def _spoken(claim: Claim, world: World, meanings: Meanings, scope: Scope) -> fro
         node
         for side in (claim.left, claim.right)
         for node in walk(_in_words(side, world, meanings, scope))
-        if isinstance(node, Quantity)
     )
 
 

@@ -30,6 +30,8 @@ from restitution.vector import Vector
 _SCATTER = 0.3
 _COPIES = 2
 _STEP = 1e-3
+# In place of a component: the speed, with its direction kept.
+_ALL = 2
 _TURNS = 8
 _CLOSE = 1e-9
 
@@ -368,16 +370,20 @@ class _Search:
     def __init__(self, base: World, number: int, loose: Parts) -> None:
         self.base, self.number, self.loose = base, number, loose
         self.copies: dict[int, World] = {}
-        self.places = [(name, k) for name in loose for k in (0, 1)]
+        self.places = [(name, k) for k in (0, 1, _ALL) for name in loose]
         moved = [self._moved(loose, place, self._step(place)) for place in self.places]
         self.slopes = self._world([loose, *moved])
 
     def _step(self, place: tuple[str, int]) -> Array:
         name, k = place
+        if k == _ALL:
+            return np.full(self.base.samples, _STEP)
         return _STEP * np.maximum(np.abs(self.loose[name][k]), 1e-3)
 
     def _moved(self, parts: Parts, place: tuple[str, int], step: Array) -> Parts:
         name, k = place
+        if k == _ALL:
+            return {**parts, name: (parts[name][0] * (1 + step), parts[name][1] * (1 + step))}
         own = list(parts[name])
         own[k] = own[k] + step
         return {**parts, name: (own[0], own[1])}
@@ -413,10 +419,22 @@ class _Search:
         steps = np.array([self._step(place) for place in self.places])
         slopes = (table[1:] - table[0]) / steps
         worth = np.abs(np.nan_to_num(slopes)).sum(axis=1)
-        best = int(np.argmax(worth))
-        if worth[best] < 1e-9:
-            return nowhere, self.loose
-        place, slope, left = self.places[best], slopes[best], table[0]
+        found = (nowhere, self.loose)
+        count = 2 * len(self.loose)
+        speeds = range(count, len(worth))
+        for best in (*np.argsort(-worth[:count])[:2], *speeds):
+            if worth[best] < 1e-9:
+                continue
+            tried = self._solved(claim, now, self.places[best], table[0], slopes[best])
+            found = max(found, tried, key=lambda each: int(each[0].sum()))
+            if found[0].sum() > self.base.samples // 2:
+                break
+        return found
+
+    def _solved(
+        self, claim: Claim, now: int, place: tuple[str, int], left: Array, slope: Array
+    ) -> tuple[Array, Parts]:
+        """States in which an equation gives one component, from its residual and slope there."""
         parts = self.loose
         for _ in range(_TURNS):
             change = np.nan_to_num(-left / slope)

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from restitution.errors import StatementError
+from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import Expression, Name
 from restitution.practice.arrays import Array, UnvaluedError
@@ -27,7 +27,7 @@ from restitution.solving.story import Story, lets_of
 from restitution.vector import Vector
 
 _REFUSALS = (
-    StatementError,
+    RestitutionError,
     ArithmeticError,
     LookupError,
     AssertionError,
