@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Literal
 
@@ -53,7 +53,8 @@ class Candidate:
 
     ``body`` and ``event`` are those it belongs to (event 0: before the first), ``axis`` is what a
     component is taken along; ``start`` tells that it belongs to the start and is known from the
-    statement. ``cost`` grows from 0 for the most usual to 1 for the least usual.
+    statement. ``unchanged`` tells of a component that it is the same before and after ``event``.
+    ``cost`` grows from 0 for the most usual to 1 for the least usual.
     """
 
     quantity: Expression
@@ -64,6 +65,7 @@ class Candidate:
     axis: Expression | None = None
     start: bool = False
     cost: float = 0.0
+    unchanged: bool = False
 
     @property
     def sensed(self) -> bool:
@@ -74,16 +76,7 @@ class Candidate:
 
     def turned(self) -> Candidate:
         """The same quantity in the other sense."""
-        return Candidate(
-            turned(self.quantity),
-            self.kind,
-            self.nature,
-            self.body,
-            self.event,
-            self.axis,
-            self.start,
-            self.cost + _TURNED,
-        )
+        return replace(self, quantity=turned(self.quantity), cost=self.cost + _TURNED)
 
 
 def turned(tree: Expression) -> Expression:
@@ -129,6 +122,16 @@ def wall_of(problem: Problem, event: Event | None) -> Wall | None:
 def velocity(body: str, stage: int) -> Quantity:
     """The velocity of a body after so many events."""
     return Quantity("velocity", (Name(body),), stage)
+
+
+def before_event(tree: Expression) -> Expression:
+    """A component after an event as it was before it."""
+    match tree:
+        case Quantity("velocity", arguments, int(stage)):
+            return Quantity("velocity", arguments, stage - 1)
+        case Quantity(kind, arguments, own):
+            return Quantity(kind, tuple(before_event(each) for each in arguments), own)
+    return tree
 
 
 def line(event: Event, number: int) -> Expression:

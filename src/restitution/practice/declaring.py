@@ -10,7 +10,7 @@ from restitution.errors import StatementError
 from restitution.expression.limits import MAX_LINE_LENGTH
 from restitution.expression.quantities import KINDS
 from restitution.expression.tree import GREEK, Expression, Name, Quantity, walk
-from restitution.practice.letters import read_words
+from restitution.practice.phrases import names_quantity, read_phrase, words_of
 from restitution.problem import Problem
 
 MAX_LETTERS = 60
@@ -116,8 +116,11 @@ def meaning_from_text(
         try:
             return (_expression(text, problem, number),)
         except StatementError as error:
+            if _CALL.search(text):
+                raise
             fault = error
-    meanings = read_words(text, problem)
+    known = names_quantity(words_of(text), problem)
+    meanings = read_phrase(text, problem) if known else ()
     if meanings:
         return meanings
     if fault is not None:
@@ -141,7 +144,7 @@ def _expression(text: str, problem: Problem, number: int | None) -> Expression:
     for node in walk(tree):
         if isinstance(node, Quantity) and node.kind in _OF_A_BODY and node.arguments:
             body = node.arguments[0]
-            if not isinstance(body, Name) or names.get(body.name) == "point":
+            if not isinstance(body, Name) or body.name not in names:
                 rule = f"{node.kind}(…) needs the name of a sphere of the question"
                 raise StatementError(rule, number)
     return tree

@@ -10,7 +10,7 @@ from __future__ import annotations
 import random
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -19,6 +19,8 @@ from restitution.practice.arrays import Array, angle
 from restitution.practice.script import Claim
 from restitution.practice.trial import Frame, Tester
 from restitution.vector import Vector
+
+Relation = Literal["new", "follows", "contradicts"]
 
 _STARTS = 2
 _STEPS = 14
@@ -37,26 +39,28 @@ class Dependence:
     points: list[dict[str, Array]] = field(default_factory=lambda: [{} for _ in range(_STARTS)])
     seed: random.Random = field(default_factory=lambda: random.Random(16))
 
-    def follows(self, claim: Claim, names: Mapping[str, str], frame: Frame) -> bool:
-        """Whether a claim follows from those before it; if not, it is one of them from now on.
+    def relation(self, claim: Claim, names: Mapping[str, str], frame: Frame) -> Relation:
+        """Whether a claim follows from those before it, or contradicts them.
+
+        If it does neither, it is one of them from now on.
 
         ``names`` are the letters of the claim, each with its name in its scope.
         """
         if claim.sign != "=" or claim.others or not self._prepared(claim, names, frame):
-            return False
+            return "new"
         one = (claim, names, frame)
         gaps = [self._gap(one, point) for point in self.points]
         if any(gap is None for gap in gaps):
-            return False
+            return "new"
         if all(np.max(np.abs(gap)) < _SMALL for gap in gaps if gap is not None):
-            return True
+            return "follows"
         self.claims.append(one)
         moved = [self._solved(point) for point in self.points]
         if any(point is None for point in moved):
             self.claims.pop()
-            return False
+            return "contradicts"
         self.points = [point for point in moved if point is not None]
-        return False
+        return "new"
 
     def _prepared(self, claim: Claim, names: Mapping[str, str], frame: Frame) -> bool:
         """Gives new letters a random value of the nature that fits; False where none does."""
@@ -96,10 +100,16 @@ class Dependence:
         else:
             pairs = [(_plain(a), _plain(b))]
         with np.errstate(all="ignore"):
-            gaps = [(x - y) / (1 + np.abs(x) + np.abs(y)) for x, y in pairs]
-        first = [np.asarray(gap)[..., 0] if np.ndim(gap) else np.asarray(gap) for gap in gaps]
-        gap = np.stack(np.broadcast_arrays(*first), axis=-1)
+            gaps = [self._relative(x - y, 1 + np.abs(x) + np.abs(y)) for x, y in pairs]
+        gap = np.stack(np.broadcast_arrays(*gaps), axis=-1)
         return gap if np.all(np.isfinite(gap)) else None
+
+    def _relative(self, apart: Array, size: Array) -> Array:
+        """A difference at the first sample, by the size that its sides have at the first point."""
+        apart, size = (
+            np.asarray(x)[..., 0] if np.ndim(x) else np.asarray(x) for x in (apart, size)
+        )
+        return apart / size.flat[0]
 
     def _value(self, name: str, x: Array) -> Value:
         """A letter's value with one sample on the last axis."""

@@ -34,8 +34,12 @@ COST = 0.3
 # sphere, or to two lines, and of one in which the senses differ.
 _ODD_PAIR = 0.15
 _OTHER_SENSE = 0.8
-# A line that defines its letter explains nothing, and less than a line that breaks a known law.
-_DEFINED = -0.05
+# Of two letters in the order of the alphabet the first mostly belongs to the first body.
+_OTHER_ORDER = 0.97
+# A line that defines its letter explains nothing, and less than a line that breaks a known law; one
+# that gives it a known value of the start explains as much as that.
+_DEFINED, _STARTED = -0.15, 0.7
+_SAME = 1e-9
 # What it costs that a line would be true in the other sense of its letters; less in one that may
 # be of restitution, as it is that of momentum that tells the sense.
 _WRONG_SENSE, _OTHER_WAY = 1.0, 0.3
@@ -158,6 +162,20 @@ def _key(tester: Tester, value: Value | None) -> Any:
     flat = np.concatenate(parts)
     first = next((x for x in flat if abs(x) > 1e-9), 1.0)
     return _nature(value), tuple(np.round(flat * np.sign(first), 7))
+
+
+def same_size(one: Value, other: Value) -> bool:
+    """Whether two values of one nature are equal up to sign at all samples."""
+    a, b = _parts(one), _parts(other)
+    if _nature(one) != _nature(other):
+        return False
+    return any(
+        all(
+            bool(np.all(np.abs(x - sense * y) <= _SAME * (1 + np.abs(x))))
+            for x, y in zip(a, b, strict=True)
+        )
+        for sense in (1, -1)
+    )
 
 
 def stacked(tester: Tester, each: Sequence[tuple[int, Value]]) -> Value:
@@ -438,7 +456,7 @@ def _allowed(options: Sequence[int], slots: Sequence[Slot], free: Sequence[int])
 def _worth(item: Item, options: Sequence[int], slots: Sequence[Slot]) -> float:
     means = {name: slots[s].options[options[s]] for name, s in item.slots.items()}
     if any(each.kind == "definition" for each in means.values()) and len(means) == 1:
-        return _DEFINED
+        return _STARTED if any(each.start for each in means.values()) else _DEFINED
     return item.weight * _naturalness(item, means)
 
 
@@ -451,12 +469,13 @@ def _naturalness(item: Item, means: Mapping[str, Candidate]) -> float:
         return 1.0
     if one.kind != "component" or other.kind != "component" or one.body == other.body:
         return _ODD_PAIR
-    if one.event != other.event or one.axis != other.axis:
+    if one.event != other.event or one.axis != other.axis or (one.unchanged and other.unchanged):
         return _ODD_PAIR
+    order = 1.0 if (one.body or "") < (other.body or "") else _OTHER_ORDER
     same = isinstance(one.quantity, Negate) == isinstance(other.quantity, Negate)
     if item.pair.sign:
-        return 1.0 if same == (item.pair.sign > 0) else _ODD_PAIR
-    return 1.0 if same else _OTHER_SENSE
+        return order if same == (item.pair.sign > 0) else _ODD_PAIR
+    return order if same else _OTHER_SENSE
 
 
 def linear_pair(

@@ -13,6 +13,7 @@ from restitution.explaining.facts import events_of
 from restitution.explaining.misconceptions import variants_at
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.quantities import Nature
+from restitution.expression.tree import Apply, Letter, Negate
 from restitution.practice.arrays import Array, angle
 from restitution.practice.inference import Item, Slot, shaped, stacked
 from restitution.practice.states import States, states
@@ -62,7 +63,7 @@ class Instances:
         for natures in product(*(list(slots[s].values) for s in used)):
             chosen = dict(zip(used, natures, strict=True))
             found.update(dict.fromkeys(self._of_law(item, slots, chosen), _SHARE))
-            for result in used:
+            for result in (s for s in used if _stands_alone(item, s)):
                 ways = self._of_result(item, slots, chosen, result)
                 found.update(dict.fromkeys(ways, _SHARE))
         return found
@@ -169,6 +170,18 @@ class Instances:
                     if isinstance(true, Angle) == isinstance(value, Angle):
                         found.append((true, value))
         return found
+
+
+def _stands_alone(item: Item, slot: int) -> bool:
+    """Whether a letter, or its size, is one side of an item."""
+    names = {name for name, s in item.slots.items() if s == slot}
+    for claim in item.readings:
+        for side in (claim.left, claim.right):
+            inner = side.operand if isinstance(side, Negate) else side
+            inner = inner.argument if isinstance(inner, Apply) else inner
+            if isinstance(inner, Letter) and inner.name in names:
+                return True
+    return False
 
 
 def _usual(slot: Slot, nature: Nature) -> list[int]:

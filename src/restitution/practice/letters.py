@@ -8,9 +8,8 @@ a heading opens one, and outside it the meaning holds on.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property
 from typing import Any
 
 from restitution.expression.evaluate import Angle
@@ -19,23 +18,35 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
-    Number,
     letters,
 )
 from restitution.practice.arrays import is_bare
-from restitution.practice.candidates import Candidate, candidates
+from restitution.practice.candidates import Candidate
 from restitution.practice.dependence import Dependence
-from restitution.practice.inference import Item, Slot, State, linear_pair, search, slot_of
-from restitution.practice.instances import Instances
+from restitution.practice.inference import (
+    Item,
+    Slot,
+    State,
+    linear_pair,
+    search,
+    slot_of,
+)
 from restitution.practice.interpretation import FixedLetter, Interpretation, Interpretations
 from restitution.practice.judgement import By, Meaning
-from restitution.practice.options import Usage, of_trees, options, staged, usual
+from restitution.practice.options import Usage, elsewhen, of_trees, options, scaled, usual
 from restitution.practice.sampling import true_worlds
 from restitution.practice.script import ANYWHERE, Claim, Link, Scope, Script, ScriptLine
-from restitution.practice.trial import Frame, Tester, inside_angles
+from restitution.practice.surroundings import (
+    DeclaredLetter,
+    Surroundings,
+    all_fixed,
+    declarations,
+    letters_of,
+)
+from restitution.practice.trial import Frame, inside_angles
 from restitution.practice.wordings import words_of
 from restitution.practice.world import World
-from restitution.problem import Event, Impact, Let, Part, Problem, trees
+from restitution.problem import Problem
 from restitution.solving.solution import Solution
 
 # Meanings that explain a script nearly as well as the best are kept.
@@ -44,9 +55,11 @@ _RIVALS = 24
 _INEQUALITY = 0.25
 _HEADING, _BREAK = 0.2, 1.2
 # What it costs that a letter means nothing.
-_UNKNOWN = 0.1
-# A line that follows from those above, and one that tells the sense of its letters.
-_DEPENDENT, _MOMENTUM = 0.3, 1.8
+_UNKNOWN = 0.2
+# What a line tells that follows from those above or contradicts them, and one of momentum, which
+# tells the sense of its letters as well.
+_WORTH = {"new": 1.0, "follows": 0.3, "contradicts": 0.6}
+_MOMENTUM = 1.8
 
 
 def meanings_of(
@@ -64,7 +77,7 @@ def meanings_of(
     not given. Raises KeyError for a part that is not there.
     """
     own = script.of(part)
-    fixed = _all_fixed(own, letters_of(problem, solution.parts[part].part))
+    fixed = all_fixed(own, letters_of(problem, solution.parts[part].part))
     if worlds is None or fixed:
         worlds = true_worlds(solution, part, fixed)
     found: list[Interpretation] = []
@@ -79,17 +92,6 @@ def meanings_of(
     return Interpretations(best, tuple(_distinct(best, rivals))[:_RIVALS])
 
 
-def _all_fixed(script: Script, statement: frozenset[str]) -> dict[str, Fraction]:
-    """The letters of the statement that a script fixes, each with its first value."""
-    fixed: dict[str, Fraction] = {}
-    for line in script.lines:
-        for each in line.declarations:
-            value = rational_value(each.meanings[0]) if each.meanings else None
-            if each.letter in statement and value is not None:
-                fixed.setdefault(each.letter, value)
-    return fixed
-
-
 def _distinct(best: Interpretation, rivals: Iterable[Interpretation]) -> Iterator[Interpretation]:
     seen = {_signature(best)}
     for each in rivals:
@@ -102,166 +104,13 @@ def _signature(each: Interpretation) -> Any:
     return frozenset((m.letter, m.quantity, m.since) for m in each.meanings)
 
 
-@dataclass(frozen=True, eq=False)
-class Surroundings:
-    """A part in one of its worlds, with all that a letter may mean there."""
-
-    problem: Problem
-    part: Part
-    world: World
-    _phrases: dict[str, tuple[Expression, ...]] = field(default_factory=dict, init=False)
-
-    @cached_property
-    def tester(self) -> Tester:
-        """Tries claims in this world."""
-        return Tester(self.world)
-
-    @cached_property
-    def instances(self) -> Instances:
-        """Tells which lines break a known law."""
-        return Instances(self.world)
-
-    def broken(self, item: Item, slots: Sequence[Slot]) -> Mapping[tuple[int, ...], float]:
-        """The options for which an item breaks a known law, with what it is worth then."""
-        return self.instances.ways(item, slots)
-
-    @cached_property
-    def candidates(self) -> tuple[Candidate, ...]:
-        """Every quantity that a letter may mean."""
-        return candidates(self.problem, self.part)
-
-    @cached_property
-    def events(self) -> tuple[Event, ...]:
-        """The events of the story."""
-        return self.world.events
-
-    @cached_property
-    def letters(self) -> frozenset[str]:
-        """The letters of the statement and its lets."""
-        return letters_of(self.problem, self.part)
-
-    def phrase(self, words: str) -> tuple[Expression, ...]:
-        """The quantities that a phrase may name; none for a letter."""
-        if words not in self._phrases:
-            self._phrases[words] = read_words(words, self.problem) if " " in words else ()
-        return self._phrases[words]
-
-    def staged(self, tree: Expression, scope: Scope) -> Expression:
-        """A tree in which every quantity tells the number of its event."""
-        return staged(tree, self.problem, self.part, self.world.now(scope))
-
-
-def letters_of(problem: Problem, part: Part | None = None) -> frozenset[str]:
-    """The letters that a statement gives a meaning, e of an impact without a number among them."""
-    names: set[str] = set()
-    for tree in trees(problem):
-        names |= letters(tree)
-    for step, _, _ in problem.timeline(part):
-        if isinstance(step, Let):
-            names.add(step.letter)
-        elif isinstance(step, Impact) and step.e is None:
-            names.add("e")
-    return frozenset(names)
-
-
-def read_words(words: str, problem: Problem) -> tuple[Expression, ...]:
-    """The quantities that words may name, the most natural first."""
-    from importlib import import_module
-
-    try:
-        phrases = import_module("restitution.practice.phrases")
-    except ModuleNotFoundError:
-        return ()
-    return tuple(phrases.read_phrase(words, problem))
-
-
-# --- declarations ---------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class _Declared:
-    """A letter that is declared: its possible trees, and the line from which they hold."""
-
-    letter: str
-    trees: tuple[Expression, ...]
-    words: str
-    since: int
-    scope: Scope = ANYWHERE
-
-
-def _declarations(
-    script: Script, around: Surroundings, declared: Mapping[str, Any]
-) -> tuple[list[_Declared], list[FixedLetter]]:
-    """What is declared in the box and in lines; letters of the statement that are fixed."""
-    found: list[_Declared] = []
-    fixed: list[FixedLetter] = []
-    for letter, trees_ in declared.items():
-        each = trees_ if isinstance(trees_, tuple | list) else (trees_,)
-        whole = tuple(around.staged(tree, ANYWHERE) for tree in each)
-        if whole:
-            found.append(_Declared(letter, whole, "", 0))
-    for line in script.lines:
-        for one in line.declarations:
-            if one.letter in around.letters:
-                fixed += _fixed(one.letter, one.meanings, line, script, around)
-                continue
-            whole = tuple(around.staged(tree, line.scope) for tree in one.meanings)
-            if whole:
-                first = all(one.letter != known.letter for known in found)
-                since = 0 if first else line.number
-                found.append(_Declared(one.letter, whole, one.words, since, line.scope))
-    return found, fixed
-
-
-def _fixed(
-    letter: str,
-    meanings: Sequence[Expression],
-    line: ScriptLine,
-    script: Script,
-    around: Surroundings,
-) -> Iterator[FixedLetter]:
-    """``take u = 5``, until a line carries the letter again."""
-    value = rational_value(meanings[0]) if meanings else None
-    if value is None:
-        return
-    again = [
-        each.number
-        for each in script.lines
-        if each.number > line.number and letter in _letters_in(each)
-    ]
-    yield FixedLetter(letter, value, line.number, again[0] - 1 if again else None)
-
-
-def rational_value(tree: Expression) -> Fraction | None:
-    """The value of a number as typed: 5, -2, 1/3; None for any other tree."""
-    from restitution.expression.tree import Negate
-
-    match tree:
-        case Number(value) | Degrees(value):
-            return value
-        case Negate(operand):
-            inner = rational_value(operand)
-            return None if inner is None else -inner
-        case Binary("/", left, right):
-            above, below = rational_value(left), rational_value(right)
-            return above / below if above is not None and below else None
-    return None
-
-
-def _letters_in(line: ScriptLine) -> frozenset[str]:
-    claims = [claim for link in line.links for claim in link.readings[:1]]
-    return frozenset[str]().union(
-        *(letters(side) for claim in claims for side in (claim.left, claim.right))
-    )
-
-
 # --- one world ------------------------------------------------------------------------------------
 
 
 def _interpretations(
     script: Script, around: Surroundings, declared: Mapping[str, Any]
 ) -> list[Interpretation]:
-    search_ = _Search(script, around, *_declarations(script, around, declared))
+    search_ = _Search(script, around, *declarations(script, around, declared))
     found = search_.interpretations(())
     for breaks in search_.breaks(found):
         found += search_.interpretations(breaks)
@@ -284,7 +133,7 @@ class _Search:
         self,
         script: Script,
         around: Surroundings,
-        declared: Sequence[_Declared],
+        declared: Sequence[DeclaredLetter],
         fixed: Sequence[FixedLetter],
     ) -> None:
         self.lines = [line for line in script.lines if line.kind in ("relations", "declaration")]
@@ -300,6 +149,8 @@ class _Search:
         for line in self.lines:
             links = [(link, self._open(link, line.number)) for link in line.links]
             self.items[line.number] = [(link, names) for link, names in links if names]
+        self.directions = around.directions(self.lines)
+        self.told: set[str] = set()
         self.definitions = dict(self._definitions())
 
     # --- letters of the lines
@@ -348,6 +199,7 @@ class _Search:
                 seen |= names
                 if len(names) == 1 and fresh and not any(" " in name for name in names):
                     (name,) = names
+                    self.told.add(name)
                     for claim in link.readings[:1]:
                         tree = _defining(claim, name)
                         if tree is not None:
@@ -372,16 +224,20 @@ class _Search:
             return list(of_trees(latest[-1].trees))
         phrase = around.phrase(name)
         if phrase:
-            return list(of_trees(around.staged(tree, scope) for tree in phrase))
-        usage = Usage(name, name in self.angular, scope)
+            own = [around.staged(tree, scope) for tree in phrase]
+            every = [*of_trees(own), *elsewhen(name, own, len(around.events))]
+            return [*every, *scaled(every, self.directions)]
+        usage = Usage(name, name in self.angular, scope, name in self.told)
         chosen = list(options(usage, around.candidates, around.problem))
+        chosen += list(scaled(chosen, self.directions))
         if name in self.definitions and self.usual(name, scope) is None:
             _, tree = self.definitions[name]
             value = around.tester.value(tree, {}, Frame(None, self.meanings(line.number)))
             if value is not None:
                 if name in self.angular and not isinstance(value, Angle) and is_bare(tree):
                     tree = Binary("*", tree, Degrees(Fraction(1)))
-                chosen.append(Candidate(tree, "definition", "scalar", cost=0.0))
+                start = around.of_the_start(value)
+                chosen.append(Candidate(tree, "definition", "scalar", start=start))
         return chosen
 
     def usual(self, name: str, scope: Scope) -> Candidate | None:
@@ -433,8 +289,10 @@ class _Search:
         weighed: list[Item] = []
         for item in items:
             names = {name: f"{name} {s}" for name, s in item.slots.items()}
-            known = dependence.follows(item.readings[0], names, item.frame)
-            factor = _DEPENDENT if known else _MOMENTUM if _is_momentum(item) else 1.0
+            relation = dependence.relation(item.readings[0], names, item.frame)
+            factor = _WORTH[relation]
+            if relation == "new" and _is_momentum(item):
+                factor = _MOMENTUM
             weighed.append(replace(item, weight=item.weight * factor))
         return weighed
 
@@ -477,10 +335,12 @@ class _Search:
         return Interpretation(tuple(meanings), score, frozenset(unknown - known), self.fixed)
 
     def _by(self, name: str, chosen: Candidate, option: int, scope: Scope) -> By:
-        if any(each.letter == name for each in self.declared) or chosen.kind == "definition":
+        if any(each.letter == name for each in self.declared):
             return "declared"
         if option < 0 or self.around.phrase(name):
             return "default"
+        if chosen.kind == "definition":
+            return "declared"
         known = self.usual(name, scope)
         return "default" if known is not None and known.quantity == chosen.quantity else "inferred"
 

@@ -10,8 +10,8 @@ from restitution.errors import RestitutionError
 from restitution.expression.tree import Expression, Name, Negate, Polar, Quantity, Unit, walk
 from restitution.expression.writing import write_expression
 from restitution.practice.candidates import turned, velocity
-from restitution.practice.letters import letters_of
 from restitution.practice.options import staged
+from restitution.practice.surroundings import letters_of
 from restitution.practice.wordings import words_of
 from restitution.problem import Impact, Part, Problem, trees
 from restitution.solving.solution import Solution

@@ -33,18 +33,22 @@ _ODD, _RARE = 0.15, 0.5
 
 @dataclass(frozen=True)
 class Usage:
-    """How a letter is used: inside a trigonometric function, and under which heading."""
+    """How a letter is used: inside a trigonometric function, and under which heading.
+
+    ``defined`` tells that its first line gives it, or a function of it, a known value.
+    """
 
     letter: str
     in_angle: bool = False
     scope: Scope = ANYWHERE
+    defined: bool = False
 
 
 def options(usage: Usage, candidates: Iterable[Candidate], problem: Problem) -> Iterator[Candidate]:
     """The candidates of a letter, with what each costs for it."""
     kinds = kinds_of(usage.letter, usage.in_angle)
     for each in candidates:
-        if each.kind not in kinds or (barred(usage.letter, each)):
+        if each.kind not in kinds or barred(usage, each):
             continue
         extra = _by_suffix(usage.letter, each, problem)
         if extra is None:
@@ -54,9 +58,14 @@ def options(usage: Usage, candidates: Iterable[Candidate], problem: Problem) -> 
         yield replace(each, cost=min(1.0, each.cost + extra))
 
 
-def barred(letter: str, candidate: Candidate) -> bool:
-    """Whether a letter cannot mean a known quantity of the start: only u, u_A and angles may."""
-    return candidate.start and candidate.kind != "angle" and not earlier(letter)
+def barred(usage: Usage, candidate: Candidate) -> bool:
+    """Whether a letter cannot mean a known quantity of the start.
+
+    Only u, u_A and angles may that have a known value from their first line.
+    """
+    if not candidate.start or earlier(usage.letter):
+        return False
+    return candidate.kind != "angle" or not usage.defined
 
 
 def _by_scope(scope: Scope, candidate: Candidate) -> float:
@@ -168,6 +177,60 @@ def of_trees(trees: Iterable[Expression], sensed: bool = True) -> Iterator[Candi
     for place, tree in enumerate(trees):
         candidate = _of_tree(tree, min(0.05 * place, 0.5))
         yield candidate if sensed else replace(candidate, kind="definition")
+
+
+def scaled(
+    candidates: Iterable[Candidate], directions: Sequence[Expression]
+) -> Iterator[Candidate]:
+    """Components and relative velocities times the size of a direction that is no unit vector.
+
+    ``(5i + 2j).(2i - j)`` is one: in a ratio, the factor goes.
+    """
+    for each in candidates if directions else ():
+        if each.nature == "scalar" and _is_component(each.quantity):
+            for direction in directions[:3]:
+                quantity = Binary("*", Apply("abs", direction), each.quantity)
+                yield replace(each, quantity=quantity, cost=min(1.0, each.cost + _RARE))
+
+
+def _is_component(tree: Expression) -> bool:
+    inner = tree.operand if isinstance(tree, Negate) else tree
+    if not isinstance(inner, Quantity) or inner.kind != "along":
+        return False
+    axis = inner.arguments[1]
+    return isinstance(axis, Quantity) and axis.kind == "line_of_centres"
+
+
+_MOMENTS = frozenset(
+    ["after", "before", "final", "initial", "initially", "finally", "original", "new", "start"]
+)
+
+
+def elsewhen(words: str, trees: Iterable[Expression], last: int) -> Iterator[Candidate]:
+    """Candidates of trees at other stages, for words that name no moment."""
+    if _MOMENTS & set(words.split()):
+        return
+    for tree in trees:
+        for stage in range(last + 1):
+            moved = _moved(tree, stage)
+            if moved != tree:
+                yield replace(_of_tree(moved, 0.5), cost=0.6)
+
+
+def _moved(tree: Expression, stage: int) -> Expression:
+    """A tree in which velocities, speeds and energies are those after another event."""
+    match tree:
+        case Quantity("velocity" | "speed" | "energy" as kind, arguments):
+            return Quantity(kind, arguments, stage)
+        case Quantity(kind, arguments, own):
+            return Quantity(kind, tuple(_moved(each, stage) for each in arguments), own)
+        case Binary(op, left, right) if not (isinstance(left, Quantity) and left.kind == "energy"):
+            return Binary(op, _moved(left, stage), _moved(right, stage))
+        case Apply(function, argument):
+            return Apply(function, _moved(argument, stage))
+        case Negate(operand):
+            return Negate(_moved(operand, stage))
+    return tree
 
 
 def _of_tree(tree: Expression, cost: float) -> Candidate:
