@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
     Apply,
@@ -28,7 +29,7 @@ from restitution.expression.tree import (
     Unit,
     children,
 )
-from restitution.practice.arrays import UnvaluedError, is_bare
+from restitution.practice.arrays import is_bare
 from restitution.practice.entries import Entry
 from restitution.practice.script import Claim
 from restitution.practice.world import World
@@ -116,7 +117,7 @@ def _follows(entry: Entry, earlier: Sequence[Entry], world: World, data: frozens
     try:
         plane = _Plane((entry, *earlier), world, data)
         return plane.holds(entry, earlier)
-    except (_UnfitError, UnvaluedError, ArithmeticError, np.linalg.LinAlgError):
+    except (_UnfitError, RestitutionError, ArithmeticError, np.linalg.LinAlgError):
         return False
 
 
@@ -246,7 +247,7 @@ def _value(symbol: Expression, entries: Sequence[Entry], world: World) -> Any:
         try:
             value = world.value(symbol, entry.meanings, entry.scope)
             break
-        except UnvaluedError:
+        except RestitutionError:
             continue
     if isinstance(value, Vector):
         return tuple(complex(np.ravel(part)[0]) for part in value)

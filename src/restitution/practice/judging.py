@@ -11,12 +11,15 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
+from itertools import islice
 from typing import Any
 
 from restitution.expression.tree import (
+    Binary,
     Degrees,
     Expression,
     Number,
+    children,
     has_quantity,
     letters,
     walk,
@@ -166,10 +169,10 @@ class _Sitting:
         return Judgement(lines, self.meanings.best.meanings, tuple(sorted(asks)))
 
     def _judged(
-        self, script: Script, interpretation: Interpretation
+        self, script: Script, interpretation: Interpretation, *, names: bool = True
     ) -> tuple[Judge, tuple[JudgedLine, ...]]:
         table = {line.number: interpretation.trees(line.number) for line in script.lines}
-        judge_ = Judge(self.bench.worlds, table, self.bench.names, self.bench.question)
+        judge_ = Judge(self.bench.worlds, table, self.bench.names, self.bench.question, names=names)
         return judge_, judge_.judged(script)
 
     # --- letters that are not certain -----------------------------------------------------------
@@ -179,17 +182,25 @@ class _Sitting:
         for rival in self.meanings.rivals[:_RIVALS]:
             if not any(line.verdict == "false" for line in lines):
                 break
-            doubtful = {
-                line.line.number: self.meanings.doubtful(rival, line.line.number) for line in lines
-            }
+            doubtful = {line.line.number: self._doubtful(rival, line) for line in lines}
             if not any(doubtful[each.line.number] for each in lines if each.verdict == "false"):
                 continue
-            _, others = self._judged(self.script, rival)
+            _, others = self._judged(self.script, rival, names=False)
             lines = tuple(
                 self._doubted(line, other, doubtful[line.line.number], asks)
                 for line, other in zip(lines, others, strict=True)
             )
         return lines
+
+    def _doubtful(self, rival: Interpretation, line: JudgedLine) -> tuple[str, ...]:
+        """The letters that mean something else in a rival, and were not declared."""
+        number = line.line.number
+        force = self.meanings.best.at(number)
+        return tuple(
+            name
+            for name in self.meanings.doubtful(rival, number)
+            if force[name].by not in ("declared", "agreed")
+        )
 
     def _doubted(
         self, line: JudgedLine, other: JudgedLine, doubtful: Sequence[str], asks: set[str]
@@ -226,22 +237,36 @@ class _Sitting:
 
     def _misread(self, lines: tuple[JudgedLine, ...]) -> tuple[JudgedLine, ...]:
         """If another datum makes all lines true, the first false line is a misread."""
-        typed = list(
-            _numbers(
-                side
-                for line in self.script.lines
-                for link in line.links
-                for side in (link.readings[0].left, link.readings[0].right)
-            )
-        )
-        for place, (value, datum) in enumerate(misreadings(typed, self.bench.data)):
-            if place == _MISREADINGS:
-                break
+        first = next(line.line for line in lines if line.verdict == "false")
+        typed = [value for line in self.script.lines for value in _factors_in(line)]
+        pairs = misreadings(typed, self.bench.data)
+        near = set(_factors_in(first))
+        for value, datum in islice((each for each in pairs if each[0] in near), _MISREADINGS):
             script = Script(tuple(_reread(line, value, datum) for line in self.script.lines))
-            _, again = self._judged(script, self.meanings.best)
-            if not any(line.verdict in ("false", "asks") for line in again):
+            _, again = self._judged(script, self.meanings.best, names=False)
+            if all(
+                new.verdict == "true" or new.verdict == old.verdict in ("remark", "unread")
+                for old, new in zip(lines, again, strict=True)
+            ):
                 return tuple(_as_misread(lines, str(value)))
         return lines
+
+
+def _factors_in(line: ScriptLine) -> Iterator[Fraction]:
+    """The numbers of a line, each once; exponents, 1 and 2 are none."""
+    found: dict[Fraction, None] = {}
+    for link in line.links:
+        for side in (link.readings[0].left, link.readings[0].right):
+            pending = [side]
+            while pending:
+                each = pending.pop()
+                if isinstance(each, Number | Degrees):
+                    found[each.value] = None
+                elif isinstance(each, Binary) and each.op == "^":
+                    pending.append(each.left)
+                else:
+                    pending.extend(children(each))
+    return (value for value in found if value not in (1, 2))
 
 
 def _as_misread(lines: Sequence[JudgedLine], at: str) -> Iterator[JudgedLine]:

@@ -8,22 +8,34 @@ mistake has no name.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from restitution.errors import RestitutionError
 from restitution.explaining.facts import events_of
 from restitution.explaining.misconceptions import MISCONCEPTIONS, ResultAt, VariantAt, variants_at
-from restitution.expression.tree import Expression, Letter, Quantity
-from restitution.practice.agreement import agrees
-from restitution.practice.arrays import UnvaluedError
+from restitution.expression.evaluate import Angle
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Number,
+    Quantity,
+    walk,
+)
+from restitution.practice.agreement import agrees, numbers_of
+from restitution.practice.candidates import candidates
 from restitution.practice.entries import Entry, is_numeric, same_relation
-from restitution.practice.judgement import Mistake
+from restitution.practice.judgement import Mistake, Use
 from restitution.practice.lines import text_of
 from restitution.practice.slips import Correction, corrections
 from restitution.practice.world import World
 from restitution.problem import Problem
+from restitution.vector import Vector
 
 if TYPE_CHECKING:
     from restitution.practice.verdicts import Judge
@@ -34,106 +46,172 @@ _OF_SIGNS = frozenset(
 )
 _OF_POWERS = frozenset({"square-not-taken", "energy-ratio-as-speed"})
 _OF_FACTORS = frozenset({"mass-omitted", "restitution-omitted", "energy-no-half", "across-changed"})
+_LAWS = frozenset({"momentum", "restitution", "unchanged", "impulse", "energy", "deflection"})
+_OF_ENERGY = frozenset({"energy", "speed", "fact", "fraction"})
+_TRIED = 6
 NO_NAME = Mistake(None)
+Stated = frozenset[tuple[str, int | None]]
 
 
 @dataclass(frozen=True)
 class Explained:
-    """An altered law that explains a line, and whether by random states, not by its numbers."""
+    """The altered laws that explain a false claim, and the slip that it may be instead.
 
-    variant: VariantAt
-    by_states: bool
+    ``at`` is the text that would have to be another, ``near`` the laws of the claim corrected.
+    """
 
-    @property
-    def mistake(self) -> str:
-        return self.variant.mistake
+    variants: tuple[VariantAt, ...] = ()
+    slip: str | None = None
+    at: str | None = None
+    near: tuple[Use, ...] = ()
 
 
 class Names:
     """Names the mistakes in the lines of one problem."""
 
     def __init__(self, problem: Problem) -> None:
-        events = events_of(problem)
         self.worlds: dict[Any, World | None] = {}
+        self.problem = problem
+        events = events_of(problem)
         self.variants = tuple(each for event in events for each in variants_at(event, events))
+        self._familiar: dict[int, tuple[float, ...]] = {}
 
-    def named(self, entry: Entry, judge: Judge) -> Mistake:
-        """The mistake that begins in a claim that is false."""
+    def explained(self, entry: Entry, judge: Judge) -> Explained:
+        """What explains a claim that is false."""
         mended = tuple(_mending(entry, judge))
         at = text_of(mended[0].part) if mended else None
-        explained = self._explaining(entry, judge, mended)
-        families = tuple(dict.fromkeys(each.mistake for each in explained))
-        if families:
-            variants = tuple(dict.fromkeys(each.variant.id for each in explained))
-            first, *also = families
-            return Mistake(
-                first if not also else None,
-                "misconception",
-                variants,
-                tuple(families) if also else (),
-                at,
-                sure=not also,
-            )
-        slip = _slip(entry, judge, mended)
-        return NO_NAME if slip is None else Mistake(slip, "slip", at=at)
+        variants = self._explaining(entry, judge, mended)
+        near = () if judge.uses_of_entry(entry) else _near(entry, judge, mended)
+        return Explained(variants, _slip(entry, judge, mended), at, near)
+
+    def named(self, found: Explained, stated: Stated, confirmed: frozenset[str]) -> Mistake:
+        """The mistake by its name.
+
+        Of several altered laws those stay that a line below is an instance of too (``confirmed``
+        are their ids), and those that contradict no law which is stated rightly.
+        """
+        variants = [each for each in found.variants if each.id in confirmed] or [
+            each for each in found.variants if not _contradicts(each, stated)
+        ]
+        ids = tuple(dict.fromkeys(each.id for each in variants))
+        first, *also = tuple(dict.fromkeys(each.mistake for each in variants)) or (None,)
+        if first is None:
+            return Mistake(found.slip, "slip", at=found.at) if found.slip else NO_NAME
+        return Mistake(first, "misconception", ids, tuple(also), found.at, sure=not also)
 
     # --- misconceptions -----------------------------------------------------------------------
 
     def _explaining(
         self, entry: Entry, judge: Judge, mended: Sequence[Correction]
-    ) -> list[Explained]:
+    ) -> tuple[VariantAt, ...]:
         """The altered laws that explain a claim where no slip does."""
         if entry.claim.sign != "=" or entry.claim.others:
-            return []
-        by_states = list(self._instances(entry, judge))
+            return ()
+        altered = {use.altered for use in judge.uses_of_entry(entry)}
+        by_states = [each for each in self.variants if each.id in altered]
         if by_states:
-            return [each for each in by_states if _stands(each, mended)]
+            lawful = [each for each in mended if _is_law(each, entry, judge)]
+            return tuple(each for each in by_states if _stands(each, lawful))
         if is_numeric(entry.claim.left) and is_numeric(entry.claim.right):
-            return []
-        results = list(self._results(entry, judge))
-        worlds = [] if results else list(self._worlds(entry, judge))
-        found = results or worlds
-        return [each for each in found if _stands(each, mended)]
+            return ()
+        blocking = [each for each in mended if not self._is_familiar(each, judge)]
+        found = list(self._results(entry, judge)) or list(self._worlds(entry, judge))
+        return tuple(dict.fromkeys(each for each in found if _stands(each, blocking)))
 
-    def _instances(self, entry: Entry, judge: Judge) -> Iterator[Explained]:
-        """By random states: the altered laws of which the claim is an instance."""
-        ids = {use.altered for use in judge.uses_of_entry(entry) if use.altered is not None}
-        for variant in self.variants:
-            if variant.id in ids and _plausible(variant, judge.base):
-                yield Explained(variant, True)
-
-    def _results(self, entry: Entry, judge: Judge) -> Iterator[Explained]:
+    def _results(self, entry: Entry, judge: Judge) -> Iterator[VariantAt]:
         """By a result: the claim gives a quantity the value that an altered definition gives it."""
         for variant in self.variants:
             for result in variant.results:
                 for world in (judge.base, *judge.students()):
                     if _is_result(entry, result, world):
-                        yield Explained(variant, False)
+                        yield variant
 
-    def _worlds(self, entry: Entry, judge: Judge) -> Iterator[Explained]:
+    def _worlds(self, entry: Entry, judge: Judge) -> Iterator[VariantAt]:
         """By altered worlds: the claim holds where one law is altered, and all else is right."""
-        stated = judge.stated()
+        energetic = _is_energetic(entry)
         for variant in self.variants:
             if not variant.laws or not variant.alteration.solvable:
                 continue
-            if any((law.law, variant.event.number) in stated for law in variant.laws):
+            kinds = set(MISCONCEPTIONS[variant.mistake].kinds)
+            if not (kinds & _OF_ENERGY if energetic else kinds - _OF_ENERGY):
+                continue
+            if any((law.law, variant.event.number) in judge.stated() for law in variant.laws):
                 continue
             if not _plausible(variant, judge.base):
                 continue
             world = judge.altered(variant)
             if world is not None and _holds(entry, world):
-                yield Explained(variant, False)
+                yield variant
+
+    def _is_familiar(self, correction: Correction, judge: Judge) -> bool:
+        """Whether a figure would be changed in a number that is one of the story's own."""
+        if correction.change not in ("figure", "factor"):
+            return False
+        part = correction.part
+        if not isinstance(part, Number | Degrees):
+            return correction.change == "factor"
+        value = float(part.value)
+        return any(abs(value - each) <= 0.005 * abs(each) for each in self._values(judge))
+
+    def _values(self, judge: Judge) -> tuple[float, ...]:
+        """The numbers of the story: those of the statement, and its quantities."""
+        world = judge.base
+        if world.solution not in self._familiar:
+            found = [float(value) for value in numbers_of(self.problem)]
+            for candidate in candidates(self.problem, world.part):
+                found += _numbers_in(world, candidate.quantity)
+            self._familiar[world.solution] = tuple(dict.fromkeys(each for each in found if each))
+        return self._familiar[world.solution]
 
 
-def _stands(each: Explained, mended: Sequence[Correction]) -> bool:
+def _numbers_in(world: World, tree: Expression) -> Iterator[float]:
+    """The size of a quantity that is the same in all samples; of an angle in degrees too."""
+    try:
+        value = world.value(tree)
+    except RestitutionError:
+        return
+    if isinstance(value, Vector):
+        return
+    angular = isinstance(value, Angle)
+    numbers = np.abs(world.spread(value.measure() if isinstance(value, Angle) else value))
+    if np.ptp(numbers) < 1e-9 * (1 + numbers[0]):
+        yield float(np.degrees(numbers[0]) if angular else numbers[0])
+
+
+def _contradicts(variant: VariantAt, stated: Stated) -> bool:
+    """Whether a law that a variant replaces is stated rightly."""
+    return any((law.law, variant.event.number) in stated for law in variant.laws)
+
+
+def _near(entry: Entry, judge: Judge, mended: Sequence[Correction]) -> tuple[Use, ...]:
+    """The laws of a claim with the first correction that makes it an instance of one."""
+    found: tuple[Use, ...] = ()
+    for correction in mended[:_TRIED]:
+        uses = judge.uses_of_entry(replace(entry, claim=correction.claim, wrong=False, right=True))
+        if uses and uses[0].principle in _LAWS:
+            return uses
+        found = found or uses
+    return found
+
+
+def _is_law(correction: Correction, entry: Entry, judge: Judge) -> bool:
+    """Whether a corrected claim is an instance of a law, and not true by its numbers alone."""
+    whole = correction.part in (entry.claim.left, entry.claim.right)
+    if correction.change != "sign" or whole:
+        return False
+    mended = Entry(entry.number, correction.claim, entry.meanings, entry.scope, entry.decimals)
+    return any(use.principle in _LAWS for use in judge.uses_of_entry(mended))
+
+
+def _stands(variant: VariantAt, mended: Sequence[Correction]) -> bool:
     """Whether no slip explains a line as well as an altered law does."""
-    undone = {"sign"} if each.mistake in _OF_SIGNS else set()
-    if each.mistake in _OF_POWERS:
+    undone = {"radians"} if variant.mistake == "sine-cosine" else set()
+    if variant.mistake in _OF_SIGNS:
+        undone |= {"sign"}
+    if variant.mistake in _OF_POWERS:
         undone |= {"power"}
-    if each.mistake in _OF_FACTORS:
+    if variant.mistake in _OF_FACTORS:
         undone |= {"factor"}
-    if each.by_states:
-        undone |= {"figure", "factor", "turned"}
     return all(correction.change in undone for correction in mended)
 
 
@@ -142,10 +220,24 @@ def _plausible(variant: VariantAt, world: World) -> bool:
     return all(_not_negative(sense, world) for sense in variant.senses)
 
 
+def _is_energetic(entry: Entry) -> bool:
+    """Whether a claim speaks of energies, or of squares of speeds."""
+    for side in (entry.claim.left, entry.claim.right):
+        for each in walk(side):
+            if isinstance(each, Binary) and each.op == "^" and isinstance(each.left, Letter):
+                return True
+            meant = entry.meanings.get(each.name) if isinstance(each, Letter) else each
+            if isinstance(meant, Quantity) and "energy" in meant.kind:
+                return True
+            if isinstance(each, Binary) and each.op == "^" and not isinstance(each.left, Apply):
+                return True
+    return False
+
+
 def _not_negative(tree: Expression, world: World) -> bool:
     try:
         return bool(np.all(world.scalar(tree) >= -1e-9))
-    except UnvaluedError:
+    except RestitutionError:
         return False
 
 
@@ -153,7 +245,7 @@ def _holds(entry: Entry, world: World) -> bool:
     """Whether a claim holds in a world, exactly or to three figures."""
     try:
         grade = agrees(entry.claim, world, entry.meanings, entry.decimals, entry.scope)
-    except UnvaluedError:
+    except RestitutionError:
         return False
     return grade in ("exact", "rounded")
 
@@ -183,7 +275,7 @@ def _same_value(one: Expression, other: Expression, entry: Entry, world: World) 
     try:
         a = world.scalar(one, entry.meanings, scope=entry.scope)
         b = world.scalar(other, entry.meanings, scope=entry.scope)
-    except UnvaluedError:
+    except RestitutionError:
         return False
     return bool(np.allclose(a, b, rtol=1e-9, atol=1e-12))
 
@@ -234,8 +326,3 @@ def _stands_above(correction: Correction, entries: Iterable[Entry]) -> bool:
     if correction.change not in ("sign", "figure", "letter"):
         return False
     return any(same_relation(correction.claim, entry.claim) for entry in entries)
-
-
-def kinds_of(mistake: str) -> tuple[str, ...]:
-    """The principles whose lines a misconception fits."""
-    return MISCONCEPTIONS[mistake].kinds

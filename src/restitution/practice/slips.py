@@ -258,7 +258,7 @@ def misreadings(
         times[value] = times.get(value, 0) + 1
     for value, count in times.items():
         if count >= 2 and value not in given:
-            yield from ((value, datum) for datum in given if datum not in times)
+            yield from ((value, datum) for datum in given if datum and datum not in times)
 
 
 def read_as_datum(claim: Claim, typed: Fraction, datum: Fraction) -> Claim:

@@ -14,9 +14,9 @@ from typing import Any
 
 import numpy as np
 
+from restitution.errors import RestitutionError
 from restitution.explaining.misconceptions import VariantAt
 from restitution.practice.agreement import difference
-from restitution.practice.arrays import UnvaluedError
 from restitution.practice.entries import Entry
 from restitution.practice.script import Claim
 from restitution.practice.telling import Telling
@@ -58,7 +58,7 @@ def student_world(
     equations = [
         _of_entry(each) for each in own if each.claim.sign == "=" and not each.claim.others
     ]
-    return _solved(base, [*equations, *laws_of(base), *facts_of(base)], unknown)
+    return _solved(base, [*equations, *facts_of(base), *laws_of(base)], unknown)
 
 
 def world_of_lines(base: World, entries: Sequence[Entry], unknown: Collection[str]) -> World | None:
@@ -79,7 +79,7 @@ def altered_world(base: World, variant: VariantAt, unknown: Collection[str] = ()
             for law, event, bodies in replaced
         )
     ]
-    return _solved(base, [*altered, *laws, *facts_of(base)], unknown)
+    return _solved(base, [*altered, *facts_of(base), *laws], unknown)
 
 
 # --- equations --------------------------------------------------------------------------------
@@ -275,7 +275,7 @@ def _linearized(
         for equation in equations:
             try:
                 found = equation.residual(world)
-            except UnvaluedError:
+            except RestitutionError:
                 continue
             found = np.reshape(found, (count + 1, samples, -1))
             slope = (found[1:] - found[0]) / steps.T[..., None]

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from restitution.errors import RestitutionError
 from restitution.expression.tree import Expression
 from restitution.practice.agreement import agrees, difference
-from restitution.practice.arrays import UnvaluedError
 from restitution.practice.deduction import deduced_from
 from restitution.practice.entries import Entry, is_numeric
 from restitution.practice.script import Claim
@@ -104,7 +104,7 @@ class Support:
         try:
             a = world.scalar(own, entry.meanings, scope=entry.scope)
             b = world.scalar(other, now=now, degrees=False)
-        except UnvaluedError:
+        except RestitutionError:
             return False
         return bool(np.allclose(a, b, rtol=1e-9, atol=1e-12))
 
@@ -115,6 +115,6 @@ class Support:
             if entry.claim.sign != "=":
                 return False
             apart, size = difference(entry.claim, world, entry.meanings, entry.scope)
-        except UnvaluedError:
+        except RestitutionError:
             return False
         return bool(np.all(np.abs(apart) <= 1e-6 * (size + 1e-6)))

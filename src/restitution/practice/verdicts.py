@@ -12,10 +12,10 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from restitution.errors import RestitutionError
 from restitution.explaining.misconceptions import VariantAt
 from restitution.expression.tree import Apply, Expression, Letter, Negate, Quantity
 from restitution.practice.agreement import agrees, difference
-from restitution.practice.arrays import UnvaluedError
 from restitution.practice.deduction import deduced_from
 from restitution.practice.entries import (
     Entry,
@@ -26,6 +26,7 @@ from restitution.practice.entries import (
 )
 from restitution.practice.judgement import Accuracy, JudgedLine, Mistake, Use, Verdict
 from restitution.practice.lines import read_as
+from restitution.practice.naming import Explained, Stated
 from restitution.practice.principles import uses_of
 from restitution.practice.script import Claim, Link, Script, ScriptLine
 from restitution.practice.student import altered_world, student_world
@@ -46,8 +47,11 @@ class Naming(Protocol):
 
     worlds: dict[Any, World | None]
 
-    def named(self, entry: Entry, judge: Judge) -> Mistake:
-        """The mistake that begins in a claim which is false."""
+    def explained(self, entry: Entry, judge: Judge) -> Explained:
+        """What explains a claim that is false."""
+
+    def named(self, found: Explained, stated: Stated, confirmed: frozenset[str]) -> Mistake:
+        """The mistake by its name."""
 
 
 @dataclass(frozen=True)
@@ -84,7 +88,12 @@ class Judge:
         meanings: Mapping[int, Meanings],
         naming: Naming,
         question: Question,
+        *,
+        names: bool = True,
     ) -> None:
+        self._names = names
+        self._explained: dict[int, Explained] = {}
+        self._confirmed: dict[int, set[str]] = {}
         self.worlds = tuple(worlds)
         self.naming = naming
         self.question = question
@@ -103,7 +112,19 @@ class Judge:
         self._base = self._likeliest(script)
         question = self.question
         self._support = Support(self._base, question.wanted, question.unknown, question.given)
-        return tuple(self._judged(line) for line in script.lines)
+        lines = [self._judged(line) for line in script.lines]
+        return tuple(self._named(line) for line in lines)
+
+    def _named(self, line: JudgedLine) -> JudgedLine:
+        """A false line with the name of its mistake, in the light of all lines."""
+        if line.verdict != "false":
+            return line
+        found = self._explained.get(line.line.number)
+        if found is None:
+            return replace(line, mistake=Mistake(None))
+        confirmed = frozenset(self._confirmed.get(line.line.number, ()))
+        mistake = self.naming.named(found, self.stated(), confirmed)
+        return replace(line, mistake=mistake, uses=line.uses or found.near)
 
     def meanings(self, number: int) -> Meanings:
         """What letters and phrases mean in a line."""
@@ -139,10 +160,9 @@ class Judge:
         verdict = next(each for each in _WORST if any(link.verdict == each for link in links))
         place = next(k for k, link in enumerate(links) if link.verdict == verdict)
         worst = links[place]
-        mistake = None
-        if verdict == "false":
+        if verdict == "false" and self._names:
             entry = self._entry(line, line.links[place], worst)
-            mistake = self.naming.named(entry, self)
+            self._explained[line.number] = self.naming.explained(entry, self)
         for name in worst.letters:
             self.unknown.add(name)
         accuracies = [link.accuracy for link in links if link.accuracy is not None]
@@ -160,7 +180,6 @@ class Judge:
             read_as=read_as(tuple(link.claim for link in links)),
             link=place if verdict == "false" else None,
             sources=tuple(dict.fromkeys(n for link in links for n in link.sources)),
-            mistake=mistake,
             remark=next((link.remark for link in links if link.remark), None),
         )
 
@@ -204,7 +223,7 @@ class Judge:
         for each in (claim, *_of_sizes(claim, meanings)):
             try:
                 grade = agrees(each, world, meanings, link.decimals, line.scope)
-            except UnvaluedError:
+            except RestitutionError:
                 continue
             if grade is not None:
                 return grade
@@ -235,7 +254,7 @@ class Judge:
                 agrees(claim, world, entry.meanings, entry.decimals, entry.scope)
                 for world in self.worlds
             )
-        except UnvaluedError:
+        except RestitutionError:
             return False
 
     def _following(self, line: ScriptLine, link: Link) -> JudgedLink | None:
@@ -255,6 +274,18 @@ class Judge:
             if places:
                 numbers = tuple(self.entries[place].number for place in places)
                 return JudgedLink("follows", claim, "exact", numbers, _impossible(claim))
+        return self._repeating(line, link)
+
+    def _repeating(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A claim with the same misconception as one above: one mistake, not a second."""
+        for claim in link.readings[:1]:
+            entry = replace(self._entry_of(line, link, claim), right=False, wrong=True)
+            altered = {use.altered for use in self.uses_of_entry(entry)}
+            for number, found in self._explained.items():
+                same = {each.id for each in found.variants if each.id in altered}
+                if same and number != line.number:
+                    self._confirmed.setdefault(number, set()).update(same)
+                    return JudgedLink("follows", claim, "exact", (number,))
         return None
 
     def _loosely(self, claim: Claim, world: World, line: ScriptLine, link: Link) -> Accuracy | None:
@@ -264,7 +295,7 @@ class Judge:
             return None
         try:
             apart, size = difference(claim, world, self.meanings(line.number), line.scope)
-        except UnvaluedError:
+        except RestitutionError:
             return None
         close = np.all(np.abs(apart) <= _OWN_ROUNDING * size)
         return "rounded" if close and np.all(size > 0) else None
@@ -276,11 +307,12 @@ class Judge:
         for claim in link.readings:
             try:
                 agrees(claim, self._base, self.meanings(line.number), link.decimals, line.scope)
-            except UnvaluedError as error:
-                if error.letter is None:
+            except RestitutionError as error:
+                letter = getattr(error, "letter", None)
+                if letter is None:
                     fault = fault or str(error)
                 else:
-                    missing.add(error.letter)
+                    missing.add(letter)
             else:
                 if not missing:
                     return JudgedLink("false", claim)
@@ -374,7 +406,7 @@ class Judge:
                     entry.scope,
                     altered=not entry.right,
                 )
-            except UnvaluedError:
+            except RestitutionError:
                 continue
             if uses:
                 return uses
