@@ -45,7 +45,8 @@ def asked(wanted: object) -> Object:
         level = _whole(told["level"], "the level", LEVELS[0], LEVELS[-1])
     tried = sum(_is_of(each, name, level) for each in attempts)
     seed = _whole(told.get("seed", tried + 1), "the seed", 0, _LARGEST_SEED)
-    drawn = practice_question(name, level, seed)
+    mistake = following.mistake if name == following.topic else None
+    drawn = practice_question(name, level, seed, None if "seed" in told else mistake)
     return {
         "statement": drawn.statement,
         "topic": name,
@@ -74,8 +75,8 @@ def _letters(statement: str) -> list[Object]:
     solution = solve(problem)
     rows = {
         row.letter: row.json()
-        for part in reversed(problem.parts)
-        for row in reversed(letters_box(problem, solution, part.label))
+        for label in reversed(list(solution.parts))
+        for row in reversed(letters_box(problem, solution, label))
     }
     return list(reversed(rows.values()))
 

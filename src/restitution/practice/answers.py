@@ -20,6 +20,7 @@ from restitution.practice.working import read_working
 from restitution.practice.world import World
 from restitution.problem import Problem, Value
 from restitution.solving.solution import ItemResult, PartSolution, Solution
+from restitution.solving.solver import solve
 
 _GRADES: tuple[Accuracy, ...] = ("exact", "rounded", "coarse")
 _LONGEST = 200
@@ -81,9 +82,8 @@ def mark_answers(
     Raises StatementError for what is no answer to an item that is asked, and the error of a
     question that has no answer.
     """
-    problem = question.problem if isinstance(question, Solution) else question
-    labels = [each.label for each in problem.parts if part in (None, each.label)]
-    benches = [bench_of(question, label) for label in labels]
+    solution = question if isinstance(question, Solution) else solve(question)
+    benches = [bench_of(solution, label) for label in solution.parts if part in (None, label)]
     return tuple(_marked(answer, benches) for answer in answers)
 
 

@@ -22,6 +22,7 @@ from restitution.practice.values import Values
 from restitution.practice.working import read_working
 from restitution.problem import Problem
 from restitution.solving.solution import Solution
+from restitution.solving.solver import solve
 
 Object = dict[str, Any]
 Meant = str | Expression | tuple[Expression, ...]
@@ -127,12 +128,13 @@ def mark(
     Raises KeyError for a part that is not there, StatementError for a meaning that cannot be read,
     and the error of a question that has no answer.
     """
-    problem = question.problem if isinstance(question, Solution) else question
-    script = read_working(working, problem)
-    if part is None and None not in _labels(problem):
-        opened = [line.part for line in script.lines if line.part is not None]
-        part = opened[0] if opened else _labels(problem)[0]
-    return _marked(question, problem, script, part, letters, hints)
+    solution = question if isinstance(question, Solution) else solve(question)
+    script = read_working(working, solution.problem)
+    labels = _labels(solution)
+    if part is None and None not in labels:
+        opened = [line.part for line in script.lines if line.part in labels]
+        part = opened[0] if opened else labels[0]
+    return _marked(solution, script, part, letters, hints)
 
 
 def mark_parts(
@@ -146,37 +148,36 @@ def mark_parts(
 
     A working that opens none is one of the first part.
     """
-    problem = question.problem if isinstance(question, Solution) else question
-    script = read_working(working, problem)
+    solution = question if isinstance(question, Solution) else solve(question)
+    script = read_working(working, solution.problem)
     opened = {line.part for line in script.lines}
-    labels = [label for label in _labels(problem) if label in opened] or _labels(problem)[:1]
-    return tuple(_marked(question, problem, script, label, letters, hints) for label in labels)
+    labels = [label for label in _labels(solution) if label in opened] or _labels(solution)[:1]
+    return tuple(_marked(solution, script, label, letters, hints) for label in labels)
 
 
-def _labels(problem: Problem) -> list[str | None]:
-    return [part.label for part in problem.parts]
+def _labels(solution: Solution) -> list[str | None]:
+    return list(solution.parts)
 
 
 def _marked(
-    question: Problem | Solution,
-    problem: Problem,
+    solution: Solution,
     script: Script,
     part: str | None,
     letters: Mapping[str, Meant] | None,
     hints: int | Mapping[int | None, int],
 ) -> Marking:
-    if part not in _labels(problem):
-        known = ", ".join(str(label) for label in _labels(problem) if label is not None)
+    if part not in solution.parts:
+        known = ", ".join(str(label) for label in _labels(solution) if label is not None)
         raise KeyError(f"there is no part {part!r}; {f'parts: {known}' if known else 'no parts'}")
     levels, usual = ({}, hints) if isinstance(hints, int) else (dict(hints), 0)
     for level in (usual, *levels.values()):
         if level not in LEVELS:
             raise StatementError(f"hints have the levels 0 to 4, not {level}")
-    bench = bench_of(question, part)
+    bench = bench_of(solution, part)
     solved = bench.solved
     if solved.error is not None:
         raise solved.error
-    judgement = judge(bench.solution, script, part, _meanings(letters or {}, problem))
+    judgement = judge(bench.solution, script, part, _meanings(letters or {}, solution.problem))
     values = Values(bench.worlds, bench.question.unknown, judgement.letters)
     marks = marked(judgement, schemes(bench.solution, part), values)
     return Marking(

@@ -51,12 +51,12 @@ def _form() -> dict[str, Any]:
     return {"words": vocabulary(), "sheet": find_spec("typst") is not None}
 
 
-def _topics() -> dict[str, dict[str, str]]:
-    """The topics of practice by group: the title of each id."""
-    groups: dict[str, dict[str, str]] = {}
+def _topics() -> list[tuple[str, list[tuple[str, str]]]]:
+    """The topics of practice by group, in order: the id and the title of each."""
+    groups: dict[str, list[tuple[str, str]]] = {}
     for topic in PRACTICE:
-        groups.setdefault(topic.group, {})[topic.id] = topic.title
-    return groups
+        groups.setdefault(topic.group, []).append((topic.id, topic.title))
+    return list(groups.items())
 
 
 def routes() -> list[Route]:

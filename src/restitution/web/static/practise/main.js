@@ -11,8 +11,8 @@ import { makeRecord, today } from "./record.js";
 import { makeReply } from "./reply.js";
 
 const $ = (id) => document.getElementById(id);
-const groups = JSON.parse($("topics").textContent); // { group: { id: title } }
-const topics = Object.assign({}, ...Object.values(groups));
+const groups = JSON.parse($("topics").textContent); // [[group, [[id, title], …]], …]
+const topics = Object.fromEntries(groups.flatMap(([, inside]) => inside));
 const record = makeRecord();
 const pictures = makePictures($("pictures"));
 const working = makeWorking($("working"), { onLine() {} });
@@ -45,8 +45,8 @@ function draw(sureness) {
   const card = ([id, title]) =>
     html("li", {}, button([html("span", {}, title), id in sureness ? meter(sureness[id]) : ""],
       () => begin({ topic: id, level: chosenLevel() }), { class: "card" }));
-  $("topic-list").replaceChildren(...Object.entries(groups).flatMap(([group, inside]) => [
-    html("h3", {}, group), html("ul", { class: "topics" }, Object.entries(inside).map(card)),
+  $("topic-list").replaceChildren(...groups.flatMap(([group, inside]) => [
+    html("h3", {}, group), html("ul", { class: "topics" }, inside.map(card)),
   ]));
 }
 

@@ -23,8 +23,8 @@ function lineOf(line, marking, { onHint, levels, exam }) {
   return html("li", { class: line.verdict, "data-line": line.n },
     html("span", { class: "sign", title: words }, sign, html("span", { class: "unseen" }, ` ${words}: `)),
     html("span", { class: "typed" }, line.text),
-    texts.map((text) => html("p", {}, text)),
-    more || null);
+    more || null,
+    texts.map((text) => html("p", {}, text)));
 }
 
 // A letter that has to be known: the meanings that would do, one tap each.
