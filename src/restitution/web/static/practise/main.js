@@ -128,6 +128,7 @@ function show() {
   $("question").replaceChildren(words ? grown(words) : html("pre", {}, question.statement));
   pictures.put(figure ? [figure] : []);
   letters.put(question.letters);
+  $("of-parts").hidden = parts.length < 2;
   working.put(parts);
   $("going").replaceChildren(
     button("Another like this", () => begin({ topic, level }), topic ? {} : { hidden: true }),

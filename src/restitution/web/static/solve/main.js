@@ -152,6 +152,7 @@ async function showSolved({ kind, text, reply }) {
   $("title").textContent = answer.title ?? "";
   $("title").hidden = !answer.title;
   $("answers").replaceChildren(...answersOf(reply, editor));
+  $("own").href = `practise#${new URLSearchParams({ statement: text })}`;
   look();
   $("wording").hidden = reply.question === null;
   if (reply.question !== null) $("question").replaceChildren(grown(reply.question));
