@@ -325,7 +325,7 @@ def test_times_follow_the_velocities() -> None:
     statement = """
     wall W: from (0, 0) to (0, 99)
     wall V: from (8, 0) to (8, 99)
-    sphere P: mass 1, position (4, 0), velocity -2i + 2j
+    sphere P: mass 1, at (4, 0), velocity -2i + 2j
     P hits W: e = 1/2
     P hits V: e = 1/4
     find time(2), position(P, 2)
@@ -343,8 +343,8 @@ def test_times_follow_the_velocities() -> None:
 
 def test_two_spheres_meet_when_they_have_come_together() -> None:
     statement = """
-    sphere A: mass 1, position (0, 0), velocity 3i
-    sphere B: mass 1, position (8, 0), velocity i
+    sphere A: mass 1, at (0, 0), velocity 3i
+    sphere B: mass 1, at (8, 0), velocity i
     A hits B: along i, e = 1/2
     find time(1)
     """

@@ -436,7 +436,7 @@ class _Search:
     ) -> tuple[Array, Parts]:
         """States in which an equation gives one component, from its residual and slope there."""
         parts = self.loose
-        for _ in range(_TURNS):
+        for turn in range(_TURNS):
             change = np.nan_to_num(-left / slope)
             parts = self._moved(parts, place, change)
             step = self._step(place)
@@ -445,6 +445,6 @@ class _Search:
             )
             left, slope = found[0], (found[1] - found[0]) / step
             valid: Array = np.abs(left) <= _CLOSE * np.maximum(size[0], 1e-6)
-            if valid.all():
+            if valid.all() or (turn == _TURNS // 2 and not valid.any()):
                 break
         return valid, parts
