@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import cast
+
 from restitution.expression.tree import (
     Apply,
     Binary,
     Degrees,
     Expression,
     Letter,
+    Measured,
     Negate,
     Number,
     Pair,
@@ -15,11 +19,44 @@ from restitution.expression.tree import (
     Quantity,
     walk,
 )
-from restitution.practice.vocabulary import HEADS
+from restitution.practice.vocabulary import DIRECTIONS, HEADS
+
+
+def radians(number: Number) -> Expression:
+    """A number of radians, marked while the line is read: it never becomes degrees."""
+    return cast("Expression", Measured(number, "rad", place=number.place))
+
+
+def _marked(tree: object) -> Expression | None:
+    """The number of radians that a node marks, or None."""
+    return tree.operand if isinstance(tree, Measured) else None
+
+
+def without_marks(tree: Expression) -> Expression:
+    """A tree whose numbers of radians are plain numbers."""
+    inside = _marked(tree)
+    if inside is not None:
+        return inside
+    if all(_marked(each) is None for each in walk(tree)):
+        return tree
+    match tree:
+        case Binary(_, left, right):
+            return replace(tree, left=without_marks(left), right=without_marks(right))
+        case Negate(operand):
+            return replace(tree, operand=without_marks(operand))
+        case Apply(_, argument):
+            return replace(tree, argument=without_marks(argument))
+        case Pair(x, y):
+            return replace(tree, x=without_marks(x), y=without_marks(y))
+        case Quantity(_, arguments):
+            return replace(tree, arguments=tuple(map(without_marks, arguments)))
+    return tree
 
 
 def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
     """Whether a tree is an angle; ``angles`` are the letters that are."""
+    if _marked(tree) is not None:
+        return True
     match tree:
         case Degrees():
             return True
@@ -42,8 +79,12 @@ def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
 
 def _names_angle(phrase: str) -> bool:
     """Whether a phrase names an angle: ``angle to the wall``, not ``speed in the i direction``."""
-    heads = {HEADS[each] for each in phrase.split() if each in HEADS}
-    return bool(heads & {"angle", "deflection"}) or heads == {"direction"}
+    words = phrase.split()
+    heads = {HEADS[each] for each in words if each in HEADS}
+    if heads & {"angle", "deflection"}:
+        return True
+    axis = set(words) & {"i", "j", "x", "y", *DIRECTIONS}
+    return heads == {"direction"} and not axis
 
 
 def angular(tree: Expression, angles: frozenset[str]) -> Expression:

@@ -16,15 +16,16 @@ _SAME: dict[str, str] = {
     **dict.fromkeys("≥⩾≧", ">="),
     "≠": "!=",
     **dict.fromkeys("≈≃≅≡≒", "="),
-    **dict.fromkeys("⇒⟹→⟶⇨➜➔➡∴⇔↔", " => "),
+    **dict.fromkeys("⇒⟹→⟶⇨➜➔➡∴⇔↔", " ==> "),
     "∵": " because ",
     **dict.fromkeys("°º˚", "°"),
     **dict.fromkeys("’′´`‘ʹ", "'"),
     "″": "''",
     **dict.fromkeys("∣｜¦", "|"),
-    **dict.fromkeys('“”„"✓✔✗✘☑↑↓∠…', " "),
+    **dict.fromkeys('“”„"✓✔✗✘☑↑↓…', " "),
     "⊥": " perp ",
     **dict.fromkeys("∥‖", " parallel "),
+    "∠": " angle ",
     "∆": " change in ",
     "Δ": " change in ",
     **dict.fromkeys("∑Σ", " total "),
@@ -40,7 +41,15 @@ _SAME: dict[str, str] = {
     "⟩": ")",
     "←": " ",
 }
-_POINTED = re.compile(r"<([^<>=,]{1,20}),([^<>=,]{1,20})>")
+# What is typed for want of a sign, and what is meant.
+_TYPED = (
+    (re.compile(r"<([^<>=,]{1,20}),([^<>=,]{1,20})>"), r"(\1,\2)"),
+    (re.compile(r"(?<![*\w])\*\*([A-Za-z]\w{0,3})\*\*(?![*\w])"), r" \1 "),
+    (re.compile(r"(?<![A-Za-z])([ij])\^(?=\s*(?:[-+=)\s,]|$))"), r"\1 "),
+    (re.compile(r"(?<=[A-Za-z])\s?⊥"), "_perp "),
+    (re.compile(r"(?<=[A-Za-z])(?:[∥‖]|\|\|(?=\s*[=+\-]))"), "_par "),
+    (re.compile(r"[①-⑨]"), lambda match: f" ({ord(match[0]) - 0x245F})"),
+)
 _FRACTIONS = re.compile(r"(\d*)([½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅐⅛⅜⅝⅞⅑⅒])")
 _RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾ⁿ"
 _LOWERED = "₀₁₂₃₄₅₆₇₈₉ₐₑₓ"
@@ -100,7 +109,8 @@ class Plain:
 def plain(line: str) -> Plain:
     """A line as typed, with every variant of a sign made one and accents taken off."""
     text = _without_latex(line) if "\\" in line or "$" in line else line
-    text = _POINTED.sub(r"(\1,\2)", text)
+    for pattern, instead in _TYPED:
+        text = pattern.sub(instead, text)
     if text.isascii() and "\t" not in text and not _changes(text):
         return Plain(text, tuple(range(1, len(text) + 1)))
     characters: list[str] = []

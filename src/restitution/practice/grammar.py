@@ -28,7 +28,7 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
-from restitution.practice.angles import angular, in_degrees, is_angle
+from restitution.practice.angles import angular, in_degrees, is_angle, radians
 from restitution.practice.tokens import Token, Usage
 from restitution.practice.vocabulary import INVERSES
 
@@ -391,6 +391,7 @@ class _Parser:
         if self.kind() == "radians":
             self.take()
             self.radians.add(token.column)
+            return radians(Number(token.value, place=place))
         return Number(token.value, place=place)
 
     def behind_angle(self, tree: Expression) -> Expression:

@@ -108,6 +108,8 @@ def features(words: Sequence[str], problem: Problem) -> Features:
             found = replace(found, wall=True)
         elif low in ("total", "both", "system", "overall", "combined"):
             found = replace(found, both=True)
+        elif low in ("u", "v", "w") and len(words) == 2:
+            found = replace(found, heads=found.heads | {"velocity"})
         elif low == "relative":
             found = replace(found, heads=found.heads | {"relative"})
         elif low in ("rebounds", "hits", "collides") and not found.stage:
@@ -168,6 +170,8 @@ def _with_direction(found: Features, word: str) -> Features:
 def names_quantity(words: Sequence[str], problem: Problem) -> bool:
     """Whether words name a quantity: they have a head, or a direction and nothing strange."""
     found = features(words, problem)
+    if found.heads == {"change"} or found.heads == {"gain"}:
+        return False
     return bool(found.heads or found.direction or found.axis is not None)
 
 

@@ -40,6 +40,7 @@ _NEAR_A_NAME = frozenset(
     + ("ball", "particle", "strikes", "point", "on", "and", "between", "about", "spheres", "then")
     + ("towards", "so", "since", "hence", "that", "means", "as", "because")
 )
+_OF = frozenset(("of", "on", "for", "to", "from", "by", "with", "at", "hits", "after", "before"))
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "phrase", "function", "("))
 _CLOSING = frozenset(("number", "letter", "name", "unit", "pi", ")", "phrase", "percent"))
 
@@ -66,7 +67,13 @@ def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[T
     """The tokens, with the words that name a quantity made one token each."""
     found: list[Token] = []
     place = 0
+    tokens = [each for n, each in enumerate(tokens) if not _is_kind_of_body(tokens, n)]
     while place < len(tokens):
+        joined = _size(tokens, place) or _owned(tokens, place) or _staged(tokens, place, text)
+        if joined is not None:
+            found.append(joined[0])
+            place = joined[1]
+            continue
         end = _phrase_end(tokens, place, problem)
         if end > place:
             first = place
@@ -80,7 +87,72 @@ def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[T
         found.append(_prose_name(found, token, tokens[place + 1 : place + 2]))
         place += 1
     found = [each for n, each in enumerate(found) if not _is_article(found, n)]
-    return [_equality(found, place) for place in range(len(found))]
+    return _with_order([_equality(found, place) for place in range(len(found))])
+
+
+def _with_order(tokens: list[Token]) -> list[Token]:
+    """The tokens of a line that has ``e => 1/3`` for its only sign, which then is no arrow."""
+    arrows = [n for n, each in enumerate(tokens) if each.kind == "arrow"]
+    if any(each.kind == "relation" for each in tokens) or len(arrows) != 1:
+        return tokens
+    place = arrows[0]
+    if tokens[place].text != "=>" or not 0 < place < len(tokens) - 1:
+        return tokens
+    if tokens[place - 1].kind != "letter":
+        return tokens
+    tokens[place] = replace(tokens[place], kind="relation", name=">=")
+    return tokens
+
+
+def _is_kind_of_body(tokens: Sequence[Token], place: int) -> bool:
+    """Whether a word only says what a named body is: ``sphere A``."""
+    behind = tokens[place + 1].kind if place + 1 < len(tokens) else ""
+    return behind == "name" and tokens[place].word in ("sphere", "ball", "particle", "disc")
+
+
+def _size(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
+    """``magnitude of I`` as a function of what stands behind it."""
+    if tokens[place].kind != "word" or HEADS.get(tokens[place].word) != "magnitude":
+        return None
+    behind = place + 1
+    while behind < len(tokens) and tokens[behind].word in ("of", "the"):
+        behind += 1
+    if behind >= len(tokens) or tokens[behind].kind not in ("letter", "(", "number", "-"):
+        return None
+    return replace(tokens[place], kind="function", name="abs"), behind
+
+
+def _owned(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
+    """``I on B`` and ``v of A`` as a letter with a subscript."""
+    if place + 2 >= len(tokens):
+        return None
+    letter, word, name = tokens[place : place + 3]
+    if letter.kind != "letter" or name.kind != "name" or word.word not in ("on", "of", "for"):
+        return None
+    if "_" in letter.name or len(letter.name) > 1:
+        return None
+    return replace(letter, name=f"{letter.name}_{name.name}", end=name.end), place + 3
+
+
+def _staged(tokens: Sequence[Token], place: int, text: str) -> tuple[Token, int] | None:
+    """``v before`` and ``v after`` as phrases, where a line has the same letter at both."""
+    if not _has_stage(tokens, place):
+        return None
+    name = tokens[place].name
+    stages = {
+        STAGES[tokens[n + 1].word]
+        for n in range(len(tokens) - 1)
+        if _has_stage(tokens, n) and tokens[n].name == name
+    }
+    if len(stages) < 2:
+        return None
+    return _phrase(tokens[place : place + 2], text), place + 2
+
+
+def _has_stage(tokens: Sequence[Token], place: int) -> bool:
+    if place + 1 >= len(tokens) or tokens[place].kind != "letter":
+        return False
+    return tokens[place + 1].kind == "word" and tokens[place + 1].word in STAGES
 
 
 def _is_owner(found: Sequence[Token], token: Token) -> bool:
@@ -180,7 +252,8 @@ def _prose_name(found: Sequence[Token], token: Token, behind: Sequence[Token]) -
     if token.kind != "name" or not found or found[-1].kind != "word":
         return token
     if behind and behind[0].kind in ("relation", "+", "-", "*", "/", "^", ":"):
-        return token
+        owner = found[-1].text in _OF and behind[0].kind == "relation"
+        return replace(token, kind="word") if owner else token
     return replace(token, kind="word") if found[-1].text in _NEAR_A_NAME else token
 
 
@@ -252,14 +325,13 @@ def _separates(tokens: Sequence[Token], place: int, depth: int, pending: Sequenc
 
 
 def _is_proportion(tokens: Sequence[Token], place: int) -> bool:
-    """Whether a colon is one between numbers: ``3:5``."""
+    """Whether a colon is one between numbers or letters: ``3:5``, ``w:u``."""
     if not 0 < place < len(tokens) - 1:
         return False
-    return (
-        tokens[place - 1].kind == "number"
-        and tokens[place + 1].kind == "number"
-        and (tokens[place].gap == 0 and tokens[place + 1].gap == 0)
-    )
+    if tokens[place].gap or tokens[place + 1].gap:
+        return False
+    kinds = {tokens[place - 1].kind, tokens[place + 1].kind}
+    return kinds in ({"number"}, {"letter"})
 
 
 def _is_factor(tokens: Sequence[Token], place: int, pending: Sequence[Token]) -> bool:
@@ -292,9 +364,11 @@ def _loose_brackets(tokens: Sequence[Token]) -> set[int]:
 
 def _without_swallowed(segment: Segment) -> Segment:
     """A segment without what belongs to the prose before it: ``divide by m  2v + 3w = 6``."""
+    tokens = segment.tokens
+    if tokens[0].kind in ("/", "*") and len(tokens) > 2 and tokens[2].gap and segment.has_relation:
+        return Segment(tokens[2:], segment.before)  # ÷ m  u = v + 2w
     if not segment.before or segment.before[-1] not in SWALLOWING or not segment.has_relation:
         return segment
-    tokens = segment.tokens
     end = 1
     while end < len(tokens) and tokens[end].gap == 0:
         end += 1

@@ -13,13 +13,14 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Measured,
     Name,
     Number,
     Pi,
     letters,
     walk,
 )
-from restitution.practice.angles import angular, is_angle
+from restitution.practice.angles import angular, is_angle, without_marks
 from restitution.practice.characters import Plain
 from restitution.practice.grammar import Side, UnreadableError, is_vector, read_sides
 from restitution.practice.phrases import is_phrase, read_phrase
@@ -102,7 +103,8 @@ class _Reader:
 
     def finish(self) -> None:
         """Puts together what was read."""
-        self.statements.links = tuple(self.links)
+        self.statements.links = tuple(map(_finished, self.links))
+        self.statements.values = tuple(map(without_marks, self.statements.values))
         if self.label is not None and self.label.kind == "name" and not self.links:
             self.statements.body = self.body_of(self.label)
         last = self.past.side if not self.links else self._last_sides()
@@ -348,6 +350,9 @@ class _Reader:
                 raise UnreadableError("an expression on both sides of the sign", column)
         if self.declaration(segment, sides, read, signs):
             return
+        if self._describes(read):
+            self.statements.values += tuple(each[0].tree for each in read[1:])
+            return
         angle = self._is_chain_angle(read) or self._is_angle_label()
         self.label_chain(read, signs, sides)
         if self.alternative(segment, read, signs):
@@ -358,6 +363,14 @@ class _Reader:
 
     def _is_chain_angle(self, read: Sequence[tuple[Side, ...]]) -> bool:
         return any(is_angle(each[0].tree, self.usage.angles) for each in read)
+
+    def _describes(self, read: Sequence[tuple[Side, ...]]) -> bool:
+        """Whether a relation says which way a line points: ``line of centres is 3i + 4j``."""
+        first, second = read[0][0].tree, read[1][0].tree
+        if not (isinstance(first, Letter) and is_phrase(first.name)):
+            return False
+        heads = {HEADS[each] for each in first.name.split() if each in HEADS}
+        return heads <= {"direction"} and is_vector(second, self.usage.vectors)
 
     def _is_angle_label(self) -> bool:
         label = self.label
@@ -521,6 +534,20 @@ def _is_percentage(tree: Expression) -> bool:
     return isinstance(tree, Letter) and bool({"percentage", "percent"} & set(tree.name.split()))
 
 
+def _finished(link: Link) -> Link:
+    """A link without the marks that only reading needs."""
+    readings = dict.fromkeys(
+        Claim(
+            without_marks(each.left),
+            each.sign,
+            without_marks(each.right),
+            tuple(map(without_marks, each.others)),
+        )
+        for each in link.readings
+    )
+    return replace(link, readings=tuple(readings))
+
+
 def _has_head(label: Token) -> bool:
     """Whether a label names more than a direction."""
     if label.kind == "name":
@@ -540,7 +567,7 @@ def _is_law(read: Sequence[tuple[Side, ...]]) -> bool:
 
 def _turned(tree: Expression, angles: frozenset[str]) -> Expression:
     """A side beside an angle: its bare numbers are degrees."""
-    if any(isinstance(each, Pi | Degrees) for each in walk(tree)):
+    if any(isinstance(each, Pi | Degrees | Measured) for each in walk(tree)):
         return tree
     if any(isinstance(each, Apply) for each in walk(tree)):
         return tree

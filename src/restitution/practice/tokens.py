@@ -31,7 +31,7 @@ _NUMBER = re.compile(r"\d+\.\d+|\.\d+|\d+", re.ASCII)
 _RUN = re.compile(r"[A-Za-z]+(?:'(?=[a-z])[a-z]+)?")
 _SUBSCRIPT = re.compile(r"_\s?(?:\{([A-Za-z0-9' ]{1,12})\}|([A-Za-z0-9]{1,6}))|([0-9]+)(?![.\d])")
 _PRIMES = re.compile(r"'{1,2}")
-_RELATION = re.compile(r"<=|>=|=<|!=|:=|==|[<>]|=(?!>)")
+_RELATION = re.compile(r"<=|>=|=<|!=|=\s?/\s?=|:=|==|[<>]|=(?!>)")
 _ARROW = re.compile(r"=+>|-+>")
 _PLUS_MINUS = re.compile(r"±|\+\s?/\s?-|\+-(?=\s?[\d(√sA-Za-z])")
 _FIGURES = re.compile(
@@ -52,13 +52,23 @@ _INVERSE = re.compile(
     r"inv(?:erse)?\s+(sin|cos|tan)e?(?:\s+of\b)?|(sin|cos|tan)\s?inv(?:erse)?(?:\s+of)?\b",
     re.IGNORECASE,
 )
-_ENERGY = re.compile(r"(?:KE|ke|Ke)_?\{?([A-Z]|[a-z]{1,7})(?![A-Za-z0-9])\}?")
+_ENERGY = re.compile(
+    r"(?:KE|ke|Ke|[Ss]peed|[Vv]el(?:ocity)?|[Mm]omentum|[Ii]mpulse|[Mm]ass|[Aa]ngle)"
+    r"_?\{?([A-Z]|(?<=[Ke])[a-z]{1,7}|(?<=_)[a-z]{1,7})(?![A-Za-z0-9])\}?"
+)
+_OF_BODY = re.compile(
+    r"\b(KE|ke|speed|velocity|vel|energy|momentum|impulse|angle|deflection|mass|direction)"
+    r"\s?\(\s?([A-Z][A-Za-z0-9]?)\s?\)",
+    re.IGNORECASE,
+)
+_SUFFIXED = re.compile(r"([uvwUVW])(perp|par|para|after|before|rel)(?![A-Za-z])")
 _ENERGY_WORDS = {
     **dict.fromkeys(("i", "before", "initial", "bef"), "before"),
     **dict.fromkeys(("f", "after", "final", "aft"), "after"),
     **dict.fromkeys(("lost", "loss"), "lost"),
 }
 _DOTTED = re.compile(r"\b([Kk])\.\s?([Ee])\b\.?")
+_AMOUNTS = {"half": Fraction(1, 2), "twice": Fraction(2), "quarter": Fraction(1, 4)}
 _ORDINAL = re.compile(r"(\d)(?:st|nd|rd|th)\b", re.IGNORECASE)
 
 _SIGNS = {
@@ -143,6 +153,7 @@ class Usage:
 
 def blanked(text: str) -> str:
     """A plain line without its remarks on accuracy and the points of K.E., at the same offsets."""
+    text = _OF_BODY.sub(lambda match: f"{match[1]} {match[2]}".ljust(len(match[0])), text)
     text = _DOTTED.sub(lambda match: (match[1] + match[2]).ljust(len(match[0])), text)
     return _FIGURES.sub(lambda match: " " * len(match[0]), text)
 
@@ -201,7 +212,8 @@ class _Scanner:
         elif match := _PLUS_MINUS.match(text, offset):
             self._add("±", match.end(), gap)
         elif match := _RELATION.match(text, offset):
-            sign = {"=<": "<=", ":=": "=", "==": "="}.get(match[0], match[0])
+            typed = {"=<": "<=", ":=": "=", "==": "="}.get(match[0], match[0])
+            sign = "!=" if "/" in typed else typed
             self._add("relation", match.end(), gap, sign)
         elif character == "~":
             self._add("relation", offset + (2 if text.startswith("~=", offset) else 1), gap, "=")
@@ -238,7 +250,8 @@ class _Scanner:
         behind = text[offset + 1 : offset + 2]
         tight = bool(behind) and not behind.isspace()
         spaced = gap > 0 and behind.isspace()
-        if self._after_operand() and (tight or spaced) and behind not in ".,":
+        bars = tight and gap == 0 and bool(self.found) and self.found[-1].kind == "|"
+        if (self._after_operand() or bars) and (tight or spaced) and behind not in ".,":
             self._add("dot", offset + 1, gap)
         else:
             self._add("stop", offset + 1, gap)
@@ -302,6 +315,12 @@ class _Scanner:
     def _run(self, gap: int) -> None:
         if self._unit(gap) or self._inverse(gap) or self._energy(gap):
             return
+        if self._is_percent() and (match := _PERCENT.match(self.text, self.offset)):
+            self._add("percent", match.end(), gap)
+            return
+        if match := _SUFFIXED.match(self.text, self.offset):
+            self._add("letter", match.end(), gap, f"{match[1]}_{match[2]}")
+            return
         match = _RUN.match(self.text, self.offset)
         assert match is not None
         run, end = match[0], match.end()
@@ -331,8 +350,10 @@ class _Scanner:
         behind = match[1]
         if behind not in self.usage.spheres and behind.lower() not in _ENERGY_WORDS:
             return False
-        self._add("word", self.offset + 2, gap, "ke")
-        while self.text[self.offset] in "_ ":
+        length = match.start(1) - self.offset
+        word = self.text[self.offset : self.offset + length].rstrip("_{")
+        self._add("word", self.offset + len(word), gap, word.lower())
+        while self.text[self.offset] in "_{ ":
             self.offset += 1
         if behind in self.usage.spheres:
             self._add("name", match.end(), 0, behind)
@@ -351,7 +372,9 @@ class _Scanner:
         return ""
 
     def _word(self, run: str, low: str, end: int, gap: int) -> None:
-        if low in SPOKEN and self._after_operand():
+        if low in _AMOUNTS:
+            self._add("number", end, gap, value=_AMOUNTS[low])
+        elif low in SPOKEN and self._after_operand():
             self._add(SPOKEN[low], end, gap)
         elif low == "squared" and self._after_operand():
             self._add("^", end, gap)
@@ -402,7 +425,7 @@ class _Scanner:
         word = following[0].lower()
         if word in FUNCTION_NAMES:
             return False
-        if run == "i":
+        if low == "i":
             return word in ("think", "used", "get", "got", "know", "am", "have", "guess", "dont")
         return word in PROSE or word in PHRASE_WORDS or not self._is_mathematical(following[0])
 
@@ -504,8 +527,7 @@ class _Scanner:
         """Whether ``vx`` is the component of v: where no product could be meant."""
         if letter not in "uvwVU" or self.text[stop - 1] in self.usage.letters:
             return False
-        behind = self.text[stop:].lstrip()[:1]
-        return not behind or behind in "=+-/)^,;<>'*"
+        return bool(re.match(r"\s*(?:$|[=+\-/)^,;<>'*]|\s[a-z]{3,})", self.text[stop:]))
 
     def _is_times(self, stop: int) -> bool:
         """Whether an x at the offset is a sign, between what stands before and behind it."""
@@ -522,6 +544,8 @@ class _Scanner:
         if behind is None:
             return 0
         number = self.found[-1].kind in ("number", ")")
+        if behind[3].isdigit() and not behind[1] and not behind[2]:
+            return 2
         if behind[2]:
             return 1
         if number and (behind[3].isdigit() or behind[3] in ".("):

@@ -64,7 +64,7 @@ def usage_of(lines: Sequence[str], problem: Problem) -> Usage:
     greek |= {each for each in GREEK if any(each in run.lower() for run in runs if len(each) > 2)}
     spheres = frozenset(each.name for each in problem.spheres)
     aliases = _aliases(of_question | greek, of_question, trigonometric, alone, text)
-    aliases |= _subscripts(spheres, of_question, runs)
+    aliases |= _subscripts(spheres, of_question | (alone - trigonometric), runs)
     angles = GREEK_ANGLES | _angles(problem) | (trigonometric - spheres - set("uvwme"))
     return Usage(
         spheres=spheres,
