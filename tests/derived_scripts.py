@@ -30,6 +30,7 @@ from restitution.expression.tree import (
 )
 from restitution.expression.writing import write_expression
 from restitution.planning.planner import plan
+from restitution.problem import Impact
 from restitution.solving.solution import Solution
 
 POOL = "vwpqabchrsynzfkdtVWTH"
@@ -86,29 +87,47 @@ def _typed(relation: Relation) -> bool:
 
 def derive(statement: str, part: str | None, random: Random) -> DerivedScript:
     """A correct script of a part, varied."""
-    _, derivation = planned(statement)
+    solution, derivation = planned(statement)
+    lines = _lines_of_centres(solution)
     own = of_part(derivation, part)
     written = list(rows(own))
     taken = _letters_of(written, derivation, statement)
     pool = [letter for letter in POOL if letter not in taken]
     random.shuffle(pool)
+    pool = [f"{letter}_{number}" for number in (2, 1) for letter in "pqrs"] + pool
     put: dict[Expression, Expression] = {}
     declared: dict[str, str] = {}
     for meaning in own.meanings.values():
-        _declare(meaning, pool, put, declared, random)
+        _declare(meaning, pool, put, declared, random, lines)
     for _, relation in written:
         for tree in _sides(relation):
             for quantity in _quantities(tree):
                 if quantity not in put and pool:
                     letter = pool.pop()
                     put[quantity] = Letter(letter)
-                    declared[letter] = write_expression(quantity)
+                    declared[letter] = write_expression(_in_the_sense(quantity, lines))
     written = [(line, _put(relation, put)) for line, relation in written]
     kept = _left_out(written, random) if random.random() < 0.3 else written
     if random.random() < 0.3:
         kept = _reordered(kept, random)
     text = [_text(line, relation, random) for line, relation in kept]
     return DerivedScript(statement, part, declared, tuple(text), len(kept) == len(written))
+
+
+def _lines_of_centres(solution: Solution) -> dict[Expression, Expression]:
+    """The line of centres of each impact in the sense in which the statement gives it."""
+    given = ((n, step) for n, step in enumerate(solution.problem.events, 1))
+    return {
+        Quantity("line_of_centres", (), n): step.along
+        for n, step in given
+        if isinstance(step, Impact) and step.along is not None
+    }
+
+
+def _in_the_sense(quantity: Expression, lines: Mapping[Expression, Expression]) -> Expression:
+    """A component along a line of centres in the sense of the statement."""
+    component = isinstance(quantity, Quantity) and quantity.kind in ("along", "across")
+    return exchanged(quantity, lines) if component else quantity
 
 
 def _letters_of(written: Sequence[Row], derivation: Derivation, statement: str) -> set[str]:
@@ -131,6 +150,7 @@ def _declare(
     put: dict[Expression, Expression],
     declared: dict[str, str],
     random: Random,
+    lines: Mapping[Expression, Expression],
 ) -> None:
     """A letter of the working under another name, some in the other sense."""
     if not pool:
@@ -143,6 +163,7 @@ def _declare(
         and quantity.kind in ("along", "across")
         and random.random() < 0.3
     )
+    quantity = _in_the_sense(quantity, lines)
     put[Letter(meaning.letter)] = Negate(Letter(letter)) if turned else Letter(letter)
     declared[letter] = ("-" if turned else "") + write_expression(quantity)
 
@@ -275,7 +296,7 @@ def styled(text: str, random: Random) -> str:
     if random.random() < 0.4:
         text = re.sub(r"(sin|cos|tan)\((\d+)°\)", r"\1\2", text)
     if random.random() < 0.4:
-        text = re.sub(r"(?<=[A-Za-z)]) (?=[a-z(])(?!at |to |and |from |or )", "", text)
+        text = re.sub(r"(?<=[A-Za-z)])(?<!and)(?<!_.) (?=[a-z(])(?!and )", "", text)
     if random.random() < 0.4:
         text = re.sub(r" ([=+-]) ", r"\1", text)
     for name, sign in (("alpha", "α"), ("beta", "β"), ("theta", "θ")):
