@@ -333,7 +333,9 @@ def kinds_of(letter: str, in_angle: bool) -> tuple[Kind, ...]:
     """
     if in_angle:
         return _ANGLES
-    base = letter.rstrip("'").partition("_")[0]
+    base, _, below = letter.rstrip("'").partition("_")
+    if base in ("m", "M") and below:
+        return ("mass",)
     if base in _BY_LETTER:
         return _BY_LETTER[base]
     return _ANGLES if base in GREEK else _VELOCITIES

@@ -37,6 +37,8 @@ class Dependence:
     claims: list[tuple[Claim, Mapping[str, str], Frame]] = field(default_factory=list)
     vectors: set[str] = field(default_factory=set)
     points: list[dict[str, Array]] = field(default_factory=lambda: [{} for _ in range(_STARTS)])
+    apart: Dependence | None = None
+    last: bool = False
     seed: random.Random = field(default_factory=lambda: random.Random(16))
 
     def relation(self, claim: Claim, names: Mapping[str, str], frame: Frame) -> Relation:
@@ -58,9 +60,18 @@ class Dependence:
         moved = [self._solved(point) for point in self.points]
         if any(point is None for point in moved):
             self.claims.pop()
-            return "contradicts"
+            return self._beside(claim, names, frame)
         self.points = [point for point in moved if point is not None]
         return "new"
+
+    def _beside(self, claim: Claim, names: Mapping[str, str], frame: Frame) -> Relation:
+        """Whether a claim that contradicts follows from others that do."""
+        if self.last:
+            return "contradicts"
+        if self.apart is None:
+            self.apart = Dependence(self.tester, self.angular, last=True)
+        known = self.apart.relation(claim, names, frame)
+        return "follows" if known == "follows" else "contradicts"
 
     def _prepared(self, claim: Claim, names: Mapping[str, str], frame: Frame) -> bool:
         """Gives new letters a random value of the nature that fits; False where none does."""

@@ -32,17 +32,19 @@ _ROOM = 600_000
 COST = 0.3
 # What is left of the worth of an equation of momentum or restitution whose letters belong to one
 # sphere, or to two lines, and of one in which the senses differ.
-_ODD_PAIR = 0.15
+_ODD_PAIR = 0.05
 _OTHER_SENSE = 0.8
 # Of two letters in the order of the alphabet the first mostly belongs to the first body.
 _OTHER_ORDER = 0.97
 # A line that defines its letter explains nothing, and less than a line that breaks a known law; one
 # that gives it a known value of the start explains as much as that.
-_DEFINED, _STARTED = -0.15, 0.7
+_DEFINED, _STARTED = -0.15, 0.6
 _SAME = 1e-9
 # What it costs that a line would be true in the other sense of its letters; less in one that may
 # be of restitution, as it is that of momentum that tells the sense.
 _WRONG_SENSE, _OTHER_WAY = 1.0, 0.3
+# What it costs that the same quantities explain more if the letters share them otherwise.
+_WORSE = 1.0
 _VELOCITIES = ("component", "speed", "relative")
 
 
@@ -84,8 +86,8 @@ class LinearPair:
 class Item:
     """A link of a line, in all its readings; ``slots`` are the places of the letters in it.
 
-    ``weight`` is what it is worth if true. ``line`` is the number of its line. ``pair`` is there
-    where it is linear in two letters alone.
+    ``weight`` is what it is worth if true. ``line`` is the number of its line. ``fresh`` tells that
+    the lines above do not decide it. ``pair`` is there where it is linear in two letters alone.
     """
 
     line: int
@@ -95,6 +97,7 @@ class Item:
     decimals: tuple[Decimal, ...] = ()
     frame: Frame = field(default_factory=Frame)
     pair: LinearPair | None = None
+    fresh: bool = True
 
 
 @dataclass(frozen=True)
@@ -225,7 +228,34 @@ def search(
         if broken is not None and not all(number in each.satisfied for each in extended):
             extended += _breaking(states, number, item, slots, broken(item, slots))
         states = _pruned(extended, width)
-    return _pruned(_sensed(states, items, slots, tester), width)
+    states = _sensed(states, items, slots, tester)
+    return _pruned(_arranged(states, items, slots), width)
+
+
+def _arranged(states: Sequence[State], items: Sequence[Item], slots: Sequence[Slot]) -> list[State]:
+    """Interpretations worth less where the same quantities, shared out otherwise, do better.
+
+    Senses and the order of bodies are told by the lines that no line above decides.
+    """
+    told = [
+        sum(
+            _worth(item, state.options, slots)
+            for number, item in enumerate(items)
+            if item.fresh and number in state.satisfied
+        )
+        for state in states
+    ]
+    keys = [
+        frozenset(slots[s].roots[o] for s, o in enumerate(state.options) if o >= 0)
+        for state in states
+    ]
+    best: dict[Any, float] = {}
+    for key, worth in zip(keys, told, strict=True):
+        best[key] = max(worth, best.get(key, 0.0))
+    return [
+        replace(state, score=state.score - _WORSE) if worth < best[key] - 0.5 else state
+        for state, key, worth in zip(states, keys, told, strict=True)
+    ]
 
 
 def _sensed(
@@ -244,7 +274,12 @@ def _sensed(
         for state in states:
             options = [state.options[s] for s in used]
             turned_ = [slots[s].turns[o] for s, o in zip(used, options, strict=True) if o >= 0]
-            if number not in state.satisfied and min(options) >= 0 and turned_ != options:
+            if (
+                item.fresh
+                and number not in state.satisfied
+                and min(options) >= 0
+                and turned_ != options
+            ):
                 natures = tuple(_nature_at(slots[s], state.options[s]) for s in used)
                 groups[natures].append(state)
         for members in groups.values():
@@ -491,6 +526,8 @@ def linear_pair(
     if left is None or right is None or isinstance(left, Vector | Angle):
         return None
     if isinstance(right, Vector | Angle):
+        return None
+    if not np.all(np.isfinite(left)) or not np.all(np.isfinite(right)):
         return None
     gap = np.broadcast_to(np.subtract(left, right), (5, tester.world.samples))
     c, a, b = gap[0], gap[1] - gap[0], gap[2] - gap[0]

@@ -293,7 +293,8 @@ class _Search:
             factor = _WORTH[relation]
             if relation == "new" and _is_momentum(item):
                 factor = _MOMENTUM
-            weighed.append(replace(item, weight=item.weight * factor))
+            fresh = relation == "new"
+            weighed.append(replace(item, weight=item.weight * factor, fresh=fresh))
         return weighed
 
     def _interpretation(

@@ -26,7 +26,7 @@ from restitution.practice.candidates import (
     suffix,
 )
 from restitution.practice.script import ANYWHERE, Scope
-from restitution.problem import Event, Impact, Part, Problem
+from restitution.problem import Event, Impact, Kick, Part, Problem
 
 _ODD, _RARE = 0.15, 0.5
 
@@ -132,6 +132,10 @@ def usual(
             number = number[0] if isinstance(number, list) and number else number
             if len(impacts) == 1 or below.isdigit() or usage.scope.event:
                 return _first(candidates, "coefficient", None, number)
+        case "I" | "J" if not below:
+            struck = [n for n, event in enumerate(events, 1) if isinstance(event, Impact | Kick)]
+            only = struck[0] if len(struck) == 1 else usage.scope.event
+            return _first(candidates, "impulse", None, only) if only else None
         case "m" | "M":
             return _mass(candidates, below, problem)
         case "v" | "u" | "V" | "U" if any(sphere.name == below for sphere in problem.spheres):
