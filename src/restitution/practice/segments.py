@@ -298,7 +298,20 @@ def segments(tokens: Sequence[Token]) -> list[Segment]:
         before.append(token.word if token.kind in ("word", "phrase") else token.text)
     if pending:
         found.append(Segment(tuple(pending), tuple(before)))
-    return [each for each in map(_without_swallowed, found) if each.tokens]
+    return [each for each in map(_without_number, map(_without_swallowed, found)) if each.tokens]
+
+
+def _without_number(segment: Segment) -> Segment:
+    """A segment without the number of its equation: ``v + w = 3 (1), w - v = 1 (2)``."""
+    tokens = segment.tokens
+    if len(tokens) < 6 or not segment.has_relation:
+        return segment
+    opening, number, closing = tokens[-3:]
+    plain = (opening.kind, number.kind, closing.kind) == ("(", "number", ")")
+    whole = number.value.denominator == 1 and number.value < 10
+    if plain and whole and opening.gap and tokens[-4].kind != "relation":
+        return Segment(tokens[:-3], segment.before)
+    return segment
 
 
 def words_behind(tokens: Sequence[Token]) -> tuple[str, ...]:

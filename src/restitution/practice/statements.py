@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import pairwise, product
@@ -31,11 +33,12 @@ from restitution.practice.vocabulary import DECLARES, HEADS, STAGES
 from restitution.problem import Problem
 
 MAX_CLAIMS = 24
+_THAT_OF = re.compile(r"\b([A-Za-z](?:_?\w)?)\s+(?:=\s*|is\s+|be\s+)?that\s+of\s+([A-Z]\w*)")
 # Words behind which a relation without a left side goes on from the last right one.
 _CONNECTING = frozenset(
     ("so", "hence", "therefore", "=>", ",", "and", "or", "then", "thus", "which", "giving", "->")
 )
-_CONDITIONS = frozenset(("when", "if", "suppose", "unless", "whenever"))
+_CONDITIONS = frozenset(("when", "if", "unless", "whenever"))
 _PARTING = frozenset(("so", "hence", "therefore", "=>", ";", "thus", ",", "and", "or", "stop", "."))
 _ENDING = frozenset(("so", "hence", "therefore", "=>", ";", "thus"))
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "function", "("))
@@ -99,10 +102,13 @@ class _Reader:
         self.waiting_sign: Sign = "="
         self.before: tuple[Side, ...] = ()
         self.last_label = ""
+        self.shared: Token | None = None
+        self.bodies = tuple(each.name for each in problem.spheres)
         self.pending_letters: list[Letter] = []
 
     def finish(self) -> None:
         """Puts together what was read."""
+        self.that_of()
         self.statements.links = tuple(map(_finished, self.links))
         self.statements.values = tuple(map(without_marks, self.statements.values))
         if self.label is not None and self.label.kind == "name" and not self.links:
@@ -242,8 +248,14 @@ class _Reader:
         if waiting:
             self.link(waiting, sign, sides, tokens)
             return
-        if len(tokens) == 1 and tokens[0].kind == "letter" and isinstance(sides[0].tree, Letter):
-            self.pending_letters.append(sides[0].tree)
+        tree = sides[0].tree
+        if len(tokens) == 1 and isinstance(tree, Letter) and not is_phrase(tree.name):
+            if self.another(tree, words):
+                return
+            self.pending_letters.append(tree)
+        if [each.kind for each in tokens] == ["letter", "-", "phrase"] and tokens[1].gap:
+            self.declare(Letter(tokens[0].name), tokens[2])
+            return
         if not isinstance(sides[0].tree, Name) and tokens[0].kind != "phrase":
             self.statements.values += (sides[0].tree,)
 
@@ -492,6 +504,10 @@ class _Reader:
         """``v and w = the speeds of A and B``: each letter with its body."""
         words = token.name.split()
         bodies = [each for each in words if each in self.usage.spheres]
+        self.shared = token
+        if len(declared) > 1 and not bodies and len(declared) == len(self.bodies):
+            bodies = list(self.bodies)
+            words = [*words, "of", *bodies]
         if len(declared) == 1 or len(bodies) != len(declared):
             self.declare(declared[-1], token)
             return
@@ -501,8 +517,40 @@ class _Reader:
 
     def declare(self, letter: Letter, token: Token) -> None:
         """Adds what a letter is said to be in words."""
-        meanings = read_phrase(token.name, self.problem)
+        words = token.name
+        body = self.statements.body
+        if body and not self.usage.spheres & set(words.split()):
+            words = f"{words} of {body}"
+        meanings = read_phrase(words, self.problem)
         self._add_declaration(Declaration(letter.name, meanings, token.text))
+
+    def another(self, letter: Letter, words: AbstractSet[str]) -> bool:
+        """A further letter of a phrase: ``let the components after be v and w``."""
+        declared = self.statements.declarations
+        if self.shared is None or not declared or not words <= {"and", ","}:
+            return False
+        place = len(declared)
+        names = self.usage.spheres & set(self.shared.name.split())
+        if names or place >= len(self.bodies):
+            return False
+        if place == 1:
+            first = f"{self.shared.name} of {self.bodies[0]}"
+            meanings = read_phrase(first, self.problem)
+            self.statements.declarations = (replace(declared[0], meanings=meanings),)
+        name = f"{self.shared.name} of {self.bodies[place]}"
+        self.declare(letter, replace(self.shared, name=name))
+        return True
+
+    def that_of(self) -> None:
+        """``w that of B``: the last declaration once more, for another body."""
+        match = _THAT_OF.search(self.line.text)
+        declared = self.statements.declarations
+        if match is None or not declared or self.shared is None:
+            return
+        if match[2] in self.usage.spheres and match[1] != declared[-1].letter:
+            words = [each for each in self.shared.name.split() if each not in self.usage.spheres]
+            name = " ".join((*words, "of", match[2]))
+            self.declare(Letter(match[1]), replace(self.shared, name=name))
 
     def _add_declaration(self, declaration: Declaration) -> None:
         self.statements.declarations += (declaration,)

@@ -329,7 +329,9 @@ class _Scanner:
             self._add("name", self.offset + len(name), gap, name)
             return
         low = run.lower()
-        if "'" in run or self._is_word(run, low, end, gap):
+        if low in ("mod", "sine", "cosine") and re.match(r"\s*[\w(]", self.text[end:]):
+            self._add("function", end, gap, FUNCTION_NAMES[low])
+        elif "'" in run or self._is_word(run, low, end, gap):
             self._word(run, low, end, gap)
         else:
             self._product(self.offset + len(run), gap)
@@ -455,7 +457,7 @@ class _Scanner:
     def _piece(self, run: str, offset: int) -> tuple[str, str]:
         low = run[offset:].lower()
         for name in _FUNCTIONS:
-            if low.startswith(name):
+            if low.startswith(name) and not (offset and name in _SHORT_INVERSES):
                 return "function", run[offset : offset + len(name)]
         for name in _GREEK:
             if low.startswith(name) and not (name == "eta" and low[3:4] == "n"):
@@ -582,6 +584,8 @@ _FUNCTIONS = tuple(
         reverse=True,
     )
 )
+# Only at the beginning of a run: ``tanAtanB`` has no arctan in it.
+_SHORT_INVERSES = ("asin", "acos", "atan")
 _SIDE_END = re.compile(
     r"\s*(?:$|[=<>,;:.)\]!~|(\[+\-*/]|so\b|as\b|if\b|is\b|and\b|or\b|after\b|before\b|to\b|hence\b|=>|[a-zA-Z]{3,})"
 )

@@ -124,7 +124,7 @@ CONNECTIVES = frozenset(
 )
 ALTERNATIVES = frozenset(("or", "either"))
 DECLARES = frozenset(
-    ("let", "take", "set", "assume", "denote", "call", "define", "say", "lets", "taking")
+    ("let", "take", "set", "suppose", "assume", "denote", "call", "define", "say", "lets", "taking")
     + ("letting",)
 )
 EQUALS = frozenset(("is", "equals", "equal", "are", "was", "be", "becomes", "eq"))
