@@ -234,6 +234,7 @@ def _line(line: JudgedLine) -> Object:
         if mistake is None
         else {
             "id": mistake.id,
+            "variants": list(mistake.variants),
             "also": list(mistake.also),
             "kind": mistake.kind,
             "at": mistake.at,

@@ -97,6 +97,7 @@ _TASKS = {
             "hints": (int | dict, 0),
         },
     ),
+    "mistake": _Task(work.played_mistake, {"mistake": (str, ""), "part": (str, None)}),
     "practise": _Task(work.to_practise, about="wanted"),
     "progress": _Task(work.progress, about="record"),
 }

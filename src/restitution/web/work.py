@@ -148,6 +148,20 @@ def marked(
         return _tried(marking)
 
 
+def played_mistake(
+    statement: str, limit: float, mistake: str = "", part: str | None = None
+) -> Made:
+    """The motion of a question with that of a mistake beside it, as the player takes it."""
+    from restitution.export.player.beside import of_mistake
+    from restitution.solving import solve
+
+    def motion() -> contract.Object:
+        return {"motion": of_mistake(solve(parse(statement)), mistake, part)}
+
+    with limited(limit, error=stopped(limit)):
+        return _tried(motion)
+
+
 def to_practise(wanted: contract.Object, limit: float) -> Made:
     """A question to practise, with its letters box."""
     from restitution.export import practising

@@ -2,6 +2,7 @@
 
 import { ask, sentence } from "../api.js";
 import { button, html } from "../player/elements.js";
+import { makeMotion } from "../solve/motion.js";
 import { makePictures } from "../solve/pictures.js";
 import { grown } from "../solve/trees.js";
 import { makeWorking } from "../solve/working.js";
@@ -17,7 +18,8 @@ const record = makeRecord();
 const pictures = makePictures($("pictures"));
 const working = makeWorking($("working"), { onLine() {} });
 const letters = makeLetters($("letters-box"), { onChange: changed });
-const reply = makeReply($("reply"), { onHint, onAgree });
+const reply = makeReply($("reply"), { onHint, onAgree, onPlay });
+const motion = makeMotion($("motion"));
 
 let question = null; // { statement, topic, level, seed, version, letters }
 let solved = null; // the reply of `explain` for it
@@ -33,7 +35,7 @@ const meter = (share) =>
 
 async function choose() {
   $("choosing").hidden = false;
-  $("practising").hidden = $("worked").hidden = true;
+  $("practising").hidden = $("worked").hidden = $("playing").hidden = true;
   document.title = "Practise – Restitution";
   draw({});
   const { sureness } = await ask("progress", { record: history() })
@@ -109,7 +111,7 @@ const addressOf = ({ topic, level, seed, version, statement }) =>
 function clear() {
   [markings, levels, finished, solved] = [[], new Map(), false, null];
   $("script").value = "";
-  $("worked").hidden = true;
+  $("worked").hidden = $("playing").hidden = true;
   $("question").replaceChildren();
   pictures.put([]);
   reply.clear();
@@ -201,6 +203,16 @@ function end_() {
 function onHint(line, level) {
   levels.set(line, level);
   mark();
+}
+
+// The motion with the mistake beside the true one.
+async function onPlay(mistake, part) {
+  const { statement } = question;
+  const about = { statement, mistake, ...(part ? { part } : {}) };
+  $("playing").hidden = false;
+  motion.put(await ask("mistake", about)
+    .catch((error) => ({ motion: null, motion_error: error.message })));
+  $("playing").scrollIntoView({ block: "nearest" });
 }
 
 function onAgree(meaning) {

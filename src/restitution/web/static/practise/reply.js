@@ -7,15 +7,20 @@ const SIGNS = {
   asks: ["?", "a letter is not clear"], unread: ["…", "could not be read"], remark: ["", "a remark"],
   unsupported: ["!", "does not follow from your lines"],
 };
+const PLAYED = 3; // a mistake is played once it has been named
 const HINTS = 4; // the last level gives the line itself
 
 const said = (marking, line) =>
   marking.messages.filter((message) => message.line === line).map(({ text }) => text);
 
-function lineOf(line, marking, { onHint, levels, exam }) {
+function lineOf(line, marking, { onHint, onPlay, levels, exam }) {
   const [sign, words] = SIGNS[line.verdict];
   const texts = said(marking, line.n);
   const level = levels.get(line.n) ?? 0;
+  const { mistake } = line;
+  const shown = !exam && mistake?.kind === "misconception" && mistake.id && level >= PLAYED &&
+    button("Show me this mistake", () => onPlay(mistake.variants[0] ?? mistake.id, marking.part),
+      { class: "asking-hint" });
   const wrong = line.verdict === "false" || line.verdict === "unsupported";
   const more = wrong && !exam && level < HINTS && button(
     level ? "A further hint" : "A hint", () => onHint(line.n, level + 1),
@@ -24,7 +29,8 @@ function lineOf(line, marking, { onHint, levels, exam }) {
     html("span", { class: "sign", title: words }, sign, html("span", { class: "unseen" }, ` ${words}: `)),
     html("span", { class: "typed" }, line.text),
     more || null,
-    texts.map((text) => html("p", {}, text)));
+    texts.map((text) => html("p", {}, text)),
+    shown ? html("p", {}, shown) : null);
 }
 
 // A letter that has to be known: the meanings that would do, one tap each.
