@@ -169,6 +169,20 @@ for each letter: v: component of A along i after. Exit status: 0 marked; 1 the
 question has no answer; 2 something cannot be read.
 """
 
+_PRACTISE = """Practise: a question in words, your working read and marked, the next question.
+
+\b
+    restitution practise
+    restitution practise wall-forward --level 2 --seed 7
+    restitution practise --topics
+    restitution practise --state mine.json
+    restitution practise spheres-vectors --seed 3 -o question.impact
+    restitution practise --like ball.impact --seed 1 -o another.impact
+
+The same topic, level and seed give the same question everywhere. With --state,
+the file holds what was done: it chooses the next question by that. Ctrl-C ends.
+"""
+
 _EXAMPLES = """List the examples, or print one.
 
 \b
@@ -538,6 +552,51 @@ def serve(
     except RestitutionError as error:
         say(error.message)
         raise typer.Exit(UNREADABLE) from None
+
+
+# --- practise ---------------------------------------------------------------------------------
+
+
+@app.command(help=_PRACTISE)
+def practise(
+    topic: Annotated[
+        str | None, typer.Argument(metavar="[TOPIC]", help="Else the next one for you.")
+    ] = None,
+    level: Annotated[
+        int | None, typer.Option(min=1, max=4, help="1, the easiest, to 4; else what suits you.")
+    ] = None,
+    seed: Annotated[
+        int | None, typer.Option(metavar="N", min=0, help="Which question; else any.")
+    ] = None,
+    topics: Annotated[bool, typer.Option("--topics", help="List the topics.")] = False,
+    like: Annotated[
+        str | None,
+        typer.Option(metavar="FILE", help="Vary the numbers of this statement."),
+    ] = None,
+    output: Annotated[
+        str | None,
+        typer.Option(
+            "--output", "-o", metavar="FILE", help="Write the statement; - is standard output."
+        ),
+    ] = None,
+    state: Annotated[
+        str | None, typer.Option(metavar="FILE", help="Where what you did is kept.")
+    ] = None,
+) -> None:
+    """Ask questions, and mark what is typed."""
+    from restitution.cli import practising
+
+    if topics:
+        practising.list_topics()
+        return
+    if like is not None and (topic is not None or level is not None):
+        raise typer.BadParameter(
+            "a question like another has its topic and its level", param_hint="--like"
+        )
+    asked = practising.Practising(topic, level, seed, like, output, state)
+    with _refusing(), interruptible():
+        status = practising.practise(asked)
+    raise typer.Exit(status)
 
 
 # --- check, examples, language ----------------------------------------------------------------

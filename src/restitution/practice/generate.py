@@ -42,6 +42,7 @@ class PracticeQuestion:
     seed: int
     statement: str
     draws: int = 1
+    mistake: str | None = None
     version: int = VERSION
 
     @property
@@ -134,7 +135,7 @@ def _question(topic: str, level: int, seed: int, mistake: str | None) -> Practic
             clashes[why_not] += 1
             continue
         question = PracticeQuestion(
-            topic, level, seed, _headed(topic, level, seed, mistake, text), draw
+            topic, level, seed, _headed(topic, level, seed, mistake, text), draw, mistake
         )
         if mistake is None:
             return question
@@ -175,10 +176,14 @@ def _headed(topic: str, level: int, seed: int, mistake: str | None, text: str) -
 def admissible(text: str) -> tuple[Solution | None, str]:
     """A statement solved, if it may be set to practise; else None, and why not."""
     from restitution.language import parse
+    from restitution.practice.nice import too_large
     from restitution.solving import solve
 
     try:
-        solution = solve(parse(text))
+        problem = parse(text)
+        if too_large(problem):
+            return None, "a component is large"
+        solution = solve(problem)
     except RestitutionError as error:
         return None, error.message
     why_not = objection(solution)

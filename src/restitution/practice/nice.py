@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from restitution import law
-from restitution.expression.tree import Binary, Number, walk
+from restitution.expression.tree import Binary, Number, Unit, walk
 from restitution.expression.writing import write_expression
 from restitution.practice.dice import Dice
-from restitution.problem import trees
+from restitution.problem import Problem, trees
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
@@ -169,6 +169,49 @@ def pair(
             return d.of(options)
 
 
+@dataclass(frozen=True)
+class Slanted:
+    """A collision with the line of centres not along an axis: velocities by components."""
+
+    m1: Fraction
+    m2: Fraction
+    line: tuple[int, int]
+    e: Fraction
+    u1: Vector
+    u2: Vector
+    v1: Vector
+    v2: Vector
+
+
+LINES = ((3, 4), (4, 3), (4, -3), (3, -4), (1, 1), (1, -1), (2, 1), (1, 2), (2, -1), (1, -2))
+
+
+def slanted(d: Dice, *, at_rest: bool = False, denominators: int = 3, reach: int = 8) -> Slanted:
+    """A collision along a slanting line, of small whole components before and simple ones after."""
+    while True:
+        m1, m2 = masses(d)
+        x, y = d.of(LINES)
+        c = Vector(Fraction(x), Fraction(y))
+        u1, u2 = (
+            Vector(Fraction(d.between(-reach, reach)), Fraction(d.between(-reach, reach)))
+            for _ in range(2)
+        )
+        if at_rest:
+            u2 = Vector(Fraction(0), Fraction(0))
+        sizes = [u1.dot(c), c.cross(u1), *(() if at_rest else (u2.dot(c), c.cross(u2)))]
+        if not unlike(sizes) or u1.dot(c) <= max(u2.dot(c), 0):
+            continue
+        options = []
+        for e in COEFFICIENTS:
+            v1, v2 = law.impact(u1, u2, m2, m1, c, e)
+            parts = (*v1, *v2)
+            simple = all(each.denominator <= denominators for each in parts)
+            if simple and unlike([*sizes, v1.dot(c), v2.dot(c)]):
+                options.append(Slanted(m1, m2, (x, y), e, u1, u2, v1, v2))
+        if options:
+            return d.of(options)
+
+
 def along_after(
     m1: Fraction, m2: Fraction, p1: Fraction, p2: Fraction, e: Fraction
 ) -> tuple[Fraction, Fraction]:
@@ -211,6 +254,19 @@ def _is_nice(x: sp.Expr) -> bool:
 
 def _is_small(x: sp.Rational) -> bool:
     return bool(x.q <= MOST_DENOMINATOR and abs(x.p) <= _MOST_NUMERATOR)
+
+
+def too_large(problem: Problem) -> bool:
+    """Whether a component of a velocity that a statement gives is larger than people choose."""
+    return any(
+        isinstance(node, Number) and node.value > MOST_COMPONENT
+        for sphere in problem.spheres
+        if sphere.velocity is not None and any(isinstance(n, Unit) for n in walk(sphere.velocity))
+        for node in walk(sphere.velocity)
+    )
+
+
+MOST_COMPONENT = 15
 
 
 def ugly_value(solution: Solution) -> str:

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from restitution.practice.dice import Dice
 from restitution.practice.nice import (
+    LINES,
     Acute,
     acute,
     coefficient,
@@ -32,8 +33,6 @@ _WHOLE_SPEEDS = (
     (21, 28, 20),
     (15, 36, 20),
 )
-# Two whole lengths at right angles, along a wall and into it, in the axes i and j.
-_SLANTING = ((3, 4), (4, 3), (4, -3), (3, -4), (1, 1), (2, 1), (1, 2), (1, -2), (2, -1), (1, -1))
 
 
 def _sphere(d: Dice) -> str:
@@ -108,7 +107,7 @@ def _by_angle(d: Dice, *asked: str, weight: str = "") -> str:
 def _slanting(d: Dice, *asked: str, weight: str = "") -> str:
     """A wall that is not along i or j, a velocity by components, and what is asked."""
     s = _sphere(d)
-    x, y = d.of(_SLANTING)
+    x, y = d.of(LINES)
     along, into = d.between(1, 3), d.between(1, 3) * d.sign()
     velocity = vector(along * x - into * y, along * y + into * x)
     heavy = f"mass {weight}, " if weight else ""
@@ -226,7 +225,7 @@ def _coefficient_2_by_angles(d: Dice) -> str:
 
 def _coefficient_3(d: Dice) -> str:
     s = _sphere(d)
-    x, y = d.of(_SLANTING)
+    x, y = d.of(LINES)
     along, into = d.between(1, 4), d.between(2, 6) * d.sign()
     e = coefficient(d, into)
     back = -e * into
@@ -244,7 +243,7 @@ def _coefficient_3(d: Dice) -> str:
 
 def _coefficient_4(d: Dice) -> str:
     s = _sphere(d)
-    x, y = d.of(_SLANTING)
+    x, y = d.of(LINES)
     along, into = d.between(1, 4), d.between(2, 6) * d.sign()
     e = coefficient(d, into)
     back = -e * into

@@ -28,7 +28,7 @@ TOPICS = (
     Topic(
         "wall-forward",
         "Velocity after an impact with a wall",
-        "the velocity, or the speed and the direction, after an impact with a wall",
+        "the velocity, or speed and direction, afterwards",
         "One wall",
     ),
     Topic(
@@ -46,13 +46,13 @@ TOPICS = (
     Topic(
         "wall-deflection",
         "Angle of deflection at a wall",
-        "the angle through which a wall turns the path of a sphere",
+        "the angle through which a wall turns the path",
         "One wall",
     ),
     Topic(
         "wall-impulse",
         "Impulse at a wall",
-        "the impulse that a wall exerts on a sphere, or what follows from it",
+        "the impulse from a wall, or what follows from it",
         "One wall",
     ),
     Topic(
@@ -64,7 +64,7 @@ TOPICS = (
     Topic(
         "walls-at-90",
         "Two walls at right angles",
-        "impacts with two perpendicular walls, one after the other",
+        "two perpendicular walls, one after the other",
         "Two walls",
     ),
     Topic(
@@ -94,31 +94,31 @@ TOPICS = (
     Topic(
         "spheres-moving",
         "Two moving spheres, by speeds and angles",
-        "the collision of two spheres whose speeds and directions are given",
+        "a collision of spheres with given speeds and angles",
         "Two spheres",
     ),
     Topic(
         "spheres-vectors",
         "Two moving spheres, with vectors",
-        "the collision of two spheres whose velocities are vectors",
+        "a collision of spheres with velocities as vectors",
         "Two spheres",
     ),
     Topic(
         "spheres-letters",
         "Two spheres, in letters",
-        "the collision of two spheres with masses and speeds in letters",
+        "a collision with masses and speeds in letters",
         "Two spheres",
     ),
     Topic(
         "wall-then-sphere",
         "A wall and a sphere",
-        "an impact with a wall and a collision with a sphere, one after the other",
+        "an impact with a wall, and a collision",
         "Two spheres",
     ),
     Topic(
         "line-of-centres",
         "Line of centres to be found",
-        "the line of centres, from velocities or from where the centres are",
+        "the line of centres, from velocities or places",
         "Line of centres to be found",
     ),
     Topic(
@@ -136,7 +136,7 @@ TOPICS = (
     Topic(
         "at-rest-afterwards",
         "Brought to rest, or to move along the tangent",
-        "what follows from a component, or a velocity, that the collision takes away",
+        "what follows where a component is taken away",
         "Given facts",
     ),
     Topic("ranges", "Ranges of values", "all values that a quantity may have", "Ranges"),

@@ -11,16 +11,16 @@ from restitution.practice.nice import (
     TRIPLES,
     Acute,
     Pair,
+    Slanted,
     acute,
     number,
     pair,
     ratio,
+    slanted,
     times,
     vector,
 )
 from restitution.practice.one_wall import Recipe
-
-_LINES = ((3, 4), (4, 3), (4, -3), (3, -4), (1, 1), (1, -1), (2, 1), (1, 2), (2, -1), (1, -2))
 
 
 def _lines(*lines: str) -> str:
@@ -110,18 +110,21 @@ def _at_rest_2(d: Dice) -> str:
 
 
 def _at_rest_3(d: Dice) -> str:
-    x, y = d.of(_LINES)
-    c = pair(d, at_rest=True, denominators=3)
-    m1, m2 = _masses(c)
-    along, across = c.p1, c.s1
+    asked = d.of(("find energy_lost", "find impulse", "find deflection(A)"))
+    return _slanting(d, slanted(d, at_rest=True), asked)
+
+
+def _slanting(d: Dice, c: Slanted, asked: str) -> str:
+    """Velocities by components, the line of centres along a vector, and what is asked besides."""
+    second = f"velocity {vector(*c.u2)}" if any(c.u2) else "at rest"
     return _lines(
-        f"sphere A: mass {m1}, velocity {vector(along * x - across * y, along * y + across * x)}",
-        f"sphere B: mass {m2}, at rest",
-        f"A hits B: along {vector(x, y)}, e = {ratio(c.e)}",
+        f"sphere A: mass {number(c.m1)}, velocity {vector(*c.u1)}",
+        f"sphere B: mass {number(c.m2)}, {second}",
+        f"A hits B: along {vector(*c.line)}, e = {ratio(c.e)}",
         "part a",
         "find velocity(A), velocity(B)",
         "part b",
-        d.of(("find energy_lost", "find impulse", "find deflection(A)")),
+        asked,
     )
 
 
@@ -254,18 +257,8 @@ def _moving_4(d: Dice) -> str:
 
 
 def _vectors_3(d: Dice) -> str:
-    x, y = d.of(_LINES)
-    c = pair(d, reach=5, denominators=4)
-    m1, m2 = _masses(c)
-    return _lines(
-        f"sphere A: mass {m1}, velocity {vector(c.p1 * x - c.s1 * y, c.p1 * y + c.s1 * x)}",
-        f"sphere B: mass {m2}, velocity {vector(c.p2 * x - c.s2 * y, c.p2 * y + c.s2 * x)}",
-        f"A hits B: along {vector(x, y)}, e = {ratio(c.e)}",
-        "part a",
-        "find velocity(A), velocity(B)",
-        "part b",
-        d.of(("find energy_lost", "find impulse", "find deflection(A)")),
-    )
+    asked = d.of(("find energy_lost", "find impulse", "find deflection(A)"))
+    return _slanting(d, slanted(d), asked)
 
 
 def _vectors_4(d: Dice) -> str:
@@ -425,45 +418,25 @@ def _then_wall_4(d: Dice) -> str:
 # --- the line of centres ------------------------------------------------------------------------
 
 
-def _centres(d: Dice) -> tuple[str, str, str, str, Pair, int, int]:
-    """Velocities before and after as text, for a line of centres that is not along an axis."""
-    x, y = d.of(((3, 4), (4, -3), (1, 1), (1, -1), (2, 1), (1, 2), (2, -1)))
-    c = pair(d, reach=5, denominators=1)
-    texts = [
-        vector(p * x - s * y, p * y + s * x)
-        for p, s in ((c.p1, c.s1), (c.p2, c.s2), (c.q1, c.s1), (c.q2, c.s2))
-    ]
-    return texts[0], texts[1], texts[2], texts[3], c, x, y
+def _found(d: Dice, *asked: str) -> str:
+    """The velocity of one sphere after the collision, of which the line of centres follows."""
+    c = slanted(d, at_rest=d.below(3) == 0, denominators=1)
+    second = f"velocity {vector(*c.u2)}" if any(c.u2) else "at rest"
+    return _lines(
+        f"sphere A: mass {number(c.m1)}, velocity {vector(*c.u1)}",
+        f"sphere B: mass {number(c.m2)}, {second}",
+        "A hits B",
+        f"given velocity(A) = {vector(*c.v1)}",
+        *asked,
+    )
 
 
 def _line_1(d: Dice) -> str:
-    before, other, after, _, c, _, _ = _centres(d)
-    m1, m2 = _masses(c)
-    return _lines(
-        f"sphere A: mass {m1}, velocity {before}",
-        f"sphere B: mass {m2}, velocity {other}",
-        "A hits B",
-        f"given velocity(A) = {after}",
-        "part a",
-        "find impulse(B)",
-        "part b",
-        "find velocity(B)",
-    )
+    return _found(d, "part a", "find impulse(B)", "part b", "find velocity(B)")
 
 
 def _line_2(d: Dice) -> str:
-    before, other, after, _, c, _, _ = _centres(d)
-    m1, m2 = _masses(c)
-    return _lines(
-        f"sphere A: mass {m1}, velocity {before}",
-        f"sphere B: mass {m2}, velocity {other}",
-        "A hits B",
-        f"given velocity(A) = {after}",
-        "part a",
-        "find line_of_centres",
-        "part b",
-        "find velocity(B), e",
-    )
+    return _found(d, "part a", "find line_of_centres", "part b", "find velocity(B), e")
 
 
 def _line_3(d: Dice) -> str:
@@ -489,19 +462,9 @@ def _line_3(d: Dice) -> str:
 
 
 def _line_4(d: Dice) -> str:
-    before, other, after, _, c, _, _ = _centres(d)
-    m1, m2 = _masses(c)
-    return _lines(
-        f"sphere A: mass {m1}, velocity {before}",
-        f"sphere B: mass {m2}, velocity {other}",
-        "A hits B",
-        f"given velocity(A) = {after}",
-        "part a",
-        "find line_of_centres",
-        "part b",
-        "find velocity(B), e",
-        "part c",
-        d.of(("find energy_lost", "find deflection(A), energy_lost", "find deflection(B)")),
+    last = d.of(("find energy_lost", "find deflection(A), energy_lost", "find deflection(B)"))
+    return _found(
+        d, "part a", "find line_of_centres", "part b", "find velocity(B), e", "part c", last
     )
 
 

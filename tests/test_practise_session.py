@@ -1,0 +1,204 @@
+"""Practice in the terminal, and a teacher's question varied."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from commands import run
+
+import restitution as r
+from restitution.errors import StatementError, UnsupportedError
+from restitution.practice.generate import practice_question
+from restitution.practice.session import Conversation, State, Wanted, first_question
+from restitution.practice.varying import variant
+
+
+def talk(question, *lines):
+    """What a conversation says to some lines, its outcome, and its attempt."""
+    left, said = list(lines), []
+    conversation = Conversation(question, lambda _: left.pop(0) if left else None, said.append)
+    outcome = conversation.hold()
+    return "\n".join(said), outcome, conversation.attempt(100)
+
+
+QUESTION = practice_question("wall-forward", 1, 1)  # -10i + 4j, a wall along j, e = 3/4
+
+
+def test_a_right_answer_has_all_marks():
+    said, outcome, attempt = talk(
+        QUESTION,
+        "v_x = 3/4 * 10 = 7.5",
+        "velocity = 7.5i + 4j",
+        "speed = sqrt(7.5^2 + 4^2) = 8.5",
+        "",
+    )
+    assert "speed of A immediately after" in said
+    assert "5 of 5 marks" in said
+    assert outcome == "quit"
+    assert attempt["earned"] == attempt["of"] == 5
+    assert not attempt["lost_method"]
+
+
+def test_a_wrong_answer_loses_marks_and_may_be_tried_again():
+    said, outcome, attempt = talk(QUESTION, "speed = 2", "", "", "", "next")
+    assert "Try again" in said
+    assert attempt["earned"] < attempt["of"]
+    assert attempt["lost_method"]
+    assert outcome == "next"
+
+
+def test_hints_and_the_working_are_there():
+    said, _, attempt = talk(QUESTION, "hint", "show", "next")
+    assert "Newton" in said or "restitution" in said
+    assert attempt is None
+
+
+@pytest.mark.parametrize("word", ["next", "quit", "another", "SKIP", "q"])
+def test_words_end_a_question(word):
+    _, outcome, _ = talk(QUESTION, word)
+    assert outcome == {"skip": "next", "q": "quit"}.get(word.lower(), word.lower())
+
+
+@pytest.mark.parametrize("line", ["\0", "x" * 5000, "__import__('os')", "((((", "é" * 300])
+def test_whatever_is_typed_is_borne(line):
+    _, outcome, _ = talk(QUESTION, line, "", "quit")
+    assert outcome == "quit"
+
+
+def test_a_question_left_open_comes_again():
+    state = State([], {"topic": "wall-energy", "level": 2, "seed": 9, "mistake": None})
+    assert first_question(Wanted(), state, 100, 1).address == "wall-energy/2/9/v1"
+    assert first_question(Wanted("wall-angle"), state, 100, 4).address == "wall-angle/1/4/v1"
+
+
+@pytest.mark.parametrize("opened", [{}, {"topic": 3}, {"topic": "wall-energy", "level": 99}, 5])
+def test_what_is_no_open_question_is_left(opened):
+    state = State.of_json(json.dumps({"attempts": [3, {}], "open": opened}))
+    assert first_question(Wanted(), state, 100, 1).address == "wall-forward/1/1/v1"
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{}", "{" * 10**5, '{"attempts": 3}'])
+def test_what_is_no_state_is_told(text):
+    with pytest.raises(StatementError, match="no file of practice"):
+        State.of_json(text)
+
+
+def test_the_state_survives_its_file():
+    state = State([{"topic": "ranges"}], {"topic": "ranges", "level": 1, "seed": 2})
+    assert State.of_json(state.to_json()) == state
+
+
+# --- the command --------------------------------------------------------------------------------
+
+
+def test_the_command_writes_a_statement(tmp_path):
+    path = tmp_path / "q.impact"
+    status, _, _ = run("practise", "spheres-vectors", "--seed", "3", "-o", path)
+    assert status == 0
+    assert path.read_text() == practice_question("spheres-vectors", 1, 3).statement
+    _, output, _ = run("practise", "spheres-vectors", "--seed", "3", "-o", "-")
+    assert output == path.read_text()
+
+
+def test_the_command_lists_topics():
+    _, output, _ = run("practise", "--topics")
+    assert "wall-forward" in output
+    assert max(map(len, output.splitlines())) <= 80
+
+
+def test_the_command_keeps_a_state(tmp_path):
+    path = tmp_path / "mine.json"
+    arguments = ("practise", "wall-forward", "--seed", "1", "--state", str(path))
+    status, output, messages = run(*arguments, stdin=b"speed = 2\n\n\nquit\n")
+    assert status == 0, messages
+    assert "Good-bye" in output
+    (attempt,) = json.loads(path.read_text())["attempts"]
+    assert attempt["topic"] == "wall-forward"
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("practise", "no-such-topic"),
+        ("practise", "--level", "5"),
+        ("practise", "--seed", "-1"),
+        ("practise", "--like", "no-such-file.impact"),
+        ("practise", "ranges", "--like", "x.impact"),
+        ("practise", "--seed", "99999999999999999999", "-o", "-"),
+    ],
+)
+def test_the_command_refuses(arguments):
+    status, _, messages = run(*arguments)
+    assert status == 2
+    assert "internal" not in messages
+
+
+# --- like another -------------------------------------------------------------------------------
+
+TEACHER = """
+wall W: along i
+sphere P: mass 2, velocity 5i - 3j
+P hits W: e = 1/3
+part a
+find velocity(P)
+part b
+find impulse
+"""
+
+
+def test_a_variant_has_other_numbers_and_the_same_words():
+    one, again, other = (variant(r.parse(TEACHER), seed) for seed in (1, 1, 2))
+    assert one == again
+    assert one.statement != other.statement
+    told = r.parse(one.statement)
+    assert told.spheres[0].velocity != r.parse(TEACHER).spheres[0].velocity
+    assert [part.label for part in told.parts] == [None, "a", "b"]
+    assert any("walls stay" in note for note in one.notes)
+
+
+def test_values_given_afterwards_are_worked_out_again():
+    made = variant(
+        r.parse(
+            "wall W: along i\nsphere P: velocity 4i - 3j\nP hits W\n"
+            "given velocity(P) = 4i + 2j\nfind e"
+        ),
+        3,
+    )
+    (item,) = (item for _, item in r.solve(r.parse(made.statement)).items())
+    assert 0 < item.decimal < 1
+
+
+def test_a_printed_result_is_printed_anew():
+    made = variant(
+        r.parse(
+            "wall W: along i\nsphere P: velocity 4i - 3j\nP hits W: e = 2/3\n"
+            "show speed(P) = 2sqrt(5)"
+        ),
+        3,
+    )
+    (item,) = (item for _, item in r.solve(r.parse(made.statement)).items())
+    assert item.holds
+
+
+@pytest.mark.parametrize(
+    ("statement", "words"),
+    [
+        (
+            "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\nfind speed(P)",
+            "no numbers",
+        ),
+        (
+            """
+            sphere A: mass 1, velocity 6i - 5j
+            sphere B: mass 2, velocity -i - 6j
+            A hits B
+            given velocity(A) = 3i - 9j
+            find e""",
+            "line of centres",
+        ),
+    ],
+)
+def test_what_cannot_be_varied_is_told(statement, words):
+    with pytest.raises(UnsupportedError, match=words):
+        variant(r.parse(statement))
