@@ -59,11 +59,12 @@ def grades(
     side has no value.
     """
     links = [Claim(claim.left, claim.sign, right) for right in (claim.right, *claim.others)]
-    found = [
-        _grades(link, world, meanings, decimals, scope, degrees)
-        for link in links
-        for degrees in ((True, False) if _has_bare_angle(link) else (True,))
-    ]
+    found = []
+    for link in links:
+        noted: list[Expression] = []
+        found.append(_grades(link, world, meanings, decimals, scope, True, noted))
+        if noted and found[-1].any():
+            found.append(_grades(link, world, meanings, decimals, scope, False, []))
     return min(found, key=lambda each: (each.max(), each.sum()))
 
 
@@ -75,21 +76,27 @@ def difference(
     *,
     degrees: bool = True,
     put: Mapping[int, Array] = NO_NUMBERS,
+    noted: list[Expression] | None = None,
 ) -> tuple[Array, Array]:
     """Left side less right side, and the size of what is compared, in every sample.
 
     Both have the shape (samples, 1), or (samples, 2) for vectors. Angles are in radians and differ
     by less than a half turn. Raises UnvaluedError where the sides are not alike.
     """
-    how: dict[str, Any] = {"scope": scope, "degrees": degrees, "put": put}
+    how: dict[str, Any] = {"scope": scope, "degrees": degrees, "put": put, "noted": noted}
     left = world.value(claim.left, meanings, **how)
     right = world.value(claim.right, meanings, **how)
     with np.errstate(all="ignore"):
-        return _difference(claim, world, left, right, degrees)
+        return _difference(claim, world, left, right, degrees, noted)
 
 
 def _difference(
-    claim: Claim, world: World, left: Value, right: Value, degrees: bool
+    claim: Claim,
+    world: World,
+    left: Value,
+    right: Value,
+    degrees: bool,
+    noted: list[Expression] | None,
 ) -> tuple[Array, Array]:
     left, right = _sized(claim.left, left, right), _sized(claim.right, right, left)
     if isinstance(left, Vector) or isinstance(right, Vector):
@@ -98,7 +105,7 @@ def _difference(
         return _columns(world, a.x - b.x, a.y - b.y), _columns(world, size, size)
     if isinstance(left, Angle) or isinstance(right, Angle):
         one, other = (
-            _radians(tree, value, degrees)
+            _radians(tree, value, degrees, noted)
             for tree, value in ((claim.left, left), (claim.right, right))
         )
         return _columns(world, _within_a_turn(one - other)), _columns(
@@ -142,9 +149,10 @@ def _grades(
     decimals: Sequence[Decimal],
     scope: Scope,
     degrees: bool,
+    noted: list[Expression],
 ) -> Array:
     """The grades of one equation or inequality."""
-    apart, size = difference(claim, world, meanings, scope, degrees=degrees)
+    apart, size = difference(claim, world, meanings, scope, degrees=degrees, noted=noted)
     tolerance = _RELATIVE * size + _ROUNDING * _magnitude(world)
     if claim.sign == "=" and (apart != 0).any() and (np.abs(apart) <= 1e-6 * size.max()).any():
         terms = scale(claim, world, meanings, scope)
@@ -153,8 +161,8 @@ def _grades(
     equal = claim.sign in ("<", ">") and np.any(np.abs(apart) <= tolerance)
     if not found.any() or equal or claim.sign == "!=":
         return found
-    angular = degrees and is_angular(claim, world, meanings, scope)
-    fine, coarse = _half_units(claim, world.problem, decimals, angular)
+    angular = degrees and any(tree is claim.left or tree is claim.right for tree in noted)
+    fine, coarse = _half_units(claim, world, decimals, angular)
     tolerance = np.zeros_like(apart)
     for grade, half_units in ((1, fine), (2, coarse)):
         for column, (value, half) in half_units.items():
@@ -204,13 +212,18 @@ _Half = Mapping[int, tuple[float, float]]
 
 
 def _half_units(
-    claim: Claim, problem: Problem, decimals: Sequence[Decimal], angular: bool
+    claim: Claim, world: World, decimals: Sequence[Decimal], angular: bool
 ) -> tuple[_Half, _Half]:
     """The decimals of a claim that are not exact, by column: with 3 figures or more, and fewer.
 
     Whole degrees that are not those of the statement are rounded ones.
     """
-    given = numbers_of(problem)
+    whole = list(_whole_degrees(claim, angular))
+    if not decimals and not whole:
+        return {}, {}
+    given = world.plot.known.get("numbers")
+    if given is None:
+        given = world.plot.known["numbers"] = numbers_of(world.problem)
     columns = {
         node.place.column for node in _numbers((claim.left, claim.right)) if node.place is not None
     }
@@ -220,7 +233,7 @@ def _half_units(
         if decimal.column in columns and decimal.value not in given:
             chosen = fine if decimal.figures >= 3 else coarse
             chosen[decimal.column] = float(decimal.value), float(decimal.half_unit)
-    for node in _whole_degrees(claim, angular):
+    for node in whole:
         known = node.place is None or node.place.column in {**fine, **coarse}
         if not known and node.value not in given and node.value not in _WHOLE:
             assert node.place is not None
@@ -278,26 +291,13 @@ def numbers_of(problem: Problem) -> Collection[Fraction]:
 # --- sides ----------------------------------------------------------------------------------------
 
 
-def _has_bare_angle(claim: Claim) -> bool:
-    """Whether the unit of a number may matter: some number stands alone, or in a sum."""
-    return any(
-        is_bare(tree) or _bare_within(tree) for tree in (claim.left, claim.right, *claim.others)
-    )
-
-
-@lru_cache(maxsize=4096)
-def _bare_within(tree: Expression) -> bool:
-    return any(
-        isinstance(node, Binary)
-        and node.op in ("+", "-")
-        and (is_bare(node.left) != is_bare(node.right))
-        for node in walk(tree)
-    )
-
-
-def _radians(tree: Expression, value: Value, degrees: bool) -> Array:
+def _radians(
+    tree: Expression, value: Value, degrees: bool, noted: list[Expression] | None
+) -> Array:
     if isinstance(value, Angle):
         return value.measure()
+    if noted is not None and is_bare(tree):
+        noted.append(tree)
     return np.radians(value) if degrees and is_bare(tree) else value
 
 

@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Binary,
     Degrees,
     Expression,
+    Letter,
     Negate,
     Number,
     Quantity,
@@ -101,15 +102,21 @@ class ArrayEvaluator(Evaluator):
     """Evaluates trees over samples.
 
     ``degrees`` tells whether bare numbers are degrees where an angle is meant. ``put`` has other
-    values for numbers, by the columns at which they stand.
+    values for numbers, by the columns at which they stand. Where a bare number was taken for an
+    angle, its tree is added to ``noted``.
     """
 
     def __init__(
-        self, *sources: Any, degrees: bool = True, put: Mapping[int, Array] = _NOTHING
+        self,
+        *sources: Any,
+        degrees: bool = True,
+        put: Mapping[int, Array] = _NOTHING,
+        noted: list[Expression] | None = None,
     ) -> None:
         super().__init__(FIELD, *sources)  # type: ignore[arg-type]
         self._degrees = degrees
         self._put = put
+        self._noted = noted
 
     def value(self, tree: Expression) -> Value:
         kind = type(tree)
@@ -120,11 +127,21 @@ class ArrayEvaluator(Evaluator):
             if number is None:
                 number = FIELD.number(tree.value)  # type: ignore[union-attr]
             return number if kind is Number else angle(np.radians(number))
+        if kind is Letter:
+            return self._letter(tree.name)  # type: ignore[union-attr]
+        if kind is Binary:
+            return self._binary(tree)  # type: ignore[arg-type]
+        if kind is Negate:
+            return self._negate(self.value(tree.operand))  # type: ignore[union-attr]
         return super().value(tree)
 
     def angle_of(self, tree: Expression, value: Value) -> Value:
         """The value of a tree where an angle is meant: bare numbers are degrees."""
-        return np.radians(value) if self._degrees and is_bare(tree) else value
+        if not is_bare(tree):
+            return value
+        if self._noted is not None:
+            self._noted.append(tree)
+        return np.radians(value) if self._degrees else value
 
     def _binary(self, tree: Binary) -> Value:
         if tree.op not in ("+", "-"):

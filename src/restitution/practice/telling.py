@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
@@ -18,7 +18,7 @@ from restitution.practice.arrays import (
     UnvaluedError,
     angle,
 )
-from restitution.problem import Arrival, Event, Impact, Let, Point, Problem, Sphere, Wall
+from restitution.problem import Arrival, Event, Impact, Let, Point, Sphere, Wall
 from restitution.solving import quantities
 from restitution.solving.story import Happening
 from restitution.vector import Vector
@@ -51,14 +51,26 @@ class _Track:
     places: Sequence[tuple[int, Vector | None, Array]]
 
 
-def _bodies(
-    problem: Problem,
-) -> tuple[Mapping[str, Sphere], Mapping[str, Wall], Mapping[str, Point]]:
-    return (
-        {each.name: each for each in problem.spheres},
-        {each.name: each for each in problem.walls},
-        {each.name: each for each in problem.points},
-    )
+@dataclass(frozen=True, eq=False)
+class Plot:
+    """What a story has whatever its numbers are: events, names in force, bodies by their names.
+
+    ``known`` keeps what has been worked out of these alone.
+    """
+
+    events: tuple[Event, ...]
+    lets: Mapping[str, tuple[Let, int]]
+    spheres: Mapping[str, Sphere]
+    walls: Mapping[str, Wall]
+    points: Mapping[str, Point]
+    open_times: frozenset[str]
+    known: dict[str, Any] = field(default_factory=dict, repr=False)
+
+    @classmethod
+    def of(cls, story: Story) -> Plot:
+        """The plot of a story that has been told."""
+        steps = tuple(happening.step for happening in story.happenings)
+        return cls(steps, story.lets, story.spheres, story.walls, story.points, story.open_times)
 
 
 class Telling:
@@ -72,16 +84,18 @@ class Telling:
         meanings: Meanings = NO_MEANINGS,
         degrees: bool = True,
         values: Mapping[str, Value] = NO_VALUES,
+        noted: list[Expression] | None = None,
     ) -> None:
         self.world = world
         self.meanings = meanings
         self.degrees = degrees
         self.values = values
         self.problem = world.problem
-        self.spheres: Mapping[str, Sphere] = _bodies(world.problem)[0]
-        self.walls: Mapping[str, Wall] = _bodies(world.problem)[1]
-        self.points: Mapping[str, Point] = _bodies(world.problem)[2]
-        self.open_times = world.open_times
+        self.noted = noted
+        self.spheres = world.plot.spheres
+        self.walls = world.plot.walls
+        self.points = world.plot.points
+        self.open_times = world.plot.open_times
         self.unknowns = self
         self._open: list[str] = []
 
@@ -96,6 +110,7 @@ class Telling:
             self.wall_direction,
             degrees=self.degrees,
             put=put,
+            noted=self.noted,
         )
 
     def _letter(self, name: str, now: int) -> Value:

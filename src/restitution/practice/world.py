@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -19,11 +18,19 @@ from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import Expression, Name
 from restitution.practice.arrays import Array, UnvaluedError
 from restitution.practice.script import ANYWHERE, Scope
-from restitution.practice.telling import NO_MEANINGS, NO_NUMBERS, NO_VALUES, Meanings, Stop, Telling
+from restitution.practice.telling import (
+    NO_MEANINGS,
+    NO_NUMBERS,
+    NO_VALUES,
+    Meanings,
+    Plot,
+    Stop,
+    Telling,
+)
 from restitution.practice.turning import turned, unit
 from restitution.problem import Event, Let, Part, Problem
 from restitution.shapes import Circle
-from restitution.solving.story import Story, lets_of
+from restitution.solving.story import Story
 from restitution.vector import Vector
 
 _REFUSALS = (
@@ -61,20 +68,18 @@ class World:
     walls: Mapping[str, Vector]
     times: Mapping[int, Array | None]
     stops: Mapping[str, tuple[Stop, ...]]
-    open_times: frozenset[str] = frozenset()
-    _known: dict[Any, Value] = field(default_factory=dict, init=False, repr=False)
+    plot: Plot
+    _known: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
 
-    @cached_property
+    @property
     def events(self) -> tuple[Event, ...]:
         """The events of the story, in order."""
-        return tuple(
-            step for step, _, _ in self.problem.timeline(self.part) if isinstance(step, Event)
-        )
+        return self.plot.events
 
-    @cached_property
+    @property
     def lets(self) -> Mapping[str, tuple[Let, int]]:
         """The names in force, each with the number of events told before its line."""
-        return lets_of(self.problem, self.part)
+        return self.plot.lets
 
     def now(self, scope: Scope = ANYWHERE) -> int:
         """After how many events a line of this scope stands."""
@@ -94,6 +99,7 @@ class World:
         degrees: bool = True,
         put: Mapping[int, Array] = NO_NUMBERS,
         values: Mapping[str, Value] = NO_VALUES,
+        noted: list[Expression] | None = None,
     ) -> Value:
         """The value of a tree: an array, a Vector of arrays, or an Angle.
 
@@ -101,10 +107,11 @@ class World:
         in degrees, or, where ``degrees`` is False, in radians. ``put`` replaces numbers of the
         tree by the columns at which they stand. ``values`` are those of letters, before any
         meaning: arrays of which the last axis is that of the samples, vectors of them, or angles;
-        more axes before it are kept. What is not real is nan. Raises UnvaluedError for
-        a letter that has no meaning, and for what makes no sense.
+        more axes before it are kept. Bare numbers taken for angles are added to ``noted``. What is
+        not real is nan. Raises UnvaluedError for a letter that has no meaning, and for what makes
+        no sense.
         """
-        told = Telling(self, meanings, degrees, values)
+        told = Telling(self, meanings, degrees, values, noted)
         with np.errstate(all="ignore"):
             try:
                 return told.evaluator(self.now(scope) if now is None else now, put).value(tree)
@@ -126,7 +133,9 @@ class World:
 
     def spread(self, x: Array) -> Array:
         """A number for all samples as an array of shape (samples,)."""
-        return np.broadcast_to(np.asarray(x, dtype=float), (self.samples,))
+        if isinstance(x, np.ndarray) and x.shape == (self.samples,):
+            return x
+        return np.full(self.samples, x, dtype=float)
 
     # --- other worlds -------------------------------------------------------------------------
 
@@ -158,7 +167,11 @@ class World:
 
     def repeated(self, times: int) -> World:
         """The same world with its samples repeated in blocks, ``times`` of each block."""
-        return stacked([self] * times)
+        key = ("repeated", times)
+        if key not in self._known:
+            self._known[key] = _repeated(self, times)
+        world: World = self._known[key]
+        return world
 
 
 # --- stacking ---------------------------------------------------------------------------------
@@ -198,6 +211,27 @@ def stacked(worlds: Sequence[World]) -> World:
         name: each(name) for name in ("letters", "start", "after", "lines", "walls", "times")
     }
     return replace(first, samples=sum(sizes), stops=stops, **tables)
+
+
+def _repeated(world: World, times: int) -> World:
+    """A world with its samples repeated; single numbers serve for all samples as they are."""
+
+    def of(value: Any) -> Any:
+        if isinstance(value, Vector):
+            return Vector(of(value.x), of(value.y))
+        if isinstance(value, np.ndarray) and value.shape == (world.samples,):
+            return np.concatenate([value] * times)
+        return value
+
+    tables: dict[str, Any] = {
+        name: {key: of(value) for key, value in getattr(world, name).items()}
+        for name in ("letters", "start", "after", "lines", "walls", "times")
+    }
+    stops = {
+        name: tuple(Stop(stop.event, of(stop.where), of(stop.jump)) for stop in known)
+        for name, known in world.stops.items()
+    }
+    return replace(world, samples=times * world.samples, stops=stops, **tables)
 
 
 # --- from a story told in numbers -----------------------------------------------------------------
@@ -240,7 +274,7 @@ def world_of(
         walls,
         times,
         {name: _stops(story, name) for name in story.spheres},
-        story.open_times,
+        Plot.of(story),
     )
 
 
