@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import functools
+from fractions import Fraction
+from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
@@ -150,3 +152,133 @@ def test_any_text_gives_a_script(text: str) -> None:
 @given(st.one_of(st.text(max_size=80), st.lists(PIECES, max_size=12).map(" ".join)))
 def test_any_words_are_read_or_have_no_meaning(words: str) -> None:
     assert isinstance(read_phrase(words, problem()), tuple)
+
+
+# --- what seventeen-year-olds type ----------------------------------------------------------------
+
+Typed = tuple[str, str, str, tuple[str, ...]]
+
+
+def typed_lines() -> list[Typed]:
+    """Statement, kind, line and readings of every line of the table, each looked at by a person."""
+    found: list[Typed] = []
+    statement, readings = "", []
+    for row in (Path(__file__).parent / "typed_lines.txt").read_text().splitlines()[1:]:
+        if row == "statement":
+            statement, readings = "", []
+        elif row.startswith("    ") and not readings and " | " not in row:
+            statement += row.strip() + "\n"
+        elif " | " in row and not row.startswith(" "):
+            kind, text = row.split(" | ", 1)
+            found.append((statement, kind, text, ()))
+            readings = [text]
+        elif row.startswith("    "):
+            found[-1] = (*found[-1][:3], (*found[-1][3], row.strip()))
+    return found
+
+
+def what_is_read(read: ScriptLine) -> tuple[str, ...]:
+    claims = [written_claim(each.readings[0]) for each in read.links]
+    declared = [
+        f"let {each.letter} = {written(each.meanings[0]) if each.meanings else '?'}"
+        for each in read.declarations
+    ]
+    return (*claims, *declared, *([f"column {read.column}"] if read.fault else []))
+
+
+def test_lines_as_they_are_typed_are_read() -> None:
+    lines = typed_lines()
+    assert len(lines) > 550
+    wrong = []
+    for statement, kind, text, expected in lines:
+        read = line(text, statement)
+        if (read.kind, what_is_read(read)) != (kind, expected):
+            wrong.append((text, read.kind, what_is_read(read), expected))
+    assert not wrong
+
+
+def test_a_line_that_begins_with_its_sign_goes_on() -> None:
+    script = read_working("KE lost = 44.5 - 20.5\n= 24\n\nspeed =\n√13", problem())
+    links = [link.readings[0] for each in script.lines for link in each.links]
+    assert [written_claim(each) for each in links] == [
+        "ke lost = 44.5 - 20.5",
+        "44.5 - 20.5 = 24",
+        "the speed = sqrt(13)",
+    ]
+
+
+def test_an_x_is_a_letter_where_the_script_uses_it_as_one() -> None:
+    script = read_working("x + y = 3\n2x - 3y = 1\n3x5 = 15", problem())
+    assert written_claim(script.lines[1].links[0].readings[0]) == "2x - 3y = 1"
+    assert written_claim(script.lines[2].links[0].readings[0]) == "3*5 = 15"
+
+
+def test_a_number_beside_an_angle_is_degrees_or_radians() -> None:
+    (link,) = line("θ = 0.59").links
+    assert [written_claim(each) for each in link.readings] == ["theta = 0.59°", "theta = 0.59"]
+    (link,) = line("θ = 0.59 rad").links
+    assert [written_claim(each) for each in link.readings] == ["theta = 0.59"]
+
+
+def test_decimals_know_their_figures_and_their_place() -> None:
+    (link,) = line("v = 0.050 + 12.5%").links
+    assert [(each.figures, each.half_unit) for each in link.decimals] == [
+        (2, Fraction(1, 2000)),
+        (3, Fraction(1, 2000)),
+    ]
+    assert [each.column for each in link.decimals] == [5, 13]
+    (whole,) = line("θ = 37").links
+    assert [(each.column, each.half_unit) for each in whole.decimals] == [(5, Fraction(1, 2))]
+
+
+def test_a_crossed_out_line_has_its_relations_and_leaves_no_trace() -> None:
+    script = read_working("v = 1\n~~w = 2~~\n= 3", problem())
+    assert [each.kind for each in script.lines] == ["relations", "crossed", "relations"]
+    assert written_claim(script.lines[2].links[0].readings[0]) == "1 = 3"
+
+
+def test_cases_are_counted() -> None:
+    script = read_working("case 1: v = 1\nw = 2\ncase 2\nv = 3", problem())
+    assert [each.scope.case for each in script.lines] == [1, 1, 2, 2]
+
+
+PHRASES = {
+    "component of A along the line of centres after": "along(velocity(A), line_of_centres)",
+    "speed of B after the impact": "speed(B)",
+    "velocity of A before": "velocity(A, 0)",
+    "KE of A before": "energy(A, 0)",
+    "KE gained by B": "-(energy(B, 0) - energy(B))",
+    "component of A to the left after": "along(velocity(A), -i)",
+    "velocity of B towards A": "-along(velocity(B), line_of_centres)",
+    "component of A in the direction of -i after": "along(velocity(A), -i)",
+    "component of A along 3i+4j": "along(velocity(A), 3i + 4j)",
+    "deflection of A": "deflection(A)",
+    "angle to line of centres of A before": "angle(velocity(A, 0), line_of_centres)",
+    "perpendicular to line of centres of B after": "across(velocity(B), line_of_centres)",
+    "approach": "along(velocity(A, 0) - velocity(B, 0), line_of_centres)",
+    "fraction of KE lost": "energy_lost/energy(0)",
+    "magnitude of impulse": "impulse",
+}
+AT_WALLS = {
+    "speed after AB": "speed(P, 1)",
+    "angle to the wall after": "angle(velocity(P), BC)",
+    "angle to AB": "angle(velocity(P, 1), AB)",
+    "away from the wall": "-along(velocity(P), line_of_centres)",
+    "component parallel to AB": "along(velocity(P, 1), AB)",
+    "speed after first impact": "speed(P, 1)",
+    "impulse at AB": "impulse(1)",
+}
+
+
+@pytest.mark.parametrize("words", PHRASES)
+def test_a_phrase_of_two_spheres_means_first_what_it_says(words: str) -> None:
+    assert written(read_phrase(words, problem())[0]) == PHRASES[words]
+
+
+@pytest.mark.parametrize("words", AT_WALLS)
+def test_a_phrase_of_walls_means_first_what_it_says(words: str) -> None:
+    assert written(read_phrase(words, problem(WALLS))[0]) == AT_WALLS[words]
+
+
+def test_words_that_name_nothing_have_no_meaning() -> None:
+    assert read_phrase("hello there", problem()) == ()

@@ -108,6 +108,8 @@ def features(words: Sequence[str], problem: Problem) -> Features:
             found = replace(found, wall=True)
         elif low in ("total", "both", "system", "overall", "combined"):
             found = replace(found, both=True)
+        elif len(low) == 2 and low[0] in "uvw" and low[1] in "xy":
+            found = replace(found, axis=_AXES[low[1]])
         elif low in ("u", "v", "w") and len(words) == 2:
             found = replace(found, heads=found.heads | {"velocity"})
         elif low == "relative":

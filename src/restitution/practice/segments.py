@@ -40,6 +40,7 @@ _NEAR_A_NAME = frozenset(
     + ("ball", "particle", "strikes", "point", "on", "and", "between", "about", "spheres", "then")
     + ("towards", "so", "since", "hence", "that", "means", "as", "because")
 )
+_ENERGIES = frozenset(word for word, head in HEADS.items() if head in ("loss", "gain", "energy"))
 _OF = frozenset(("of", "on", "for", "to", "from", "by", "with", "at", "hits", "after", "before"))
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "phrase", "function", "("))
 _CLOSING = frozenset(("number", "letter", "name", "unit", "pi", ")", "phrase", "percent"))
@@ -69,7 +70,15 @@ def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[T
     place = 0
     tokens = [each for n, each in enumerate(tokens) if not _is_kind_of_body(tokens, n)]
     while place < len(tokens):
-        joined = _size(tokens, place) or _owned(tokens, place) or _staged(tokens, place, text)
+        joined = (
+            _size(tokens, place)
+            or _owned(tokens, place)
+            or _staged(tokens, place, text)
+            or _deflected(tokens, place)
+        )
+        energy = _quotient_of_energies(tokens, place)
+        if energy is not None:
+            joined = energy, place + 1
         if joined is not None:
             found.append(joined[0])
             place = joined[1]
@@ -80,6 +89,7 @@ def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[T
             if found and _is_owner(found, tokens[place]):
                 found.pop()
                 first -= 1
+            end = _with_letter(tokens, end)
             found.append(_phrase(tokens[first:end], text))
             place = end
             continue
@@ -88,6 +98,37 @@ def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[T
         place += 1
     found = [each for n, each in enumerate(found) if not _is_article(found, n)]
     return _with_order([_equality(found, place) for place in range(len(found))])
+
+
+def _with_letter(tokens: Sequence[Token], end: int) -> int:
+    """Where a phrase ends that goes on with a letter: ``x component of v = 3``."""
+    kinds = [each.kind for each in tokens[end : end + 3]]
+    if kinds == ["word", "letter", "relation"] and tokens[end].word == "of":
+        return end + 2
+    return end
+
+
+def _deflected(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
+    """``A is deflected by`` as the name of the angle."""
+    words = [each.word for each in tokens[place + 1 : place + 4]]
+    if tokens[place].kind != "name" or len(words) < 2 or words[0] not in ("is", "was"):
+        return None
+    if HEADS.get(words[1]) != "deflection":
+        return None
+    name = f"deflection of {tokens[place].name}"
+    end = place + (4 if words[2:] in (["by"], ["through"]) else 3)
+    last = tokens[end - 1]
+    return replace(tokens[place], kind="phrase", name=name, end=last.end), end
+
+
+def _quotient_of_energies(tokens: Sequence[Token], place: int) -> Token | None:
+    """The ``initial`` of ``loss/initial``: the energy before."""
+    if place < 2 or tokens[place].kind != "word" or tokens[place - 1].kind != "/":
+        return None
+    above = set(tokens[place - 2].word.split())
+    if STAGES.get(tokens[place].word) != "before" or not above & _ENERGIES:
+        return None
+    return replace(tokens[place], kind="phrase", name=f"{tokens[place].word} ke")
 
 
 def _with_order(tokens: list[Token]) -> list[Token]:
@@ -407,7 +448,7 @@ def split_at_spaces(segment: Segment) -> Iterator[tuple[Segment, Parting]]:
     for first, second in pairwise(places):
         cut = _cut(tokens, first, second)
         if cut is not None:
-            yield Segment(tokens[start : cut[0]], segment.before), parting
+            yield _without_number(Segment(tokens[start : cut[0]], segment.before)), parting
             start, parting = cut
     yield Segment(tokens[start:], segment.before), parting
 

@@ -207,7 +207,8 @@ class _Reader:
         begins = following[0].tokens[0].kind == "relation"
         if segment.tokens[0].kind == "name":
             return between == {":"} or (begins and not between & _ENDING)
-        return begins or between <= {":", "by", "of", "as", "to", "about", "only"}
+        named = ":" in between and not between & _ENDING
+        return begins or named or between <= {"by", "of", "as", "to", "about", "only"}
 
     def _label(self, segment: Segment) -> Token | None:
         """A phrase with mathematics directly behind it."""

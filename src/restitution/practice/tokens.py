@@ -441,8 +441,10 @@ class _Scanner:
         if functions:
             longest = max((len(part) for part in _stretches(pieces)), default=0)
             return longest <= 5 and (len(singles) <= 4 or all(each in known for each in singles))
-        if len(run) == 2 and run[1] in self.usage.spheres:
+        if len(run) == 2 and run[1] in self.usage.spheres and run[0] in "uvwmUVWMIEJ":
             return True
+        if len(run) == 2 and run.isupper() and run[1] in self.usage.spheres:
+            return False  # a line OA
         if len(run) <= 3:
             return all(each in known or each in _USUAL for each in singles)
         return len(run) <= 6 and all(each in known for each in singles)
