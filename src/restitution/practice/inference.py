@@ -104,12 +104,14 @@ class Item:
 class State:
     """An interpretation: the option of each slot, -1 where it has none yet.
 
-    ``score`` is what its true items are worth, less what its meanings cost.
+    ``score`` is what its true items are worth, less what its meanings cost. ``broken`` has what
+    those are worth that break a known law.
     """
 
     options: tuple[int, ...]
     score: float = 0.0
     satisfied: frozenset[int] = frozenset()
+    broken: Mapping[int, float] = field(default_factory=dict, compare=False, hash=False)
 
 
 def slot_of(
@@ -285,7 +287,9 @@ def _sensed(
         for members in groups.values():
             turned_states = [_turned(state, used, slots) for state in members]
             for state, true in zip(members, _held(item, turned_states, slots, tester), strict=True):
-                lost[state] += wrong * item.weight * bool(true)
+                if true:
+                    own = 0.0 if loose else state.broken.get(number, 0.0)
+                    lost[state] += wrong * item.weight + own
     return [replace(state, score=state.score - lost[state]) for state in states]
 
 
@@ -316,7 +320,12 @@ def _breaking(
             if _allowed(options, slots, free):
                 cost = COST * sum(slots[s].options[options[s]].cost for s in free)
                 worth = share * max(0.0, _worth(item, options, slots))
-                yield State(tuple(options), state.score + worth - cost, state.satisfied)
+                yield State(
+                    tuple(options),
+                    state.score + worth - cost,
+                    state.satisfied,
+                    {**state.broken, number: worth},
+                )
 
 
 def _order(items: Sequence[Item]) -> Iterator[int]:
@@ -470,6 +479,7 @@ def _ways(
             tuple(options),
             state.score + _worth(item, options, slots) - cost,
             state.satisfied | {number},
+            state.broken,
         )
 
 

@@ -148,9 +148,9 @@ class Instances:
             if isinstance(true, Angle) or isinstance(own, Angle):
                 if isinstance(own, Angle) and _same(own, true):
                     yield value
-            elif _same(own, true):
+            elif _same(own, true) or _same(-own, true):
+                # A student's size may come out with either sign.
                 yield value
-            elif _same(-own, true):
                 yield -value
 
     @cached_property

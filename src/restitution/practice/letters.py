@@ -48,18 +48,20 @@ from restitution.practice.wordings import words_of
 from restitution.practice.world import World
 from restitution.problem import Problem
 from restitution.solving.solution import Solution
+from restitution.vector import Vector
 
 # Meanings that explain a script nearly as well as the best are kept.
 NEARLY = 0.7
 _RIVALS = 24
 _INEQUALITY = 0.25
 _HEADING, _BREAK = 0.2, 1.2
-# What it costs that a letter means nothing.
+# What it costs that a letter means nothing which its first line may define.
 _UNKNOWN = 0.2
 # What a line tells that follows from those above or contradicts them, and one of momentum, which
 # tells the sense of its letters as well.
 _WORTH = {"new": 1.0, "follows": 0.3, "contradicts": 0.6}
 _MOMENTUM = 1.8
+_VELOCITIES = frozenset("vVwW")
 
 
 def meanings_of(
@@ -237,8 +239,18 @@ class _Search:
                 if name in self.angular and not isinstance(value, Angle) and is_bare(tree):
                     tree = Binary("*", tree, Degrees(Fraction(1)))
                 start = around.of_the_start(value)
+                if not start and self._is_velocity(name):
+                    return chosen
                 chosen.append(Candidate(tree, "definition", "scalar", start=start))
         return chosen
+
+    def _is_velocity(self, name: str) -> bool:
+        """Whether a letter is one for velocities, and a vector by its first line: v = 3i + 2j."""
+        if name not in self.definitions or name.partition("_")[0] not in _VELOCITIES:
+            return False
+        number, tree = self.definitions[name]
+        value = self.around.tester.value(tree, {}, Frame(None, self.meanings(number)))
+        return isinstance(value, Vector) and not self.around.of_the_start(value)
 
     def usual(self, name: str, scope: Scope) -> Candidate | None:
         """What a letter or phrase means where no line tells."""
@@ -246,6 +258,10 @@ class _Search:
         if phrase:
             trees_ = [self.around.staged(tree, scope) for tree in phrase[:1]]
             return next(of_trees(trees_))
+        if self._is_velocity(name):
+            moving = [each for each in self.around.candidates if each.kind == "velocity"]
+            after = [each for each in moving if each.event and scope.event in (None, each.event)]
+            return after[0] if len(after) == 1 else None
         usage = Usage(name, name in self.angular, scope)
         return usual(usage, self.around.candidates, self.around.problem, self.around.events)
 
@@ -323,7 +339,7 @@ class _Search:
             chosen = slot.options[option] if option >= 0 else self.usual(name, line.scope)
             if chosen is None:
                 unknown.add(name)
-                score -= _UNKNOWN
+                score -= _UNKNOWN if name in self.definitions else 0.0
                 continue
             by = self._by(name, chosen, option, line.scope)
             meanings.append(
