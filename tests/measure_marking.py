@@ -198,8 +198,9 @@ def _compare_line(
         measures.note("asks or unread", verdict in ("asks", "unread"), offence, bad=True)
     if line.verdicts == ("false",):
         measures.note("mistakes called false", verdict == "false", offence)
-    if line.verdicts == ("follows",):
-        measures.note("follows recognised", verdict in ("follows", "true"), offence)
+    if "follows" in line.verdicts:
+        fits = verdict in ("follows", "true", *line.verdicts)
+        measures.note("follows recognised", fits, offence)
     if line.verdicts == ("unsupported",):
         measures.note("unsupported recognised", verdict == "unsupported", offence)
     if line.verdicts == ("remark",):
