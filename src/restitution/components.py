@@ -415,6 +415,12 @@ class Model:
         u = self.happening(number).before[body]
         return tidy(component(u, frame.n)), tidy(component(u, frame.t))
 
+    def altered_across(self, number: int, body: str) -> sp.Expr:
+        """The component across just after an impact at which other laws hold."""
+        t = self.frames[number].t
+        side = Vector(t.x.xreplace(self.final), t.y.xreplace(self.final))
+        return self.presentable(tidy(component(self.branch.story.velocity(body, number), side)))
+
     def _chord(self, number: int, body: str) -> tuple[sp.Expr, sp.Expr] | None:
         """Components at the far end of a chord of a circular wall: those at its near end.
 
@@ -629,6 +635,8 @@ def _in_letters(
         with contextlib.suppress(UndefinedError, KeyError, ArithmeticError):
             model.sample[symbol.name] = at(value, model.sample)
         across = model.before(number, body)[1]
+        if story.problem.altered_at(number) is not None:
+            across = model.altered_across(number, body)
         after[body] = Vector(
             component(Vector(symbol, across), Vector(frame.n.x, frame.t.x)),
             component(Vector(symbol, across), Vector(frame.n.y, frame.t.y)),

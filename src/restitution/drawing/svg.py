@@ -55,28 +55,40 @@ def stacked(scenes: Sequence[Scene]) -> str:
     return _file(placed, [scene.title for scene in scenes])
 
 
+def abreast(scenes: Sequence[Scene], titles: Sequence[str]) -> str:
+    """Scenes beside one another as the text of one SVG file, each beneath a title."""
+    placed = [captioned(place(scene), title) for scene, title in zip(scenes, titles, strict=True)]
+    return _file(placed, titles, in_a_row=True)
+
+
 def render(placed: Placed) -> str:
     """A placed scene as the text of an SVG file."""
     return _file([placed], [placed.scene.title])
 
 
-def _file(pictures: Sequence[Placed], titles: Sequence[str]) -> str:
-    """Pictures below one another, which share their outlines of glyphs."""
+def _file(pictures: Sequence[Placed], titles: Sequence[str], in_a_row: bool = False) -> str:
+    """Pictures below one another, or beside, which share their outlines of glyphs."""
     glyphs: dict[str, str] = {}
     body: list[str] = []
-    down = 0.0
+    down = across = 0.0
     for placed in pictures:
         left, _, _, top = placed.box
         drawn = filter(None, _picture(placed, glyphs))
         if len(pictures) == 1:
             body += drawn
         else:
-            at = f"{_number(-left)} {_number(down + top)}"
+            at = f"{_number(across - left)} {_number(down + top)}"
             body += [f'<g transform="translate({at})">', *drawn, "</g>"]
-        down += top - placed.box[1] + GAP
+        if in_a_row:
+            across += placed.box[2] - left + GAP
+        else:
+            down += top - placed.box[1] + GAP
     left, top = (pictures[0].box[0], pictures[0].box[3]) if len(pictures) == 1 else (0.0, 0.0)
     width = _number(max(picture.box[2] - picture.box[0] for picture in pictures))
     height = _number(down - GAP)
+    if in_a_row:
+        width = _number(across - GAP)
+        height = _number(max(picture.box[3] - picture.box[1] for picture in pictures))
     outlines = "".join(f'<path id="{_ID}-{name}" d="{d}"/>' for d, name in glyphs.items())
     description = " ".join(
         placed.scene.description if len(pictures) == 1 else f"{title}. {placed.scene.description}"

@@ -215,7 +215,10 @@ def _components(view: View, body: Body, when: When) -> tuple[Any, Any]:
         return (None, None) if given is None and when == "after" else (v.x, v.y)
     frame = model.frames[number]
     along, across = model.before(number, name)
-    if given is not None and (when == "after" or _is_hidden(view, along)):
+    if when == "after" and model.problem.altered_at(number) is not None:
+        along = model.components[number, name].symbol
+        across = model.altered_across(number, name)
+    elif given is not None and (when == "after" or _is_hidden(view, along)):
         along = tidy(given.dot(frame.n))
         across = tidy(given.dot(frame.t)) if _is_hidden(view, across) else across
     elif when == "after":

@@ -16,7 +16,7 @@ from restitution.explaining.derivation import Event
 from restitution.explaining.facts import events_of, staged
 from restitution.explaining.misconceptions import VariantAt, variant_at
 from restitution.explaining.trees import exchanged, rebuilt, settled
-from restitution.expression.tree import Binary, Expression, Letter, Quantity
+from restitution.expression.tree import Binary, Expression, Letter, Quantity, walk
 from restitution.problem import (
     Aligned,
     AlteredEquation,
@@ -134,11 +134,17 @@ def _rewritten(
                     return tree
                 plain = settled(staged(problem, tree, now), events)
                 other = exchanged(plain, put)
+                if ratios and any(_is_energy(node) for node in walk(other)):
+                    return tree  # energies and speeds would stand side by side
                 return tree if other == plain else other
 
             steps.append(_step(step, change))
         parts.append(Part(part.label, tuple(steps), place=part.place))
     return replace(problem, parts=tuple(parts))
+
+
+def _is_energy(tree: Expression) -> bool:
+    return isinstance(tree, Quantity) and "energy" in tree.kind
 
 
 def _step(step: Step, change: Change) -> Step:

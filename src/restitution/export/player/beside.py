@@ -183,9 +183,14 @@ def _of_impact(event: Struck, motion: PartMotion) -> Iterator[tuple[int, str]]:
             line = f"parallel to {event.second}" if wall else "across the line of centres"
             yield 3, f"The component of {name} {line} changes, though nothing pushes it that way."
     wanted = event.e * float((u1 - u2).dot(c))
-    if separation > small and abs(separation - wanted) > small:
-        what = f"{event.first} rebounds" if wall else "They separate"
-        yield 4, f"{what} at {_figure(separation)}, and e times the approach is {_figure(wanted)}."
+    if separation >= -small and abs(separation - wanted) > small:
+        if separation > small:
+            what = f"{event.first} rebounds" if wall else "They separate"
+            text = f"{what} at {_figure(separation)}, and e times the approach is"
+        else:
+            what = f"{event.first} does not leave {event.second}" if wall else "They do not part"
+            text = f"{what}, and e times the approach is"
+        yield 4, f"{text} {_figure(wanted)}."
 
 
 def _of_energy(
