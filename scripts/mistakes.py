@@ -25,8 +25,9 @@ from restitution.errors import RestitutionError
 from restitution.explaining.consequences import AlteredWorld, ChangedItem, altered_worlds
 from restitution.explaining.misconceptions import MISCONCEPTIONS, SLIPS, Misconception
 from restitution.export.units import Units
-from restitution.problem import Impact
+from restitution.problem import Given, Impact
 from restitution.render.layout import Words
+from restitution.shapes import Circle
 from restitution.solving.solution import ItemResult, Solution
 from restitution.vector import Vector
 
@@ -35,7 +36,7 @@ PAGE = ROOT / "docs" / "mistakes.md"
 PICTURES = ROOT / "docs" / "images" / "mistakes"
 SECONDS = 1.0
 ENOUGH = 0.8  # a difference that nobody overlooks; among such, the shortest question is taken
-LONGEST = 260  # characters of a question
+LONGEST = 340  # characters of a question
 
 MADE = "<!-- what follows is made by scripts/mistakes.py -->\n\n"
 
@@ -100,12 +101,17 @@ def chosen() -> dict[str, Best]:
         two_walls = len(problem.events) == 2 and len(problem.walls) == walls == 2
         if len(statement(name)) > LONGEST or not (len(problem.events) == 1 or two_walls):
             continue
+        backward = any(isinstance(step, Given) for _, step in problem.steps())
+        if any(isinstance(wall.shape, Circle) for wall in problem.walls):
+            continue
         solution = restitution.solve(problem, 10)
         if any(item.error for _, item in solution.items()):
             continue
         print(name, file=sys.stderr, flush=True)
         for mistake, row in MISCONCEPTIONS.items():
             if two_walls != (mistake == "second-wall-angle"):
+                continue
+            if backward != (mistake == "energy-ratio-as-speed"):
                 continue
             for each in candidates(name, solution, row):
                 if mistake not in best or each.rank < best[mistake].rank:

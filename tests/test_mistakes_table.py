@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from pathlib import Path
 
 import pytest
 
@@ -133,3 +134,15 @@ def test_usual_mistakes_have_one_wording():
         assert row.phrase == PHRASES[name]
     assert all(SENTENCES[name] == text for name, text in USUAL_MISTAKES.items())
     assert {name for name in SENTENCES if name.endswith(".mistakes")} == set(USUAL_MISTAKES)
+
+
+@pytest.mark.parametrize("name", TABLE)
+def test_the_page_for_teachers_tells_each_mistake_in_the_words_of_the_table(name):
+    docs = Path(__file__).parents[1] / "docs"
+    text = (docs / "mistakes.md").read_text(encoding="utf-8")
+    row = MISCONCEPTIONS[name]
+    assert f"`{name}`: {row.sentence} {row.consequence}" in text
+    assert f"A usual line: {row.line}." in text
+    shown = row.world != "none"
+    assert (f"(images/mistakes/{name}.svg)" in text) == shown
+    assert (f', "{name}/' in text) == shown
