@@ -39,6 +39,8 @@ _OTHER_ORDER = 0.97
 # A line that defines its letter explains nothing, and less than a line that breaks a known law; one
 # that gives it a known value of the start explains as much as that.
 _DEFINED, _STARTED = -0.15, 0.6
+# What is left of the worth of a line that is true in a less usual reading alone.
+_UNUSUAL = 0.75
 _SAME = 1e-9
 # What it costs that a line would be true in the other sense of its letters; less in one that may
 # be of restitution, as it is that of momentum that tells the sense.
@@ -241,9 +243,9 @@ def _arranged(states: Sequence[State], items: Sequence[Item], slots: Sequence[Sl
     """
     told = [
         sum(
-            _worth(item, state.options, slots)
+            item.weight
             for number, item in enumerate(items)
-            if item.fresh and number in state.satisfied
+            if item.fresh and number in state.satisfied and _is_natural(item, state, slots)
         )
         for state in states
     ]
@@ -382,24 +384,24 @@ def _rows(slot: Slot, states: Sequence[State], place: int) -> tuple[Nature, list
 
 
 def _truth(item: Item, put: Mapping[str, Value], tester: Tester) -> Array | None:
-    """Whether an item is true in one of its readings, for every meaning."""
+    """What an item is worth for every meaning: 1 where it is true, less in an unusual reading."""
     found: Array | None = None
-    for reading in item.readings:
+    for place, reading in enumerate(item.readings):
         held = tester.holds(reading, put, item.decimals, item.frame)
         if held is not None:
-            true = everywhere(held)
-            found = true if found is None else found | true
+            true = everywhere(held) * (_UNUSUAL if place else 1.0)
+            found = true if found is None else np.maximum(found, true)
     return found
 
 
 def _held(item: Item, states: Sequence[State], slots: Sequence[Slot], tester: Tester) -> Array:
-    """In which interpretations, all of whose letters have values of one nature, an item is true."""
+    """How true an item is in interpretations, whose letters have values of one nature each."""
     put: dict[str, Value] = {}
     for name, s in item.slots.items():
         nature, rows = _rows(slots[s], states, s)
         put[name] = shaped(slots[s].values[nature][1], rows, 1, 0)
     held = _truth(item, put, tester)
-    return np.broadcast_to(False if held is None else held, (len(states),))
+    return np.broadcast_to(0.0 if held is None else held, (len(states),))
 
 
 def _judged(
@@ -416,7 +418,7 @@ def _judged(
             continue
         yield replace(
             state,
-            score=state.score + _worth(item, state.options, slots),
+            score=state.score + _worth(item, state.options, slots) * float(true),
             satisfied=state.satisfied | {number},
         )
 
@@ -443,7 +445,7 @@ def _tried(
             put[name] = shaped(slots[s].values[nature][1], rows, axes, 0)
     held = _truth(item, put, tester)
     if held is None or held.ndim != axes:
-        held = np.broadcast_to(False if held is None else held, (1,) * axes)
+        held = np.broadcast_to(0.0 if held is None else held, (1,) * axes)
     truth = np.broadcast_to(held, (len(states), *sizes))
     for row, state in enumerate(states):
         ways = list(_ways(state, number, item, slots, chosen, truth[row]))
@@ -477,7 +479,7 @@ def _ways(
         cost = COST * sum(slots[s].options[options[s]].cost for s in free)
         yield State(
             tuple(options),
-            state.score + _worth(item, options, slots) - cost,
+            state.score + _worth(item, options, slots) * float(truth[tuple(way)]) - cost,
             state.satisfied | {number},
             state.broken,
         )
@@ -503,6 +505,10 @@ def _worth(item: Item, options: Sequence[int], slots: Sequence[Slot]) -> float:
     if any(each.kind == "definition" for each in means.values()) and len(means) == 1:
         return _STARTED if any(each.start for each in means.values()) else _DEFINED
     return item.weight * _naturalness(item, means)
+
+
+def _is_natural(item: Item, state: State, slots: Sequence[Slot]) -> bool:
+    return _worth(item, state.options, slots) > 0.9 * item.weight
 
 
 def _naturalness(item: Item, means: Mapping[str, Candidate]) -> float:
