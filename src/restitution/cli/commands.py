@@ -37,6 +37,7 @@ from restitution.counting import counted
 from restitution.errors import RestitutionError, StatementError
 
 if TYPE_CHECKING:
+    from restitution.export.sheet import Entry, Options
     from restitution.problem import Problem
 
 
@@ -95,8 +96,11 @@ Their wording, diagrams, room for working, and worked solutions if wanted.
     restitution sheet *.impact -o sheet.pdf
     restitution sheet *.impact -o answers.pdf --solutions
     restitution sheet ball.impact -o ball.html
+    restitution sheet *.impact -o scheme.pdf --scheme
+    restitution sheet *.impact -o test.pdf --variants 3 --seed 7
 
-PDF needs the extra "pdf": pip install 'restitution[pdf]'.
+The last writes test-1.pdf, test-1-scheme.pdf and so on: the same questions with
+other numbers. PDF needs the extra "pdf": pip install 'restitution[pdf]'.
 """
 
 _PLAY = """Play the motion of a question in the browser.
@@ -382,36 +386,93 @@ def sheet(
         ),
     ] = None,
     marks: _Marks = Marks.fm1,
+    scheme: Annotated[
+        bool, typer.Option("--scheme", help="The mark scheme behind the questions.")
+    ] = False,
+    variants: Annotated[
+        int | None,
+        typer.Option(
+            metavar="N",
+            min=1,
+            max=100,
+            help="N versions with other numbers, each a file, and a file for its mark scheme.",
+        ),
+    ] = None,
+    seed: Annotated[
+        int, typer.Option(metavar="S", min=0, help="Which versions, with --variants.")
+    ] = 1,
     time_limit: _TimeLimit = TIME_LIMIT,
 ) -> None:
     """Set the questions of all files on one sheet."""
-    from restitution.export.job import Setting
-    from restitution.export.sheet import Options, to_html, to_pdf
+    from restitution.export.sheet import Options
 
     form = _form_of(output, form, SheetFormat, SheetFormat.pdf)
-    options = Options(solutions, diagrams, space, marks.value)
-    entries = []
+    options = Options(solutions, diagrams, space, marks.value, scheme)
+    if variants is not None and output == "-":
+        raise typer.BadParameter("versions need a file each", param_hint="--variants")
     worst = 0
     with interruptible(), worker_of(context.obj) as worker:
-        shown = progress(files) if len(files) > 1 else silent
-        with shown(output == "-") as each:
-            for file in each(files):
-                task = Setting(form.value, options)
-                done = answer(worker, file, task, _limit(time_limit))
-                worst = max(worst, done.status)
-                if done.content is not None:
-                    entries.append(done.content)
-                for message in done.messages:
-                    say(message)
-        if not entries:
-            raise typer.Exit(worst)
-        if form is SheetFormat.pdf:
-            content = _made(lambda: to_pdf(entries, title, options))
-        else:
-            content = to_html(entries, title, options).encode()
-        with _refusing():
-            write_file(output, content, files)
+        from restitution.export.job import Setting
+
+        def entries_of(options: Options, version: int | None) -> list[Entry]:
+            nonlocal worst
+            entries = []
+            shown = progress(files) if len(files) > 1 else silent
+            with shown(output == "-") as each:
+                for file in each(files):
+                    task = Setting(form.value, options, version)
+                    done = answer(worker, file, task, _limit(time_limit))
+                    worst = max(worst, done.status)
+                    if done.content is not None:
+                        entries.append(done.content)
+                    for message in done.messages:
+                        if version in (None, seed) or done.status:
+                            say(message)
+            return entries
+
+        if variants is None:
+            entries = entries_of(options, None)
+            if not entries:
+                raise typer.Exit(worst)
+            _write_sheet(output, entries, title, options, form, files)
+        for number in range(1, (variants or 0) + 1):
+            entries = entries_of(replace(options, scheme=True), seed + number - 1)
+            if not entries:
+                raise typer.Exit(worst)
+            named = f"{title or _TITLE}, version {number}"
+            plain = replace(options, scheme=False)
+            _write_sheet(_numbered(output, f"-{number}"), entries, named, plain, form, files)
+            named, path = f"{named}: mark scheme", _numbered(output, f"-{number}-scheme")
+            _write_sheet(path, entries, named, replace(plain, scheme=True), form, files)
     raise typer.Exit(worst)
+
+
+_TITLE = "Oblique impacts"
+
+
+def _numbered(output: str, ending: str) -> str:
+    """The name of a file with an ending before its suffix."""
+    path = Path(output)
+    return str(path.with_name(f"{path.stem}{ending}{path.suffix}"))
+
+
+def _write_sheet(
+    output: str,
+    entries: list[Entry],
+    title: str | None,
+    options: Options,
+    form: SheetFormat,
+    files: list[str],
+) -> None:
+    """One sheet, put together and written."""
+    from restitution.export.sheet import to_html, to_pdf
+
+    if form is SheetFormat.pdf:
+        content = _made(lambda: to_pdf(entries, title, options))
+    else:
+        content = to_html(entries, title, options).encode()
+    with _refusing():
+        write_file(output, content, files)
 
 
 # --- play -------------------------------------------------------------------------------------

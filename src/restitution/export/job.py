@@ -80,10 +80,11 @@ class Playing:
 
 @dataclass(frozen=True)
 class Setting:
-    """A question to be set on a sheet."""
+    """A question to be set on a sheet, with ``seed`` one like it with other numbers."""
 
     form: Form
     options: Options
+    seed: int | None = None
 
 
 @dataclass(frozen=True)
@@ -232,7 +233,8 @@ def serve(job: Job) -> Reply:
     with limited(
         None if job.limit is None else job.limit * _FIRST, error=stopped(job.limit)
     ) as limit:
-        solution = solve(job.problem)
+        problem, unvaried = _varied(job)
+        solution = solve(problem)
     label = job.task.part if isinstance(job.task, Writing | Playing) else None
     reply = contract.solved(job.file, solution, label)
     errors = _errors(solution, label)
@@ -299,7 +301,8 @@ def serve(job: Job) -> Reply:
             from restitution.export.sheet import entry
 
             one = entry(solution, form, options)
-            return Reply(one, answered, errors, tuple(reply["warnings"]), tired=tired)
+            told = tuple(reply["warnings"])
+            return Reply(one, answered, errors, told, tired=tired, notes=unvaried)
         case Picturing(event):
             from restitution.export.working import pictured
 
@@ -324,6 +327,18 @@ def serve(job: Job) -> Reply:
             return Reply(
                 content, answered, errors, tuple(warnings), page.fault, tired or page.tired
             )
+
+
+def _varied(job: Job) -> tuple[Problem, tuple[str, ...]]:
+    """The problem of a job, or one like it, and what was not varied."""
+    seed = job.task.seed if isinstance(job.task, Setting) else None
+    if seed is None:
+        return job.problem, ()
+    from restitution.language import parse
+    from restitution.practice.varying import variant
+
+    made = variant(job.problem, seed)
+    return parse(made.statement), made.notes
 
 
 def _errors(solution: Solution, label: str | None) -> tuple[RestitutionError, ...]:

@@ -66,6 +66,4 @@ def to_typst(rows: Sequence[SchemeRow]) -> str:
 def _with_parts(rows: Sequence[SchemeRow]) -> list[tuple[SchemeRow, bool]]:
     """Rows, each with whether it is the first of its part."""
     parts = [None, *(row.part for row in rows)]
-    return [
-        (row, index == 0 or row.part != parts[index]) for index, row in enumerate(rows)
-    ]
+    return [(row, index == 0 or row.part != parts[index]) for index, row in enumerate(rows)]

@@ -33,18 +33,22 @@ class Options:
 
     ``space`` is the room for working after each part, in centimetres; None gives a centimetre for
     each mark, and nothing where the solutions stand behind. ``marks`` is the style of marks; in
-    the style ``"none"`` there are none to be seen, and as much room as in ``"fm1"``.
+    the style ``"none"`` there are none to be seen, and as much room as in ``"fm1"``. ``scheme``
+    sets the mark scheme behind.
     """
 
     solutions: bool = False
     diagrams: bool = True
     space: float | None = None
     marks: Style = "fm1"
+    scheme: bool = False
 
 
 @dataclass(frozen=True)
 class Entry:
     """One question of a sheet as markup of its form; ``working`` is empty where not wanted.
+
+    So is ``scheme``, its mark scheme.
 
     ``room`` is that for the working of its last part, in centimetres.
     """
@@ -53,6 +57,7 @@ class Entry:
     question: str
     working: str = ""
     room: float = 0.0
+    scheme: str = ""
 
 
 def entry(solution: Solution, form: Form, options: Options) -> Entry:
@@ -79,11 +84,24 @@ def entry(solution: Solution, form: Form, options: Options) -> Entry:
         from restitution.workings import typst
 
         working = typst.to_markup(explained) if options.solutions else ""
-        return Entry(solution.problem.title, _typst_question(asked, figure, rooms), working, room)
+        text = _typst_question(asked, figure, rooms)
+        return Entry(solution.problem.title, text, working, room, _scheme(solution, form, options))
     from restitution.workings import html
 
     working = html.to_body(explained) if options.solutions else ""
-    return Entry(solution.problem.title, _html_question(asked, figure, rooms), working, room)
+    text = _html_question(asked, figure, rooms)
+    return Entry(solution.problem.title, text, working, room, _scheme(solution, form, options))
+
+
+def _scheme(solution: Solution, form: Form, options: Options) -> str:
+    """The mark scheme as a table, where it is wanted."""
+    if not options.scheme:
+        return ""
+    from restitution.export import mark_scheme as tables
+    from restitution.practice.mark_scheme import mark_scheme
+
+    rows = mark_scheme(solution, "fm1" if options.marks == "none" else options.marks)
+    return tables.to_typst(rows) if form == "pdf" else tables.to_html(rows)
 
 
 def _figure(solution: Solution) -> str | None:
@@ -135,7 +153,11 @@ def to_pdf(entries: Sequence[Entry], title: str | None, options: Options) -> byt
 def _typst_document(entries: Sequence[Entry], title: str, options: Options) -> str:
     from restitution.workings.typst import PREAMBLE
 
-    head = words("" if options.solutions else "Name ........................................")
+    head = words(
+        ""
+        if options.solutions or options.scheme
+        else "Name ........................................"
+    )
     setup = _PAGE.replace("TITLE", literal(title)).replace("HEAD", head)
     blocks = [setup.replace("WIDTH", f"{FIGURE}mm"), PREAMBLE]
     alone = len(entries) == 1
@@ -147,6 +169,10 @@ def _typst_document(entries: Sequence[Entry], title: str, options: Options) -> s
         blocks.append("#pagebreak(weak: true)\n#heading(numbering: none)[Solutions]")
         for number, each in enumerate(entries, 1):
             blocks.append(_typst_numbered(number, each.title, each.working, alone, title))
+    if options.scheme:
+        blocks.append("#pagebreak(weak: true)\n#heading(numbering: none)[Mark scheme]")
+        for number, each in enumerate(entries, 1):
+            blocks.append(_typst_numbered(number, each.title, each.scheme, alone, title))
     return "\n\n".join(blocks) + "\n"
 
 
@@ -196,6 +222,7 @@ main > h2 { font: 600 1.15rem/1.3 Georgia, serif; break-before: page }
 
 def to_html(entries: Sequence[Entry], title: str | None, options: Options) -> str:
     """The sheet as one page that needs nothing else and prints on A4."""
+    from restitution.export.mark_scheme import STYLE as SCHEME
     from restitution.wording.html import STYLE as QUESTION
     from restitution.workings.html import STYLE as WORKING
 
@@ -210,8 +237,14 @@ def to_html(entries: Sequence[Entry], title: str | None, options: Options) -> st
         body += [
             _html_numbered(n, e.title, e.working, alone, named) for n, e in enumerate(entries, 1)
         ]
+    if options.scheme:
+        body.append("<h2>Mark scheme</h2>")
+        body += [
+            _html_numbered(n, e.title, e.scheme, alone, named) for n, e in enumerate(entries, 1)
+        ]
     inside = "\n".join(body)
-    return page(named, f"{QUESTION}{WORKING}{_STYLE}", f"<main>\n{inside}\n</main>")
+    scheme = SCHEME if options.scheme else ""
+    return page(named, f"{QUESTION}{WORKING}{_STYLE}{scheme}", f"<main>\n{inside}\n</main>")
 
 
 def _html_numbered(number: int, title: str | None, body: str, alone: bool, sheet: str) -> str:

@@ -20,7 +20,7 @@ from restitution.workings import explain
 from restitution.workings.steps import PartExplanation, Row
 
 _MOST_WRONG = 4
-_SECONDS = 5.0
+_SECONDS = 2.5
 
 
 @dataclass(frozen=True)
@@ -61,9 +61,7 @@ def _beside(
 def _lines(part: PartExplanation) -> Iterator[tuple[list[str], str]]:
     for step in part.steps:
         if step.mark:
-            words = "".join(
-                each if isinstance(each, str) else to_text(each) for each in step.words
-            )
+            words = "".join(each if isinstance(each, str) else to_text(each) for each in step.words)
             yield step.mark.split(), words.strip()
         for row in step.rows:
             yield row.mark.split(), _text(row)
@@ -86,9 +84,7 @@ def _row(
     wrong: dict[tuple[str | None, int], list[str]],
 ) -> SchemeRow:
     purposes = list(dict.fromkeys(point.purpose for point in points))
-    notes = dict.fromkeys(
-        note for point in points for note in _notes(part, point, solution, wrong)
-    )
+    notes = dict.fromkeys(note for point in points for note in _notes(part, point, solution, wrong))
     purpose = "; ".join(purposes)
     return SchemeRow(
         part,
@@ -141,7 +137,7 @@ def _listed(titles: Sequence[str]) -> str:
 
 
 def _wrong_answers(solution: Solution) -> dict[tuple[str | None, int], list[str]]:
-    """Answers to which mistakes lead, by part and place of the item, each with the mistake's name."""
+    """Answers to which mistakes lead, with their names, by part and place of the item."""
     usual: dict[tuple[str | None, int], list[str]] = {}
     try:
         with limited(_SECONDS):
@@ -174,7 +170,8 @@ def _add(usual: dict[tuple[str | None, int], list[str]], solution: Solution, nam
                 ):
                     continue
                 seen.add((part, place))
-                display = changed.altered.display.split(" = ")[0]
+                shown = changed.altered.display.split(" = ")
+                display = shown[-1] if changed.altered.answers[0].angle else shown[0]
                 if all(not each.startswith(f"{display} (") for each in told):
                     title = MISCONCEPTIONS[name].title
                     told.append(f"{display} ({title[:1].lower() + title[1:]})")
