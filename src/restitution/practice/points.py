@@ -7,7 +7,7 @@ method, or a value reached; a value that cannot be had without a method earns th
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -18,7 +18,9 @@ from restitution.practice.values import Values
 
 State = Literal["earned", "lost", "open"]
 
+_FIGURES = 3
 _SOUND = ("true", "follows")
+_UNSOUND = ("false", "unsupported", "follows")
 _UNSURE = ("asks", "unread")
 
 
@@ -86,6 +88,7 @@ class _Examiner:
         for point in self.scheme.points:
             self.states[point.id] = self._first(point)
         self._imply()
+        self._keep()
         self._require()
         points = [self.states[point.id] for point in self.scheme.points]
         points = self._misread(points)
@@ -105,50 +108,68 @@ class _Examiner:
 
     def _method(self, point: MarkPoint) -> PointMark:
         """A line that uses the principle; one with a mistake has the rule of that mistake."""
-        worst: PointMark | None = None
-        for line in self.lines:
-            use = self._use(line, point)
-            if use is None:
+        lost: PointMark | None = None
+        for line, use in self._uses(point):
+            if use.altered is None and line.verdict in _SOUND:
+                if line.verdict == "true" or lost is None:
+                    return self._earned(point, line, "")
                 continue
-            if line.verdict in _SOUND:
-                return self._earned(point, line, "")
             earns, why = self._with_mistake(line, use)
             if earns:
                 return self._earned(point, line, why)
-            worst = worst or PointMark(point, "lost", line.line.number, why)
-        if worst is None and point.principle in ("solve", "condition", "method", "inequality"):
+            lost = lost or PointMark(point, "lost", line.line.number, why)
+        by_value = self._by_value(point)
+        if by_value is not None:
+            return self._earned(point, by_value, "")
+        if lost is None and point.principle in ("solve", "condition", "method", "inequality"):
             line_of_value = self._elimination()
             if line_of_value is not None:
                 return self._earned(point, line_of_value, "")
-        return worst or self._missing(point)
+        return lost or self._missing(point)
+
+    def _by_value(self, point: MarkPoint) -> JudgedLine | None:
+        """A line that gives what a method is for, from true values or the student's own."""
+        if point.principle not in _OF_VALUES or point.shown:
+            return None
+        return next(
+            (
+                line
+                for line in self.lines
+                if line.verdict in _SOUND and self.values.matches(point, line) is not None
+            ),
+            None,
+        )
 
     def _equation(self, point: MarkPoint) -> PointMark:
         """The equation itself, correct."""
-        for line in self.lines:
-            if self._use(line, point) is None:
-                continue
+        lost: PointMark | None = None
+        for line, use in self._uses(point):
+            altered = use.altered is not None
             if line.verdict == "true" or (line.verdict == "follows" and point.follows):
-                return self._earned(point, line, "")
-            if line.verdict == "follows":
+                if not altered and (lost is None or line.verdict == "true"):
+                    return self._earned(point, line, "")
+            elif line.verdict == "follows" and not altered and lost is None:
                 # Newton's law with the sense that his momentum gives his letters.
                 if point.principle == "restitution":
                     return self._earned(point, line, "consistent with the line of momentum")
-                return PointMark(point, "lost", line.line.number, "follows from an earlier slip")
-            return PointMark(point, "lost", line.line.number, self._reason(line))
-        return self._missing(point)
+                why = "follows from an earlier slip"
+                lost = PointMark(point, "lost", line.line.number, why)
+            lost = lost or PointMark(point, "lost", line.line.number, self._reason(line))
+        return lost or self._missing(point)
 
     def _independent(self, point: MarkPoint) -> PointMark:
         """A component that stays, or one read off: as a line, or used in one."""
-        for line in self.lines:
-            if line.verdict in _SOUND and self._use(line, point) is not None:
+        lost: PointMark | None = None
+        for line, use in self._uses(point):
+            sound = line.verdict in _SOUND and use.altered is None
+            if sound and (lost is None or line.verdict == "true"):
                 return self._earned(point, line, "")
+            lost = lost or PointMark(point, "lost", line.line.number, self._reason(line))
         value = self._value(point)
-        if value.state == "earned":
-            return value
-        for line in self.lines:
-            if self._use(line, point) is not None and line.verdict == "false":
-                return PointMark(point, "lost", line.line.number, self._reason(line))
-        return value
+        if value.state == "earned" or lost is not None:
+            return value if value.state == "earned" else lost or value
+        used = next((line for line in self.lines if self.values.carries(point, line)), None)
+        return value if used is None else self._earned(point, used, "used here")
 
     def _value(self, point: MarkPoint) -> PointMark:
         """A value: true, or his own where the point follows through; the last one given counts."""
@@ -182,11 +203,25 @@ class _Examiner:
 
     # --- what a line uses -----------------------------------------------------------------------
 
+    def _uses(self, point: MarkPoint) -> Iterator[tuple[JudgedLine, Use]]:
+        """The lines that use a point's principle, those that hold first."""
+        for sound in (True, False):
+            for line in self.lines:
+                if (line.verdict in _SOUND) is not sound or line.verdict == "unsupported":
+                    continue
+                use = self._use(line, point)
+                if use is not None:
+                    yield line, use
+
     def _use(self, line: JudgedLine, point: MarkPoint) -> Use | None:
         """The use of the point's principle in a line, at its event and for its bodies."""
-        for use in line.uses:
-            if use.principle not in _NAMES.get(point.principle, (point.principle,)):
+        names = _NAMES.get(point.principle, (point.principle,))
+        implied = line.verdict == "true" and not self.values.is_solved(line)
+        for place, use in enumerate(_fitting(line)):
+            if use.principle not in names:
                 continue
+            if place and use.altered is None and use.principle in _LAWS and not implied:
+                continue  # a bare value states no law
             if point.event is not None and use.event not in (None, point.event):
                 continue
             own = point.principle in ("unchanged", "impulse", "speed", "angle", "deflection")
@@ -222,7 +257,9 @@ class _Examiner:
     # --- the whole ------------------------------------------------------------------------------
 
     def _imply(self) -> None:
-        """A true value earns what it cannot be had without."""
+        """A true value earns what it cannot be had without; not where the result is printed."""
+        if any(point.shown for point in self.scheme.points):
+            return
         for point in reversed(self.scheme.points):
             own = self.states[point.id]
             if own.state != "earned" or own.line is None or point.shown:
@@ -230,7 +267,9 @@ class _Examiner:
             line = self._line(own.line)
             if line is None or line.verdict not in ("true", "unsupported", "remark"):
                 continue
-            if point.letter == "M" and not own.implied:
+            if self._is_broken(own.line, ("false",)):
+                continue
+            if point.letter == "M" and not own.implied and point.principle != "solve":
                 continue
             if point.letter == "B":
                 continue
@@ -244,6 +283,22 @@ class _Examiner:
                 self.states[name] = replace(
                     state, state="earned", line=own.line, why=why, implied=True
                 )
+
+    def _keep(self) -> None:
+        """A slip in the line of an answer keeps the method that this line alone shows."""
+        for point in self.scheme.points:
+            own = self.states[point.id]
+            line = self._line(own.line)
+            if point.letter == "M" or own.state != "lost" or line is None:
+                continue
+            slip = line.mistake is not None and line.mistake.kind == "slip"
+            if line.verdict != "false" or not slip or len(line.line.links) < 2:
+                continue
+            for name in point.depends:
+                state = self.states[name]
+                if state.state == "lost" and state.line is None:
+                    why = "a slip keeps the method"
+                    self.states[name] = PointMark(state.point, "earned", own.line, why)
 
     def _is_wrong(self, number: int) -> bool:
         line = self._line(number)
@@ -270,14 +325,29 @@ class _Examiner:
                 self.states[point.id] = replace(
                     own, state="open", why="rests on a point still open"
                 )
-            elif point.shown and self._is_broken(own.line):
+            elif point.shown and self._is_broken(own.line, _UNSOUND):
                 why = "a line above it is not true"
                 self.states[point.id] = replace(own, state="lost", why=why)
+            elif point.shown and self._is_leap(own, needed):
+                why = "a step is missing between the equations and the result"
+                self.states[point.id] = replace(own, state="lost", why=why)
 
-    def _is_broken(self, number: int | None) -> bool:
-        """Whether a false or unsupported line stands above the printed result."""
+    def _is_leap(self, result: PointMark, methods: Sequence[PointMark]) -> bool:
+        """Whether no step stands between the equations and the printed result."""
+        line = self._line(result.line)
+        if line is None or len(line.line.links) > 1:
+            return False
+        laws = [each.line for each in methods if each.point.principle in _LAWS and each.line]
+        last = max(laws, default=0)
+        return not any(
+            last < each.line.number < line.line.number and each.verdict == "true"
+            for each in self.lines
+        )
+
+    def _is_broken(self, number: int | None, verdicts: Sequence[str]) -> bool:
+        """Whether a line with one of the verdicts stands above a line."""
         return any(
-            line.verdict in ("false", "unsupported", "follows")
+            line.verdict in verdicts
             for line in self.lines
             if number is None or line.line.number < number
         )
@@ -317,7 +387,9 @@ class _Examiner:
             if each.state != "earned" or each.point.item is None or each.implied:
                 continue
             line = self._line(each.line)
-            if line is not None and line.accuracy == "coarse" and not self._is_exact_above(each):
+            if line is None or line.accuracy != "coarse" or _ends_fine(line):
+                continue
+            if not self._is_exact_above(each):
                 why = "given too coarsely"
                 return [*points[:place], replace(each, state="lost", why=why), *points[place + 1 :]]
         return points
@@ -347,17 +419,47 @@ class _Examiner:
         return next((each for each in self.lines if each.line.number == number), None)
 
 
+_LAWS = ("momentum", "restitution", "unchanged")
+
+# Methods that a value of what they are for shows.
+_OF_VALUES = (
+    "speed",
+    "angle",
+    "energy",
+    "impulse",
+    "deflection",
+    "velocity",
+    "scalar-product",
+    "place",
+)
+
 # The words of verdicts for the principle of a point, where they are several.
 _NAMES: Mapping[str, tuple[str, ...]] = {
     "momentum": ("momentum", "impulse"),
     "velocity": ("velocity", "component"),
     "speed": ("speed", "energy"),
-    "deflection": ("deflection", "angle"),
-    "angle": ("angle", "deflection", "direction"),
+    "angle": ("angle", "direction"),
     "scalar-product": ("scalar-product", "angle", "deflection"),
     "fact": ("fact", "energy", "angle", "deflection", "speed"),
     "solve": ("solve",),
 }
+
+
+def _ends_fine(line: JudgedLine) -> bool:
+    """Whether the last decimal of a line, that of its answer, has figures enough."""
+    decimals = line.line.links[-1].decimals if line.line.links else ()
+    last = max(decimals, key=lambda each: each.column, default=None)
+    return last is not None and last.figures >= _FIGURES
+
+
+def _fitting(line: JudgedLine) -> tuple[Use, ...]:
+    """The uses of a line; of a named mistake those that are an instance of it."""
+    mistake = line.mistake
+    if mistake is None or mistake.kind != "misconception":
+        return line.uses
+    names = (mistake.id, *mistake.also)
+    named = tuple(use for use in line.uses if (use.altered or "").partition("/")[0] in names)
+    return named or line.uses
 
 
 def _as_true(line: JudgedLine) -> JudgedLine:

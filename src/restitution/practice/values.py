@@ -14,6 +14,7 @@ from typing import Literal
 
 import numpy as np
 
+from restitution.explaining.trees import exchanged
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import Expression, Letter, Quantity, children
 from restitution.practice.arrays import Array, UnvaluedError
@@ -72,6 +73,31 @@ class Values:
             for chain in _chains(line)
             for claim in chain
         )
+
+    def carries(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line uses the component of a point: in a velocity, a speed, or as a remark."""
+        link = point.link
+        if link is None or point.principle != "unchanged":
+            return False
+        if line.verdict == "remark":
+            return any(self._is_worth(value, link.right, line) for value in line.line.values)
+        velocity = next((each for each in _within(link.left) if each.kind == "velocity"), None)
+        if line.verdict not in ("true", "follows") or velocity is None:
+            return False
+        if self.value_of(replace(velocity, kind="speed"), line) is not None:
+            return True
+        vector = self.value_of(velocity, line)
+        if vector is None:
+            return False
+        return self._is_worth(exchanged(link.left, {velocity: vector}), link.left, line)
+
+    def _is_worth(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
+        world = self._base
+        try:
+            own = world.value(side, self._meanings(line), line.line.scope)
+            return _same(world, own, world.value(quantity))
+        except UnvaluedError:
+            return False
 
     def value_of(self, tree: Expression, line: JudgedLine) -> Expression | None:
         """The side of a line that gives a quantity its value, the last one typed."""
@@ -183,6 +209,14 @@ def _names_in(tree: Expression) -> Iterator[Expression]:
         return
     for child in children(tree):
         yield from _names_in(child)
+
+
+def _within(tree: Expression) -> Iterator[Quantity]:
+    """The quantities of a tree, outer ones first."""
+    if isinstance(tree, Quantity):
+        yield tree
+    for child in children(tree):
+        yield from _within(child)
 
 
 def _same(world: World, one: Value, other: Value) -> bool:
