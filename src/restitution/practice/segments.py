@@ -307,6 +307,8 @@ def _equality(tokens: Sequence[Token], place: int) -> Token:
     opens = behind.kind in _OPERANDS or behind.kind in ("-", "|")
     if behind.kind == "phrase" and not set(behind.name.split()) & HEADS.keys():
         return token
+    if behind.name in ("the lost", "the gained", "the turned", "the deflected"):
+        return token  # energy is lost
     if token.text in EQUALS and before.kind in _CLOSING - {"name"} and opens:
         return replace(token, kind="relation", name="=")
     if token.text == "of" and before.kind in ("number", "percent", ")") and opens:

@@ -154,6 +154,8 @@ class _Reader:
         if self.supposes:
             self.supposed(segment)
             return
+        if _is_identity(segment.tokens):
+            return
         self.carry(segment)
         parts = list(split_at_spaces(segment))
         for place, (part, parting) in enumerate(parts):
@@ -576,6 +578,19 @@ def _is_letter(tree: Expression) -> bool:
 
 def _is_numeric(tree: Expression) -> bool:
     return not letters(tree)
+
+
+def _is_identity(tokens: Sequence[Token]) -> bool:
+    """Whether a relation is one of functions without their angle: ``sin² + cos² = 1``."""
+    for place, token in enumerate(tokens):
+        if token.kind != "function":
+            continue
+        behind = place + 1
+        if [each.kind for each in tokens[behind : behind + 2]] == ["^", "number"]:
+            behind += 2
+        if behind >= len(tokens) or tokens[behind].kind in ("+", "=", "relation", "/", ")"):
+            return True
+    return False
 
 
 def _is_percentage(tree: Expression) -> bool:

@@ -41,7 +41,7 @@ _FIGURES = re.compile(
     re.IGNORECASE,
 )
 _UNIT = re.compile(
-    r"(?:kg\s?)?m\s*/\s*s(?![A-Za-z(])|(?:kg\s?)?m\s?s\s*(?:\^\s*\(?\s*-\s?1\s*\)?|-1)(?![\d.])"
+    r"(?:kg\s?)?m\s*/\s*s(?![A-Za-z(])|(?:kg\s?)?m\s?s\s*(?:\^\s*\(?\s*-\s?1\s*\)?|-1)(?!\d|\.\d)"
     r"|N\s?s(?![A-Za-z(])|N\s?/\s?s|kg(?![A-Za-z])|[Jj]oules?\b|metres?\b|newtons?\s+seconds?\b"
     r"|kgms(?:\^\s*\(?\s*-\s?1\s*\)?|-1)|J(?![A-Za-z_'\d])|m(?![A-Za-z_'\d(])|s(?![A-Za-z_'\d(])"
 )
@@ -227,6 +227,8 @@ class _Scanner:
             self._add("degrees", offset + 1, gap)
         elif character == ".":
             self._point(gap)
+        elif character in "?!":
+            self._add("stop", offset + 1, gap)
         elif character in _SIGNS:
             kind = _SIGNS[character]
             self._add(kind, offset + 1, gap, "sqrt" if kind == "function" else "")
