@@ -1,15 +1,13 @@
-"""The grammar of expressions in a student's working, with every sensible reading of each.
+"""The grammar of expressions in a student's working: one reading of the tokens of a side.
 
 It is wider than that of statements and shares its trees. Where people mean different things
-(``3u/2m``, ``1/2mv^2``, ``sin a/x``), the parser asks which reading is wanted; it is run again for
-each, a bounded number of times. It never looks ahead more than a few tokens and never backtracks,
-so that a run takes a time in proportion to the length of the text.
+(``3u/2m``, ``1/2mv^2``, ``sin a/x``), it asks which reading is wanted (`Cursor.choose`). It never
+looks ahead more than a few tokens and never backtracks, so that a run takes a time in proportion
+to the length of the text.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
 from restitution.expression.tree import (
@@ -23,92 +21,21 @@ from restitution.expression.tree import (
     Number,
     Pair,
     Pi,
-    Place,
     Quantity,
     Unit,
     walk,
 )
-from restitution.practice.angles import angular, in_degrees, is_angle, radians
-from restitution.practice.tokens import Token, Usage
+from restitution.practice.angles import angular, radians
+from restitution.practice.cursor import Cursor, UnreadableError
+from restitution.practice.tokens import Token
 from restitution.practice.vocabulary import INVERSES
 
-MAX_READINGS = 12
 MAX_DEPTH = 30
 
 _OPERANDS = frozenset(
     ("number", "letter", "name", "unit", "pi", "phrase", "function", "(", "vector")
 )
 _TRIGONOMETRIC = frozenset(("sin", "cos", "tan", "cot", "sec", "cosec"))
-
-
-class UnreadableError(Exception):
-    """What was expected, and the column at which it was."""
-
-    def __init__(self, expected: str, column: int) -> None:
-        super().__init__(expected)
-        self.expected, self.column = expected, column
-
-
-@dataclass(frozen=True)
-class Side:
-    """A side of a relation in one reading; ``other`` is its value with the lower sign of a ±."""
-
-    tree: Expression
-    other: Expression | None = None
-
-
-def read_sides(
-    tokens: Sequence[Token], usage: Usage, line: int, end_column: int
-) -> tuple[Side, ...]:
-    """Every reading of the tokens of one side, the most natural first.
-
-    Raises UnreadableError where no reading of them is an expression.
-    """
-    sides: dict[Expression, Side] = {}
-    fault: UnreadableError | None = None
-    pending: list[dict[str, int]] = [{}]
-    tried: set[tuple[tuple[str, int], ...]] = set()
-    double = any(token.kind == "±" for token in tokens)
-    while pending and len(tried) < 3 * MAX_READINGS and len(sides) < MAX_READINGS:
-        picks = pending.pop(0)
-        key = tuple(sorted(picks.items()))
-        if key in tried:
-            continue
-        tried.add(key)
-        parser = _Parser(tokens, usage, line, end_column, picks)
-        try:
-            tree = in_degrees(parser.side(), usage.angles)
-            other = None
-            if double:
-                lower = _Parser(tokens, usage, line, end_column, picks, lower=True)
-                other = in_degrees(lower.side(), usage.angles)
-            if not _is_absurd(tree):
-                sides.setdefault(tree, Side(tree, other))
-        except UnreadableError as error:
-            fault = fault or error
-        pending.extend(_further(picks, parser.asked))
-    if not sides:
-        raise fault or UnreadableError("an expression", tokens[0].column if tokens else end_column)
-    return tuple(sides.values())
-
-
-def _further(picks: dict[str, int], asked: dict[str, int]) -> Iterator[dict[str, int]]:
-    """The picks that differ from these by one more question, all of a kind and each alone."""
-    if len(picks) >= 3:
-        return
-    for question, options in asked.items():
-        if question in picks:
-            continue
-        for option in range(1, options):
-            yield {**picks, question: option}
-
-
-def _is_absurd(tree: Expression) -> bool:
-    """Whether a reading divides by a vector, which none means."""
-    return any(
-        isinstance(each, Binary) and each.op == "/" and is_vector(each.right, frozenset())
-        for each in walk(tree)
-    )
 
 
 def is_vector(tree: Expression, vectors: frozenset[str]) -> bool:
@@ -133,63 +60,8 @@ def is_vector(tree: Expression, vectors: frozenset[str]) -> bool:
     return False
 
 
-class _Parser:
-    """One run over the tokens of a side; ``picks`` answers its questions, 0 where not there."""
-
-    def __init__(
-        self,
-        tokens: Sequence[Token],
-        usage: Usage,
-        line: int,
-        end_column: int,
-        picks: dict[str, int],
-        lower: bool = False,
-    ) -> None:
-        self.tokens, self.usage, self.line, self.picks = tokens, usage, line, picks
-        self.end_column, self.lower = end_column, lower
-        self.position = self.depth = self.bars = 0
-        self.asked: dict[str, int] = {}
-        self.radians: set[int] = set()
-        self.counts: dict[str, int] = {}
-
-    # -- tokens -----------------------------------------------------------------------------
-
-    def choose(self, kind: str, options: int = 2) -> int:
-        """Which of the readings of a kind is wanted here; the first unless picked otherwise.
-
-        A kind is asked as a whole, and from its second occurrence each alone as well.
-        """
-        number = self.counts[kind] = self.counts.get(kind, -1) + 1
-        each = f"{kind}/{number}"
-        self.asked.setdefault(kind, options)
-        if number and number < 4:
-            self.asked.setdefault(f"{kind}/0", options)
-            self.asked.setdefault(each, options)
-        return self.picks.get(each, self.picks.get(kind, 0)) % options
-
-    def kind(self, ahead: int = 0) -> str:
-        """The kind of a token ahead; empty behind the last one."""
-        place = self.position + ahead
-        return self.tokens[place].kind if place < len(self.tokens) else ""
-
-    def token(self, ahead: int = 0) -> Token:
-        """A token ahead, which has to be there."""
-        return self.tokens[self.position + ahead]
-
-    def take(self) -> Token:
-        """The next token, passed."""
-        token = self.tokens[self.position]
-        self.position += 1
-        return token
-
-    def fail(self, expected: str) -> UnreadableError:
-        """What to raise where something else was expected."""
-        there = self.position < len(self.tokens)
-        return UnreadableError(expected, self.token().column if there else self.end_column)
-
-    def place(self, token: Token) -> Place:
-        """Where a token stands."""
-        return Place(self.line, token.column)
+class Parser(Cursor):
+    """Reads the tokens of a side as an expression."""
 
     # -- sums and products --------------------------------------------------------------------
 
@@ -610,8 +482,3 @@ def _may_be_radians(tree: Expression) -> bool:
         isinstance(each, Number) and each.value.denominator != 1 and each.value < 7
         for each in walk(tree)
     )
-
-
-def angles_of(tree: Expression, angles: frozenset[str]) -> bool:
-    """Whether a tree is an angle."""
-    return is_angle(tree, angles)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
 
-from restitution.practice.phrases import features, words_of
+from restitution.practice.features import features, words_of
 from restitution.practice.script import Scope
 from restitution.practice.tokens import Token, Usage
 from restitution.practice.vocabulary import EVENT_WORDS, ORDINALS, STAGES

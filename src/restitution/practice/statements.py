@@ -2,38 +2,45 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator, Sequence
-from collections.abc import Set as AbstractSet
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import pairwise, product
 
 from restitution.expression.tree import (
     Apply,
-    Binary,
-    Degrees,
     Expression,
     Letter,
-    Measured,
     Name,
     Number,
-    Pi,
     letters,
-    walk,
 )
 from restitution.practice.angles import angular, is_angle, without_marks
 from restitution.practice.characters import Plain
-from restitution.practice.grammar import Side, UnreadableError, is_vector, read_sides
-from restitution.practice.phrases import is_phrase, read_phrase
-from restitution.practice.script import Claim, Decimal, Declaration, Link, Sign
+from restitution.practice.cursor import UnreadableError
+from restitution.practice.declarations import Declarations
+from restitution.practice.grammar import is_vector
+from restitution.practice.phrases import is_phrase
+from restitution.practice.readings import Side, read_sides
+from restitution.practice.relations import (
+    claims,
+    decimals,
+    finished,
+    has_head,
+    is_function,
+    is_identity,
+    is_law,
+    is_letter,
+    is_numeric,
+    sides_of,
+)
+from restitution.practice.script import Claim, Declaration, Link, Sign
 from restitution.practice.segments import Segment, split_at_spaces
 from restitution.practice.tokens import Token, Usage
 from restitution.practice.vocabulary import DECLARES, HEADS, STAGES
 from restitution.problem import Problem
 
 MAX_CLAIMS = 24
-_THAT_OF = re.compile(r"\b([A-Za-z](?:_?\w)?)\s+(?:=\s*|is\s+|be\s+)?that\s+of\s+([A-Z]\w*)")
 # Words behind which a relation without a left side goes on from the last right one.
 _CONNECTING = frozenset(
     ("so", "hence", "therefore", "=>", ",", "and", "or", "then", "thus", "which", "giving", "->")
@@ -102,14 +109,14 @@ class _Reader:
         self.waiting_sign: Sign = "="
         self.before: tuple[Side, ...] = ()
         self.last_label = ""
-        self.shared: Token | None = None
-        self.bodies = tuple(each.name for each in problem.spheres)
+        self.declared = Declarations(usage, problem)
         self.pending_letters: list[Letter] = []
 
     def finish(self) -> None:
         """Puts together what was read."""
-        self.that_of()
-        self.statements.links = tuple(map(_finished, self.links))
+        self.declared.that_of(self.line.text)
+        self.statements.declarations = self.declared.made
+        self.statements.links = tuple(map(finished, self.links))
         self.statements.values = tuple(map(without_marks, self.statements.values))
         if self.label is not None and self.label.kind == "name" and not self.links:
             self.statements.body = self.body_of(self.label)
@@ -154,7 +161,7 @@ class _Reader:
         if self.supposes:
             self.supposed(segment)
             return
-        if _is_identity(segment.tokens):
+        if is_identity(segment.tokens):
             return
         self.carry(segment)
         parts = list(split_at_spaces(segment))
@@ -181,13 +188,13 @@ class _Reader:
 
     def supposed(self, segment: Segment) -> None:
         """What stands behind *when* or *if* is no claim; its sides are values of a remark."""
-        for tokens in _sides(segment.tokens)[0]:
+        for tokens in sides_of(segment.tokens)[0]:
             if tokens:
                 self.statements.values += (self.sides(tokens)[0].tree,)
 
     def joined(self, before: Segment, behind: Segment, first: int, rather: bool) -> None:
         """Adds the readings of ``w = 0.6u v = 2`` as a chain to those of two relations."""
-        middle = [*_sides(before.tokens)[0][-1], *_sides(behind.tokens)[0][0]]
+        middle = [*sides_of(before.tokens)[0][-1], *sides_of(behind.tokens)[0][0]]
         try:
             chained = self.sides(middle)[0].tree
         except UnreadableError:
@@ -239,7 +246,7 @@ class _Reader:
         words = set(segment.before)
         if self.label is not None:
             label, self.label = self.label, None
-            if is_vector(sides[0].tree, self.usage.vectors) and not _has_head(label):
+            if is_vector(sides[0].tree, self.usage.vectors) and not has_head(label):
                 self.statements.values += (sides[0].tree,)
             elif not isinstance(sides[0].tree, Name):
                 self.labelled(label, sides, tokens)
@@ -253,11 +260,11 @@ class _Reader:
             return
         tree = sides[0].tree
         if len(tokens) == 1 and isinstance(tree, Letter) and not is_phrase(tree.name):
-            if self.another(tree, words):
+            if self.declared.another(tree, words):
                 return
             self.pending_letters.append(tree)
         if [each.kind for each in tokens] == ["letter", "-", "phrase"] and tokens[1].gap:
-            self.declare(Letter(tokens[0].name), tokens[2])
+            self.declared.declare(Letter(tokens[0].name), tokens[2])
             return
         if not isinstance(sides[0].tree, Name) and tokens[0].kind != "phrase":
             self.statements.values += (sides[0].tree,)
@@ -292,7 +299,7 @@ class _Reader:
         if not (segment.is_phrase and self.pending_letters):
             return False
         if token.kind == "phrase" and ":" in segment.before:
-            self.declare(self.pending_letters[-1], token)
+            self.declared.declare(self.pending_letters[-1], token)
             return True
         return False
 
@@ -329,7 +336,7 @@ class _Reader:
 
     def relations(self, segment: Segment) -> None:
         """Reads a chain of relations."""
-        sides, signs = _sides(segment.tokens)
+        sides, signs = sides_of(segment.tokens)
         if not sides[0] and not self._goes_on(segment):
             sides, signs = sides[1:], signs[1:]
         if not sides[-1] and len(sides) > 1 and sides[-2]:
@@ -413,13 +420,13 @@ class _Reader:
         label, self.label = self.label, None
         first = read[0][0].tree
         if label.kind == "name" or isinstance(first, Letter | Apply):
-            self.statements.body = self.body_of(label)
+            self.declared.body = self.statements.body = self.body_of(label)
             if label.kind == "name":
                 return
         known = letters(first)
         evaluates = all(letters(each[0].tree) <= known for each in read[1:])
-        evaluates = evaluates and set(signs) == {"="} and not _is_law(read)
-        if evaluates and not isinstance(first, Letter) and not _is_function(first):
+        evaluates = evaluates and set(signs) == {"="} and not is_law(read)
+        if evaluates and not isinstance(first, Letter) and not is_function(first):
             self.link((Side(Letter(label.name)),), "=", read[0], sides[0], label)
 
     def alternative(
@@ -443,34 +450,16 @@ class _Reader:
         angle: bool = False,
     ) -> None:
         """Adds a relation with every reading of its two sides."""
-        claims: dict[Claim, None] = {}
+        found: dict[Claim, None] = {}
         ranked = sorted(product(range(len(left)), range(len(right))), key=sum)
         for first, second in ranked[: 2 * MAX_CLAIMS]:
-            for claim in self.claims(left[first], sign, right[second], angle):
-                claims.setdefault(claim)
+            for claim in claims(left[first], sign, right[second], angle, self.usage.angles):
+                found.setdefault(claim)
         whole = [label, *tokens] if label is not None else list(tokens)
-        readings = tuple(claims)[:MAX_CLAIMS]
+        readings = tuple(found)[:MAX_CLAIMS]
         start = min((each.column for each in whole), default=1)
         end = max((self.line.column(each.end) for each in whole), default=start)
-        decimals = tuple(_decimals(tokens, readings))
-        self.links.append(Link(readings, start, end, decimals))
-
-    def claims(self, left: Side, sign: Sign, right: Side, angle: bool) -> Iterator[Claim]:
-        """A claim; where one side is an angle, bare numbers on the other are degrees first."""
-        angles = self.usage.angles
-        others = (right.other,) if right.other is not None and right.other != right.tree else ()
-        first, second = left.tree, right.tree
-        if angle or is_angle(first, angles) or is_angle(second, angles):
-            turned = _turned(first, angles), _turned(second, angles)
-            more = tuple(_turned(each, angles) for each in others)
-            yield Claim(turned[0], sign, turned[1], more)
-            if turned == (first, second):
-                return
-        yield Claim(first, sign, second, others)
-        if _is_percentage(first) and not others:
-            yield Claim(first, sign, Binary("/", second, Number(Fraction(100))))
-        if left.other is not None and left.other != left.tree:
-            yield Claim(left.other, sign, second, others)
+        self.links.append(Link(readings, start, end, tuple(decimals(tokens, readings))))
 
     # -- declarations ---------------------------------------------------------------------------
 
@@ -485,175 +474,20 @@ class _Reader:
         if len(signs) != 1 or signs[0] != "=" or not (sides[0] and sides[1]):
             return False
         left, right = read[0][0].tree, read[1][0].tree
-        if _is_letter(right) and not _is_letter(left) and isinstance(left, Letter):
+        if is_letter(right) and not is_letter(left) and isinstance(left, Letter):
             left, right, sides = right, left, (sides[1], sides[0])
-        if not _is_letter(left):
+        if not is_letter(left):
             return False
         assert isinstance(left, Letter)
         token = sides[1][0]
         if isinstance(right, Letter) and is_phrase(right.name):
             letters_before = [*self.pending_letters, left]
             self.pending_letters = []
-            self._declare_all(letters_before, token)
+            self.declared.declare_all(letters_before, token)
             return True
-        defined = self.defines and not _is_numeric(right)
+        defined = self.defines and not is_numeric(right)
         if self.declares or defined:
             text = self.line.text[sides[1][0].start : sides[1][-1].end]
-            self._add_declaration(Declaration(left.name, tuple(s.tree for s in read[1]), text))
+            self.declared.add(Declaration(left.name, tuple(s.tree for s in read[1]), text))
             return True
         return False
-
-    def _declare_all(self, declared: Sequence[Letter], token: Token) -> None:
-        """``v and w = the speeds of A and B``: each letter with its body."""
-        words = token.name.split()
-        bodies = [each for each in words if each in self.usage.spheres]
-        self.shared = token
-        if len(declared) > 1 and not bodies and len(declared) == len(self.bodies):
-            bodies = list(self.bodies)
-            words = [*words, "of", *bodies]
-        if len(declared) == 1 or len(bodies) != len(declared):
-            self.declare(declared[-1], token)
-            return
-        for letter, body in zip(declared, bodies):
-            kept = [each for each in words if each not in self.usage.spheres or each == body]
-            self.declare(letter, replace(token, name=" ".join(kept)))
-
-    def declare(self, letter: Letter, token: Token) -> None:
-        """Adds what a letter is said to be in words."""
-        words = token.name
-        body = self.statements.body
-        if body and not self.usage.spheres & set(words.split()):
-            words = f"{words} of {body}"
-        meanings = read_phrase(words, self.problem)
-        self._add_declaration(Declaration(letter.name, meanings, token.text))
-
-    def another(self, letter: Letter, words: AbstractSet[str]) -> bool:
-        """A further letter of a phrase: ``let the components after be v and w``."""
-        declared = self.statements.declarations
-        if self.shared is None or not declared or not words <= {"and", ","}:
-            return False
-        place = len(declared)
-        names = self.usage.spheres & set(self.shared.name.split())
-        if names or place >= len(self.bodies):
-            return False
-        if place == 1:
-            first = f"{self.shared.name} of {self.bodies[0]}"
-            meanings = read_phrase(first, self.problem)
-            self.statements.declarations = (replace(declared[0], meanings=meanings),)
-        name = f"{self.shared.name} of {self.bodies[place]}"
-        self.declare(letter, replace(self.shared, name=name))
-        return True
-
-    def that_of(self) -> None:
-        """``w that of B``: the last declaration once more, for another body."""
-        match = _THAT_OF.search(self.line.text)
-        declared = self.statements.declarations
-        if match is None or not declared or self.shared is None:
-            return
-        if match[2] in self.usage.spheres and match[1] != declared[-1].letter:
-            words = [each for each in self.shared.name.split() if each not in self.usage.spheres]
-            name = " ".join((*words, "of", match[2]))
-            self.declare(Letter(match[1]), replace(self.shared, name=name))
-
-    def _add_declaration(self, declaration: Declaration) -> None:
-        self.statements.declarations += (declaration,)
-
-
-def _sides(tokens: Sequence[Token]) -> tuple[list[list[Token]], list[Sign]]:
-    """The sides of a chain, and the signs between them."""
-    sides: list[list[Token]] = [[]]
-    signs: list[Sign] = []
-    for token in tokens:
-        if token.kind == "relation":
-            sides.append([])
-            signs.append(token.name)  # type: ignore[arg-type]
-        else:
-            sides[-1].append(token)
-    return sides, signs
-
-
-def _is_letter(tree: Expression) -> bool:
-    return isinstance(tree, Letter) and not is_phrase(tree.name)
-
-
-def _is_numeric(tree: Expression) -> bool:
-    return not letters(tree)
-
-
-def _is_identity(tokens: Sequence[Token]) -> bool:
-    """Whether a relation is one of functions without their angle: ``sin² + cos² = 1``."""
-    for place, token in enumerate(tokens):
-        if token.kind != "function":
-            continue
-        behind = place + 1
-        if [each.kind for each in tokens[behind : behind + 2]] == ["^", "number"]:
-            behind += 2
-        if behind >= len(tokens) or tokens[behind].kind in ("+", "=", "relation", "/", ")"):
-            return True
-    return False
-
-
-def _is_percentage(tree: Expression) -> bool:
-    """Whether a side is a phrase such as *percentage lost*, whose value people give in percent."""
-    return isinstance(tree, Letter) and bool({"percentage", "percent"} & set(tree.name.split()))
-
-
-def _finished(link: Link) -> Link:
-    """A link without the marks that only reading needs."""
-    readings = dict.fromkeys(
-        Claim(
-            without_marks(each.left),
-            each.sign,
-            without_marks(each.right),
-            tuple(map(without_marks, each.others)),
-        )
-        for each in link.readings
-    )
-    return replace(link, readings=tuple(readings))
-
-
-def _has_head(label: Token) -> bool:
-    """Whether a label names more than a direction."""
-    if label.kind == "name":
-        return True
-    return any(HEADS.get(each, "direction") != "direction" for each in label.name.split())
-
-
-def _is_function(tree: Expression) -> bool:
-    return isinstance(tree, Apply) and tree.function in ("sin", "cos", "tan")
-
-
-def _is_law(read: Sequence[tuple[Side, ...]]) -> bool:
-    """Whether a relation has the same unknown letters in sums on both sides: a law, no value."""
-    sides = [letters(each[0].tree) for each in read[1:]]
-    return bool(sides) and sides[0] == letters(read[0][0].tree) and len(sides[0]) > 1
-
-
-def _turned(tree: Expression, angles: frozenset[str]) -> Expression:
-    """A side beside an angle: its bare numbers are degrees."""
-    if any(isinstance(each, Pi | Degrees | Measured) for each in walk(tree)):
-        return tree
-    if any(isinstance(each, Apply) for each in walk(tree)):
-        return tree
-    return angular(tree, angles)
-
-
-def _decimals(tokens: Sequence[Token], readings: Sequence[Claim]) -> Iterator[Decimal]:
-    """The decimals of a link, and whole degrees that are a side by themselves."""
-    alone = {
-        side.place.column
-        for claim in readings
-        for side in (claim.left, claim.right, *claim.others)
-        if isinstance(side, Degrees) and side.place is not None
-    }
-    for place, token in enumerate(tokens):
-        if token.kind != "number":
-            continue
-        whole, _, places = token.text.partition(".")
-        percent = place + 1 < len(tokens) and tokens[place + 1].kind == "percent"
-        scale = Fraction(1, 100) if percent else Fraction(1)
-        if not places and not percent and token.column not in alone:
-            continue
-        digits = (whole + places).lstrip("0")
-        half = Fraction(1, 2 * 10 ** len(places)) * scale
-        yield Decimal(token.column, token.value * scale, max(1, len(digits)), half)

@@ -1,6 +1,6 @@
 """A student's working, read: plain text to a `Script`.
 
-A line is made plain (`characters`), scanned (`tokens`) with what is known of the script's letters
+A line is made plain (`characters`), scanned (`scanner`) with what is known of the script's letters
 (`usage`), parted into segments of mathematics and the words between them (`segments`), and each
 side of a relation is read in every sensible way (`grammar`). Nothing typed is executed, and no
 text raises an error: what cannot be read is a line of kind ``unread`` that says what was expected.
@@ -21,10 +21,11 @@ from restitution.practice.headings import (
     scope_of,
     without_number,
 )
+from restitution.practice.scanner import scan
 from restitution.practice.script import ANYWHERE, LineKind, Scope, Script, ScriptLine
 from restitution.practice.segments import segments, with_phrases
 from restitution.practice.statements import Past, Statements, read_statements
-from restitution.practice.tokens import Token, Usage, scan
+from restitution.practice.tokens import Token, Usage
 from restitution.practice.usage import usage_of
 from restitution.problem import Problem
 
