@@ -16,7 +16,8 @@ Meanings = Mapping[str, Expression]
 class Entry:
     """A claim that stands in a line of a script, as it was read, with its letters' meanings.
 
-    ``wrong`` tells that it is neither true nor follows; ``right`` that it is true in fact.
+    ``wrong`` tells that it is neither true nor follows; ``right`` that it is true in fact,
+    ``coarse`` that it is so to two figures only.
     """
 
     number: int
@@ -26,6 +27,7 @@ class Entry:
     decimals: tuple[Decimal, ...] = ()
     right: bool = True
     wrong: bool = False
+    coarse: bool = False
 
     @property
     def is_value(self) -> bool:

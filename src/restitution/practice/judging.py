@@ -295,9 +295,13 @@ def _reread(line: ScriptLine, typed: Fraction, datum: Fraction) -> ScriptLine:
 
 
 def _is_replaced(line: ScriptLine, below: Sequence[ScriptLine]) -> bool:
-    own = {_left(link) for link in line.links}
+    """Whether a line below has the left side of one crossed out, or one of its letters."""
+    own, names = {_left(link) for link in line.links}, _names_in(line)
     return any(
-        _left(link) in own for each in below if each.kind == "relations" for link in each.links
+        _left(link) in own or not names.isdisjoint(_names_in(each))
+        for each in below
+        if each.kind == "relations"
+        for link in each.links
     )
 
 

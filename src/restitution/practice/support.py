@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.expression.tree import Expression
+from restitution.expression.tree import Expression, walk
 from restitution.practice.agreement import agrees, difference
 from restitution.practice.deduction import deduced_from
 from restitution.practice.entries import Entry, is_numeric
@@ -20,6 +20,10 @@ from restitution.practice.script import Claim
 from restitution.practice.student import scattered_world, world_of_lines
 from restitution.practice.world import World
 from restitution.problem import Compare, Part, Problem, Show, Value
+
+
+# What has so many parts more than the printed side is a line on the way to it.
+_LONGER = 3
 
 
 @dataclass(frozen=True)
@@ -99,7 +103,9 @@ class Support:
         )
 
     def _equal(self, entry: Entry, own: Expression, other: Expression, now: int) -> bool:
-        """Whether two trees have one value whatever happens at the impacts."""
+        """Whether two trees have one value whatever happens, and the first is as short."""
+        if sum(1 for _ in walk(own)) > sum(1 for _ in walk(other)) + _LONGER:
+            return False
         world = self.scattered
         try:
             a = world.scalar(own, entry.meanings, scope=entry.scope)

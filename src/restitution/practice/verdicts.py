@@ -162,7 +162,7 @@ class Judge:
         worst = links[place]
         if verdict == "false" and self._names:
             entry = self._entry(line, line.links[place], worst)
-            self._explained[line.number] = self.naming.explained(entry, self)
+            self._explain(line.number, self.naming.explained(entry, self))
         for name in worst.letters:
             self.unknown.add(name)
         accuracies = [link.accuracy for link in links if link.accuracy is not None]
@@ -182,6 +182,14 @@ class Judge:
             sources=tuple(dict.fromkeys(n for link in links for n in link.sources)),
             remark=next((link.remark for link in links if link.remark), None),
         )
+
+    def _explain(self, number: int, found: Explained) -> None:
+        """Keep what explains a false line; altered laws of which two lines are instances stand."""
+        for other, earlier in self._explained.items():
+            same = {each.id for each in earlier.variants} & {each.id for each in found.variants}
+            for line in (other, number) if same else ():
+                self._confirmed.setdefault(line, set()).update(same)
+        self._explained[number] = found
 
     # --- a link -------------------------------------------------------------------------------
 
@@ -258,7 +266,7 @@ class Judge:
             return False
 
     def _following(self, line: ScriptLine, link: Link) -> JudgedLink | None:
-        if not self.wrong:
+        if not self.wrong and not any(entry.coarse for entry in self.entries):
             return None
         for claim in link.readings:
             for world in self.students():
@@ -274,18 +282,6 @@ class Judge:
             if places:
                 numbers = tuple(self.entries[place].number for place in places)
                 return JudgedLink("follows", claim, "exact", numbers, _impossible(claim))
-        return self._repeating(line, link)
-
-    def _repeating(self, line: ScriptLine, link: Link) -> JudgedLink | None:
-        """A claim with the same misconception as one above: one mistake, not a second."""
-        for claim in link.readings[:1]:
-            entry = replace(self._entry_of(line, link, claim), right=False, wrong=True)
-            altered = {use.altered for use in self.uses_of_entry(entry)}
-            for number, found in self._explained.items():
-                same = {each.id for each in found.variants if each.id in altered}
-                if same and number != line.number:
-                    self._confirmed.setdefault(number, set()).update(same)
-                    return JudgedLink("follows", claim, "exact", (number,))
         return None
 
     def _loosely(self, claim: Claim, world: World, line: ScriptLine, link: Link) -> Accuracy | None:
@@ -368,7 +364,10 @@ class Judge:
     def _entry(self, line: ScriptLine, link: Link, judged: JudgedLink) -> Entry:
         entry = self._entry_of(line, link, judged.claim)
         return replace(
-            entry, right=judged.verdict in ("true", "unsupported"), wrong=judged.verdict == "false"
+            entry,
+            right=judged.verdict in ("true", "unsupported"),
+            wrong=judged.verdict == "false",
+            coarse=judged.accuracy == "coarse",
         )
 
     def _entry_of(self, line: ScriptLine, link: Link, claim: Claim) -> Entry:
