@@ -23,6 +23,7 @@ GRADES: tuple[Accuracy, ...] = ("exact", "rounded", "coarse")
 NOT = len(GRADES)
 # Of the sides of an exact line, and of what their terms are where the sides are zero.
 _RELATIVE = 1e-7
+_TURN = 7
 _ROUNDING = 1e-11
 # A half unit is met by a number that is half way, whatever its last binary place.
 _SLACK = 1 + 1e-6
@@ -63,7 +64,7 @@ def grades(
     for link in links:
         noted: list[Expression] = []
         found.append(_grades(link, world, meanings, decimals, scope, True, noted))
-        if noted and found[-1].any():
+        if noted and _are_small(noted) and found[-1].any():
             found.append(_grades(link, world, meanings, decimals, scope, False, []))
     return min(found, key=lambda each: (each.max(), each.sum()))
 
@@ -289,6 +290,11 @@ def numbers_of(problem: Problem) -> Collection[Fraction]:
 
 
 # --- sides ----------------------------------------------------------------------------------------
+
+
+def _are_small(bare: Sequence[Expression]) -> bool:
+    """Whether no bare number is more than a turn in radians."""
+    return all(node.value < _TURN for node in _numbers(bare))
 
 
 def _radians(

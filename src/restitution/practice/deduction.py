@@ -37,8 +37,8 @@ from restitution.vector import Vector
 
 Array = Any
 
-_POINTS = 6
-_STEPS = 12
+_POINTS = 8
+_STEPS = 20
 _CLOSE = 1e-7
 _LATEST = 6
 _FUNCTIONS: Mapping[str, Callable[[Array], Array]] = {
@@ -139,7 +139,7 @@ class _Plane:
             self.columns[symbol] = tuple(range(len(starts), len(starts) + len(parts)))
             for part in parts:
                 wide = max(abs(part), 0.5)
-                moved = rng.uniform(-0.3, 0.3, _POINTS) + 1j * rng.uniform(0.05, 0.3, _POINTS)
+                moved = rng.uniform(-0.3, 0.3, _POINTS) + 1j * rng.uniform(0.2, 0.9, _POINTS)
                 starts.append(part + wide * moved)
         self.x = np.stack(starts) if starts else np.zeros((0, _POINTS), dtype=complex)
 
@@ -150,7 +150,7 @@ class _Plane:
             return False
         apart, size = self.sides(entry, x)
         there = self._met(earlier, x)
-        if np.count_nonzero(there) < _POINTS // 2:
+        if np.count_nonzero(there) < 2:
             return False
         apart, size = apart[:, there], size[:, there]
         return bool(np.all(np.isfinite(apart)) and np.all(np.abs(apart) <= _CLOSE * (size + 1e-3)))

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from restitution.explaining.trees import exchanged
-from restitution.expression.tree import Expression, Letter, Quantity, letters, walk
+from restitution.expression.tree import Expression, Letter, Name, Quantity, letters, walk
 from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope
 
 Meanings = Mapping[str, Expression]
@@ -34,14 +34,14 @@ class Entry:
         """Whether it gives a letter or a quantity a value without letters."""
         return (
             self.claim.sign == "="
-            and isinstance(self.claim.left, Letter | Quantity)
+            and isinstance(self.claim.left, Letter | Quantity | Name)
             and is_numeric(self.claim.right)
         )
 
 
 def is_numeric(tree: Expression) -> bool:
     """Whether a tree is of numbers alone."""
-    return not any(isinstance(each, Letter | Quantity) for each in walk(tree))
+    return not any(isinstance(each, Letter | Quantity | Name) for each in walk(tree))
 
 
 def names_of(claim: Claim) -> frozenset[str]:

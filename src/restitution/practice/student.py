@@ -20,6 +20,7 @@ from restitution.practice.agreement import difference
 from restitution.practice.entries import Entry
 from restitution.practice.script import Claim
 from restitution.practice.telling import Telling
+from restitution.practice.timing import retimed
 from restitution.practice.world import World
 from restitution.problem import Aligned, AtRest, Compare, Given, Impact, Relation
 from restitution.vector import Vector
@@ -255,7 +256,7 @@ def _solved(base: World, equations: Sequence[Equation], unknown: Collection[str]
         world = kinds.put(base, x)
         if step >= _CHOOSING - 1 and np.max(np.abs(move)) < _NEAR * (1 + np.max(np.abs(x))):
             break
-    return world if np.all(np.isfinite(x)) else None
+    return retimed(world, base) if np.all(np.isfinite(x)) else None
 
 
 def _linearized(

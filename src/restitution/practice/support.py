@@ -21,7 +21,6 @@ from restitution.practice.student import scattered_world, world_of_lines
 from restitution.practice.world import World
 from restitution.problem import Compare, Part, Problem, Show, Value
 
-
 # What has so many parts more than the printed side is a line on the way to it.
 _LONGER = 3
 
@@ -49,6 +48,11 @@ def wanted_of(problem: Problem, part: Part) -> Wanted:
     return Wanted(tuple(printed), tuple(asked))
 
 
+def _differs(entry: Entry, other: Entry) -> bool:
+    """Whether an earlier line gives what a claim is about another value, and a wrong one."""
+    return other.is_value and not other.right and other.claim.left == entry.claim.left
+
+
 class Support:
     """Tells of the lines of one script whether they are carried by those above."""
 
@@ -66,7 +70,9 @@ class Support:
     ) -> bool:
         """Whether a true claim is what is printed or asked, and no line above carries it."""
         wrong = any(each.wrong for each in entries)
-        if not (self.is_printed(entry) or (wrong and self.is_asked(entry))):
+        if not self.is_printed(entry) and not (
+            self.is_asked(entry) and any(_differs(entry, each) for each in entries)
+        ):
             return False
         right = [each for each in entries if each.right]
         if any(self._holds(entry, world) for world in students if wrong):

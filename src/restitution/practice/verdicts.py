@@ -27,6 +27,8 @@ from restitution.practice.entries import (
 from restitution.practice.judgement import Accuracy, JudgedLine, Mistake, Use, Verdict
 from restitution.practice.lines import read_as
 from restitution.practice.naming import Explained, Stated
+from restitution.practice.options import staged
+from restitution.practice.phrases import is_phrase, read_phrase
 from restitution.practice.principles import uses_of
 from restitution.practice.script import Claim, Link, Script, ScriptLine
 from restitution.practice.student import altered_world, student_world
@@ -103,6 +105,7 @@ class Judge:
         self._own: tuple[int, tuple[World, ...]] = (-1, ())
         self._base = self.worlds[0]
         self._stated: set[tuple[str, int | None]] = set()
+        self._phrases: dict[str, tuple[Expression, ...]] = {}
         self._known_uses: dict[Any, tuple[Use, ...]] = {}
 
     # --- a script -----------------------------------------------------------------------------
@@ -202,14 +205,47 @@ class Judge:
             accuracy, claim = held
             remark = COARSE if accuracy == "coarse" else None
             verdict: Verdict = "true"
-            if self._support.is_missing(
+            if len(line.links) == 1 and self._support.is_missing(
                 self._entry_of(line, link, claim),
                 self.entries,
                 self.students() if self.wrong else (),
             ):
                 verdict = "unsupported"
             return JudgedLink(verdict, claim, accuracy, remark=remark)
-        return self._root(line, link) or self._following(line, link) or self._refused(line, link)
+        return (
+            self._root(line, link)
+            or self._relabelled(line, link)
+            or self._following(line, link)
+            or self._refused(line, link)
+        )
+
+    def _relabelled(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A label that names its quantity at another moment, or in the other sense."""
+        for claim in link.readings:
+            if not isinstance(claim.left, Letter) or not is_phrase(claim.left.name):
+                continue
+            for meant in self._meanings_of(claim.left.name):
+                for each in (meant, Negate(meant)) if _is_signed(meant) else (meant,):
+                    other = replace(claim, left=each)
+                    grade = next(
+                        (g for w in self.worlds if (g := self.accuracy(other, w, line, link))), None
+                    )
+                    if grade is not None:
+                        return JudgedLink("true", other, grade)
+        return None
+
+    def _meanings_of(self, phrase: str) -> tuple[Expression, ...]:
+        """The quantities that a phrase may name, at every stage where it tells none."""
+        if phrase not in self._phrases:
+            world = self._base
+            stages = range(len(world.events) + 1)
+            found = [
+                staged(tree, world.problem, world.part, now)
+                for tree in read_phrase(phrase, world.problem)
+                for now in stages
+            ]
+            self._phrases[phrase] = tuple(dict.fromkeys(found))
+        return self._phrases[phrase]
 
     def _holds(
         self, link: Link, line: ScriptLine, worlds: Iterable[World]
@@ -415,6 +451,11 @@ class Judge:
 def same_left(one: Claim, other: Claim) -> bool:
     """Whether two claims are about the same letter or quantity."""
     return one.left == other.left
+
+
+def _is_signed(tree: Expression) -> bool:
+    """Whether a quantity has a sense that may be turned."""
+    return isinstance(tree, Quantity) and tree.kind in ("along", "across")
 
 
 def _of_sizes(claim: Claim, meanings: Meanings) -> Iterator[Claim]:

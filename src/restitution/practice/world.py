@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -81,10 +82,16 @@ class World:
         """The names in force, each with the number of events told before its line."""
         return self.plot.lets
 
+    @cached_property
+    def _asked_after(self) -> int:
+        """The number of events before the last question of the part."""
+        asked = [now for _, now in self.problem.asked(self.part)]
+        return max(asked, default=len(self.events))
+
     def now(self, scope: Scope = ANYWHERE) -> int:
         """After how many events a line of this scope stands."""
         if scope.event is None:
-            return len(self.events)
+            return self._asked_after
         return scope.event - (scope.stage == "before")
 
     # --- values -------------------------------------------------------------------------------
