@@ -1,4 +1,4 @@
-"""Whether a line follows from one or two earlier ones by algebra alone.
+"""Whether a line follows from a few earlier ones by algebra alone.
 
 Letters are any complex numbers here, so that a working which has no real end (``sin²α = 1.37``) is
 followed too. Random values are moved to where the earlier lines hold; a line that then holds at all
@@ -63,7 +63,9 @@ class _UnfitError(Exception):
 def deduced_from(
     entry: Entry, entries: Sequence[Entry], world: World, data: frozenset[str] = frozenset()
 ) -> tuple[int, ...]:
-    """The places of the one or two earlier lines from which a line follows; () if there are none.
+    """The places of the few earlier lines from which a line follows; () if there are none.
+
+    They are one or two, or two and the last that is not true.
 
     ``data`` are letters of the statement that keep their values in ``world``.
     """
@@ -73,7 +75,9 @@ def deduced_from(
     own = _symbols(entry)
     near = [k for k in reversed(usable) if not own.isdisjoint(_symbols(entries[k]))]
     others = [(a, b) for a, b in combinations(list(reversed(usable)), 2) if a in near or b in near]
-    for places in chain(((k,) for k in near), others):
+    untrue = [k for k in usable if not entries[k].right][-1:]
+    threes = [(*pair, k) for k in untrue for pair in combinations(usable, 2) if k not in pair]
+    for places in chain(((k,) for k in near), others, threes):
         earlier = [entries[k] for k in places]
         if not own <= frozenset().union(*(_symbols(each) for each in earlier)) | data:
             continue

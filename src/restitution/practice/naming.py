@@ -7,8 +7,9 @@ mistake has no name.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -93,6 +94,7 @@ class Names:
         variants = [each for each in found.variants if each.id in confirmed] or [
             each for each in found.variants if not _contradicts(each, stated)
         ]
+        variants.sort(key=lambda each: 0 if each.event.wall else len(each.laws))
         ids = tuple(dict.fromkeys(each.id for each in variants))
         first, *also = tuple(dict.fromkeys(each.mistake for each in variants)) or (None,)
         if first is None:
@@ -114,7 +116,7 @@ class Names:
             return tuple(each for each in by_states if _stands(each, lawful))
         if is_numeric(entry.claim.left) and is_numeric(entry.claim.right):
             return ()
-        blocking = [each for each in mended if not self._is_familiar(each, judge)]
+        blocking = [each for each in mended if not self._is_familiar(each, entry, judge)]
         found = list(self._results(entry, judge)) or list(self._worlds(entry, judge))
         return tuple(dict.fromkeys(each for each in found if _stands(each, blocking)))
 
@@ -143,7 +145,7 @@ class Names:
             if world is not None and _holds(entry, world):
                 yield variant
 
-    def _is_familiar(self, correction: Correction, judge: Judge) -> bool:
+    def _is_familiar(self, correction: Correction, entry: Entry, judge: Judge) -> bool:
         """Whether a figure would be changed in a number that is one of the story's own."""
         if correction.change not in ("figure", "factor"):
             return False
@@ -151,6 +153,8 @@ class Names:
         if not isinstance(part, Number | Degrees):
             return correction.change == "factor"
         value = float(part.value)
+        if _in_datum(part, entry, numbers_of(self.problem)):
+            return True
         return any(abs(value - each) <= 0.005 * abs(each) for each in self._values(judge))
 
     def _values(self, judge: Judge) -> tuple[float, ...]:
@@ -176,6 +180,17 @@ def _numbers_in(world: World, tree: Expression) -> Iterator[float]:
     numbers = np.abs(world.spread(value.measure() if isinstance(value, Angle) else value))
     if np.ptp(numbers) < 1e-9 * (1 + numbers[0]):
         yield float(np.degrees(numbers[0]) if angular else numbers[0])
+
+
+def _in_datum(part: Expression, entry: Entry, data: Collection[Fraction]) -> bool:
+    """Whether a number stands above or below the line of a fraction of the statement."""
+    for side in (entry.claim.left, entry.claim.right):
+        for each in walk(side):
+            match each:
+                case Binary("/", Number(above) as a, Number(below) as b):
+                    if part in (a, b) and below and above / below in data:
+                        return True
+    return False
 
 
 def _contradicts(variant: VariantAt, stated: Stated) -> bool:

@@ -9,7 +9,7 @@ they are solved by Gauss-Newton from the true values, in every sample.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -201,10 +201,12 @@ class _Unknowns:
     """The unknowns of a world as columns: components after events, then letters."""
 
     stages: tuple[tuple[int, str], ...]
+    starts: tuple[str, ...]
     names: tuple[str, ...]
 
     def values(self, world: World) -> Array:
         columns = [world.spread(part) for key in self.stages for part in world.after[key]]
+        columns += [world.spread(part) for name in self.starts for part in world.start[name]]
         columns += [world.spread(world.letters[name]) for name in self.names]
         return np.stack(columns, axis=1)
 
@@ -214,13 +216,20 @@ class _Unknowns:
             for place, key in enumerate(self.stages)
         }
         first = 2 * len(self.stages)
+        start = {
+            name: Vector(x[:, first + 2 * place], x[:, first + 2 * place + 1])
+            for place, name in enumerate(self.starts)
+        }
+        first += 2 * len(self.starts)
         letters = {name: x[:, first + place] for place, name in enumerate(self.names)}
-        return world.replaced(after=after, letters=letters)
+        moved = world.replaced(after=after, letters=letters)
+        return replace(moved, start={**moved.start, **start}) if start else moved
 
 
 def _unknowns(world: World, unknown: Collection[str]) -> _Unknowns:
     names = tuple(sorted(name for name in unknown if name in world.letters))
-    return _Unknowns(tuple(world.after), names)
+    starts = tuple(each.name for each in world.problem.spheres if each.velocity is None)
+    return _Unknowns(tuple(world.after), starts, names)
 
 
 def scattered_world(world: World, unknown: Collection[str]) -> World:

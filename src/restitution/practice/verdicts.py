@@ -214,12 +214,14 @@ class Judge:
             return JudgedLink(verdict, claim, accuracy, remark=remark)
         return (
             self._root(line, link)
-            or self._relabelled(line, link)
+            or self._relabelled(line, link, self.worlds, "true")
             or self._following(line, link)
             or self._refused(line, link)
         )
 
-    def _relabelled(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+    def _relabelled(
+        self, line: ScriptLine, link: Link, worlds: Sequence[World], verdict: Verdict
+    ) -> JudgedLink | None:
         """A label that names its quantity at another moment, or in the other sense."""
         for claim in link.readings:
             if not isinstance(claim.left, Letter) or not is_phrase(claim.left.name):
@@ -228,10 +230,11 @@ class Judge:
                 for each in (meant, Negate(meant)) if _is_signed(meant) else (meant,):
                     other = replace(claim, left=each)
                     grade = next(
-                        (g for w in self.worlds if (g := self.accuracy(other, w, line, link))), None
+                        (g for w in worlds if (g := self.accuracy(other, w, line, link))), None
                     )
                     if grade is not None:
-                        return JudgedLink("true", other, grade)
+                        sources = sources_of(claim, self.entries) if verdict == "follows" else ()
+                        return JudgedLink(verdict, other, grade, sources)
         return None
 
     def _meanings_of(self, phrase: str) -> tuple[Expression, ...]:
@@ -239,9 +242,11 @@ class Judge:
         if phrase not in self._phrases:
             world = self._base
             stages = range(len(world.events) + 1)
+            trees = read_phrase(phrase, world.problem)
             found = [
                 staged(tree, world.problem, world.part, now)
-                for tree in read_phrase(phrase, world.problem)
+                for tree in trees
+                if _kind(tree) == _kind(trees[0])
                 for now in stages
             ]
             self._phrases[phrase] = tuple(dict.fromkeys(found))
@@ -312,12 +317,25 @@ class Judge:
                 if grade is not None:
                     sources = sources_of(claim, self.entries)
                     return JudgedLink("follows", claim, grade, sources, _impossible(claim))
+        relabelled = self._relabelled(line, link, self.students(), "follows")
+        if relabelled is not None:
+            return relabelled
         for claim in link.readings:
             entry = self._entry_of(line, link, claim)
+            if (number := self._own_root(entry)) is not None:
+                return JudgedLink("follows", claim, "exact", (number,), _impossible(claim))
             places = deduced_from(entry, self.entries, self._base, self.question.given)
             if places:
                 numbers = tuple(self.entries[place].number for place in places)
                 return JudgedLink("follows", claim, "exact", numbers, _impossible(claim))
+        return None
+
+    def _own_root(self, entry: Entry) -> int | None:
+        """The line that is not true and of which a value is a root."""
+        for other in reversed(self.entries):
+            root = None if other.right else is_root_of(entry.claim, other)
+            if root is not None and self._valid(root, other):
+                return other.number
         return None
 
     def _loosely(self, claim: Claim, world: World, line: ScriptLine, link: Link) -> Accuracy | None:
@@ -451,6 +469,13 @@ class Judge:
 def same_left(one: Claim, other: Claim) -> bool:
     """Whether two claims are about the same letter or quantity."""
     return one.left == other.left
+
+
+def _kind(tree: Expression) -> object:
+    """What kind of quantity a tree is, its sign aside."""
+    if isinstance(tree, Negate):
+        return _kind(tree.operand)
+    return tree.kind if isinstance(tree, Quantity) else type(tree)
 
 
 def _is_signed(tree: Expression) -> bool:
