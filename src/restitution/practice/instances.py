@@ -51,7 +51,7 @@ class Instances:
         Each comes with what share of a true item it is worth.
         """
         used = sorted(set(item.slots.values()))
-        key = item.readings, item.line, tuple((slots[s].letter, slots[s].segment) for s in used)
+        key = item.readings, item.line, tuple(id(slots[s].options) for s in used)
         if key not in self.known:
             self.known[key] = self._ways(item, slots, used)
         return self.known[key]
@@ -132,7 +132,7 @@ class Instances:
 
     def _altered_values(self, slot: Slot, nature: Nature) -> list[tuple[int, Value]]:
         """The options of a slot that are results, each with the values that mistakes give it."""
-        key = slot.letter, slot.segment, nature
+        key = id(slot.options), nature
         if key not in self.values:
             places = [p for p in slot.values[nature][0] if slot.options[p].kind in _RESULTS]
             self.values[key] = [

@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 from restitution.expression.evaluate import Angle
@@ -21,7 +23,7 @@ from restitution.expression.tree import (
     letters,
 )
 from restitution.practice.arrays import is_bare
-from restitution.practice.candidates import Candidate
+from restitution.practice.candidates import Candidate, kinds_of
 from restitution.practice.dependence import Dependence
 from restitution.practice.inference import (
     Item,
@@ -54,13 +56,14 @@ from restitution.vector import Vector
 NEARLY = 0.7
 _RIVALS = 24
 _INEQUALITY = 0.25
-_HEADING, _BREAK = 0.2, 1.2
+_HEADING, _BREAK, _ALONE = 0.2, 0.7, 1.2
 # What it costs that a letter means nothing which its first line may define.
 _UNKNOWN = 0.2
 # What a line tells that follows from those above or contradicts them, and one of momentum, which
 # tells the sense of its letters as well.
 _WORTH = {"new": 1.0, "follows": 0.3, "contradicts": 0.6}
 _MOMENTUM = 1.8
+_PLACES = 8
 _VELOCITIES = frozenset("vVwW")
 
 
@@ -114,18 +117,24 @@ def _interpretations(
 ) -> list[Interpretation]:
     search_ = _Search(script, around, *declarations(script, around, declared))
     found = search_.interpretations(())
-    for breaks in search_.breaks(found):
-        found += search_.interpretations(breaks)
+    if search_.headings:
+        found += search_.interpretations(search_.headings)
+    else:
+        found += search_.reused()
     found.sort(key=lambda each: -each.score)
     return [each for each in found if each.score >= found[0].score - NEARLY]
 
 
 @dataclass(frozen=True)
 class _Break:
-    """Letters may have another meaning from a line on; what that costs for each that does."""
+    """Letters may have another meaning from a line on.
+
+    ``cost`` is what that costs, ``alone`` where only one line says so.
+    """
 
     line: int
     cost: float
+    alone: float
 
 
 class _Search:
@@ -152,6 +161,7 @@ class _Search:
             links = [(link, self._open(link, line.number)) for link in line.links]
             self.items[line.number] = [(link, names) for link, names in links if names]
         self.directions = around.directions(self.lines)
+        self.failing: set[int] = set()
         self.told: set[str] = set()
         self.definitions = dict(self._definitions())
 
@@ -212,7 +222,10 @@ class _Search:
     def _slot(self, name: str, line: ScriptLine, segment: int) -> Slot | None:
         scope = line.scope
         key = (name, segment, scope if segment or " " in name else ANYWHERE)
-        if key not in self.slots:
+        if key not in self.slots and segment and scope == ANYWHERE:
+            first = self._slot(name, line, 0)
+            self.slots[key] = None if first is None else replace(first, segment=segment)
+        elif key not in self.slots:
             self.slots[key] = slot_of(
                 name, self._options(name, line, segment), self.around.tester, segment
             )
@@ -288,9 +301,28 @@ class _Search:
                     used[name] = places[name, segment]
                 else:
                     items.append(self._item(link, line, used))
-        states = search(self._weighed(items), slots, self.around.tester, self.around.broken)
-        cost = {each.line: each.cost for each in breaks}
-        return [self._interpretation(state, slots, firsts, cost) for state in states]
+        items = self._weighed(items)
+        states = search(items, slots, self.around.tester, self.around.broken)
+        found = []
+        for state in states:
+            lines = {item.line for k, item in enumerate(items) if k in state.satisfied}
+            whole = self._interpretation(state, slots, firsts)
+            found.append(replace(whole, score=whole.score - self._cost(whole, breaks, lines)))
+        if found:
+            best = max(range(len(found)), key=lambda k: found[k].score)
+            held = states[best].satisfied
+            self.failing = {item.line for k, item in enumerate(items) if k not in held}
+        return found
+
+    def _cost(self, whole: Interpretation, breaks: Sequence[_Break], lines: Iterable[int]) -> float:
+        """What it costs that letters change their meanings, less where several lines say so."""
+        changed = [m.since for m in whole.meanings if m.since and m.by == "inferred"]
+        cost = 0.0
+        for each in breaks:
+            if any(since >= each.line for since in changed):
+                several = sum(number >= each.line for number in lines) > 1
+                cost += each.cost if several else each.alone
+        return cost
 
     def _item(self, link: Link, line: ScriptLine, used: Mapping[str, int]) -> Item:
         frame = Frame(self.around.world.now(line.scope), self.meanings(line.number))
@@ -318,7 +350,6 @@ class _Search:
         state: State,
         slots: Sequence[Slot],
         firsts: Sequence[tuple[str, ScriptLine]],
-        breaks: Mapping[int, float],
     ) -> Interpretation:
         meanings = [
             Meaning(
@@ -345,9 +376,6 @@ class _Search:
             meanings.append(
                 Meaning(name, chosen.quantity, self._words(chosen.quantity), by, line.scope, since)
             )
-        changed = {m.letter for m in meanings if m.since and m.by == "inferred"}
-        if changed and breaks:
-            score -= sum(breaks.values())
         known = {meaning.letter for meaning in meanings}
         return Interpretation(tuple(meanings), score, frozenset(unknown - known), self.fixed)
 
@@ -364,19 +392,53 @@ class _Search:
     def _words(self, tree: Expression) -> str:
         return words_of(tree, self.around.problem)
 
-    def breaks(self, found: Sequence[Interpretation]) -> Iterator[tuple[_Break, ...]]:
-        """Where letters may begin to mean something else: at headings, and where lines fail."""
-        headings: list[int] = []
-        for above, below in zip(self.lines, self.lines[1:], strict=False):
-            if above.scope != below.scope:
-                headings.append(below.number)
-        if headings:
-            yield tuple(_Break(number, _HEADING) for number in headings)
+    @cached_property
+    def headings(self) -> tuple[_Break, ...]:
+        """Where a heading opens a scope."""
+        return tuple(
+            _Break(below.number, _HEADING, _HEADING)
+            for above, below in pairwise(self.lines)
+            if above.scope != below.scope
+        )
+
+    def reused(self) -> list[Interpretation]:
+        """The interpretations where letters come again with another meaning, at one line or two."""
+        found: list[Interpretation] = []
+        breaks: tuple[_Break, ...] = ()
+        for _ in range(2):
+            if not self.failing or len(self.around.events) < 2:
+                break
+            tried: list[tuple[float, _Break, set[int]]] = []
+            for number in self._places()[:_PLACES]:
+                if all(number != each.line for each in breaks):
+                    one = _Break(number, _BREAK, _ALONE)
+                    new = self.interpretations(sorted((*breaks, one), key=lambda b: b.line))
+                    found += new
+                    score = max((each.score for each in new), default=0.0)
+                    tried.append((score, one, set(self.failing)))
+            if not tried:
+                break
+            _, one, self.failing = max(tried, key=lambda each: each[0])
+            breaks = (*breaks, one)
+        return found
+
+    def _places(self) -> list[int]:
+        """The lines, the failing first, at which letters from above come again."""
+        seen: set[str] = set()
+        places: list[int] = []
+        for line in self.lines:
+            names = {name for _, each in self.items[line.number] for name in each}
+            if names & seen:
+                places.append(line.number)
+            seen |= names
+        return sorted(places, key=lambda number: (number not in self.failing, number))
 
 
 def _is_momentum(item: Item) -> bool:
     """Whether an item looks like an equation of momentum: its sense is that of the letters."""
-    return item.pair is not None and item.pair.sign != 0
+    if item.pair is None or not item.pair.sign:
+        return False
+    return all(kinds_of(name, False)[0] == "component" for name in item.pair.names)
 
 
 def _defining(claim: Claim, name: str) -> Expression | None:
