@@ -59,6 +59,7 @@ def description(motion: Motion, number: int, panels: Sequence[When]) -> str:
     if (
         isinstance(step, Impact)
         and "after" in panels
+        and not happening.altered
         and any(float(x) for x in happening.impulse or (0.0, 0.0))
     ):
         if step.second in motion.story.walls:

@@ -23,6 +23,8 @@ def put_impulses(view: View, drawing: Drawing) -> None:
     Its label stands beside it where the impulse is given or asked for.
     """
     happening = view.motion.story.happenings[view.number - 1]
+    if happening.altered:
+        return  # the impulses are not equal and opposite, or not along the line
     if happening.impulse is None or not math.hypot(*floats(happening.impulse)):
         return
     ways = [
