@@ -263,7 +263,7 @@ def section(row: Misconception, best: Best | None) -> str:
     lines += [f"A usual line: {row.line}."] + ([f"{row.rule}"] if row.rule else []) + [""]
     if best is None:
         return "\n".join(lines)
-    words = f"({best.world.alteration.words}): {best.item.text} ="
+    words = f"({best.world.words}): {best.item.text} ="
     item, true, other = best.item, best.item.true, best.item.altered
     lines += [
         f"![{item.text} as it is, and with the mistake](images/mistakes/{row.id}.svg)",

@@ -55,6 +55,17 @@ class AlteredWorld:
         return self.alteration.id
 
     @property
+    def words(self) -> str:
+        """What the variant does, with the names of the bodies where they are the same all along."""
+        pairs = {each.event.bodies[:2] for each in self.at}
+        words = self.alteration.words
+        if len(pairs) != 1:
+            return words
+        for name, body in zip(("the first body", "the second body"), *pairs, strict=False):
+            words = words.replace(name, body)
+        return words
+
+    @property
     def events(self) -> tuple[int, ...]:
         """The numbers of the events at which something is altered."""
         return tuple(each.event.number for each in self.at)

@@ -445,13 +445,13 @@ def misconception(name: str) -> Misconception:
 
     Raises StatementError for an id that is not there, with the nearest one, or with all.
     """
-    base, _, number = name.partition("/")
+    base = name.partition("/")[0]
     if base not in MISCONCEPTIONS:
         near = get_close_matches(base, MISCONCEPTIONS, 1)
         hint = f"did you mean {near[0]}?" if near else f"there are {', '.join(MISCONCEPTIONS)}"
-        raise StatementError(f"there is no mistake '{base}': {hint}")
+        raise StatementError(f"there is no mistake '{base[:40]}': {hint}")
     found = MISCONCEPTIONS[base]
-    if number and all(each.id != name for each in found.variants):
+    if name != base and all(each.id != name for each in found.variants):
         count = len(found.variants)
         known = f"its variants are {base}/1 to {base}/{count}" if count else "it has no variants"
         raise StatementError(f"there is no mistake '{name}': {known}")

@@ -48,7 +48,7 @@ def _object(
         "worlds": [
             {
                 "id": world.id,
-                "words": world.alteration.words,
+                "words": world.words,
                 "events": list(world.events),
                 "items": [
                     {"part": item.part, **contract.item(item.altered, units.of(item.true))}
@@ -74,7 +74,7 @@ def _lines(
     for world, *others in _alike(worlds):
         yield ""
         ids = ", ".join([world.id, *(f"/{each.id.partition('/')[2]}" for each in others)])
-        yield from wrap(f"{ids}: {world.alteration.words}", columns, subsequent_indent="  ")
+        yield from wrap(f"{ids}: {world.words}", columns, subsequent_indent="  ")
         yield from _table(world.items, units, columns)
 
 
@@ -92,11 +92,14 @@ def _table(items: Iterable[ChangedItem], units: Units, columns: int) -> Iterator
     rows = []
     for item in items:
         label = f"({item.part}) " if item.part else ""
+        if item.true.kind == "show":
+            yield f"  {label}{item.text}: {_value(item.altered)}"
+            continue
         unit = units.of(item.true)
         altered_, true = (_with_unit(each, unit) for each in (item.altered, item.true))
         rows.append((f"{label}{item.text}", altered_, true))
-    first = max(width(row[0]) for row in rows)
-    second = max(width(row[1]) for row in rows)
+    first = max((width(row[0]) for row in rows), default=0)
+    second = max((width(row[1]) for row in rows), default=0)
     for asked, value, true in rows:
         line = f"  {_padded(asked, first)} = {_padded(value, second)}  not {true}"
         if width(line) <= columns:

@@ -45,7 +45,7 @@ def of_mistake(
         (other,) = of_motions([twin], None, seconds)["motions"]
         _in_step(shown, other)
         shown["beside"] = {
-            "label": f"{world.id}: {world.alteration.words}",
+            "label": f"{world.id}: {world.words}",
             "says": list(sentences(twin)),
             "motion": other,
         }
