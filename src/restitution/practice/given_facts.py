@@ -93,10 +93,7 @@ def _right_angle_4(d: Dice) -> str:
         "find tan(alpha)",
         "part b",
         f"given e = {ratio(e)}",
-        "find speed(A), speed(B)",
-        "part c",
-        f"given e = {ratio(e)}",
-        "find energy_lost/energy(0)",
+        "find speed(A), speed(B), energy_lost/energy(0)",
     )
 
 

@@ -200,8 +200,7 @@ def _moving(d: Dice, *asked: str, direct: bool = False, letters: bool = False) -
     u = times(one.hypotenuse * scale, "u") if letters else f"{one.hypotenuse * scale}"
     w = times(other.hypotenuse * second, "u") if letters else f"{other.hypotenuse * second}"
     if direct:
-        speed = times(-p2, "u") if letters else f"{-p2}"
-        velocity = f"{speed} at 180°"
+        velocity = vector(p2, 0, "u" if letters else "")
     else:
         velocity = f"{w} at beta from -i"
     return _lines(
@@ -240,7 +239,7 @@ def _moving_4(d: Dice) -> str:
     q2 = (m1 * p1 + m2 * p2 + m1 * e * (p1 - p2)) / (m1 + m2)
     return _lines(
         f"sphere A: mass {number(m1)}, velocity {one.hypotenuse * scale} at alpha",
-        f"sphere B: mass {number(m2)}, velocity {-p2} at 180°",
+        f"sphere B: mass {number(m2)}, velocity {vector(p2, 0)}",
         f"given {d.of(one.fact)}",
         "A hits B: along i",
         f"given velocity(B) = {vector(q2, 0)}" if q2 else "given B at rest",
@@ -350,8 +349,8 @@ def _cushion_1(d: Dice) -> str:
         f"A hits W: e = {ratio(e)}",
         "part a",
         "find velocity(A)",
-        f"A hits B: along i, e = {ratio(c.e)}",
         "part b",
+        f"A hits B: along i, e = {ratio(c.e)}",
         "find velocity(A), velocity(B)",
     )
 
@@ -366,8 +365,8 @@ def _cushion_2(d: Dice) -> str:
         f"A hits W: e = {ratio(e)}",
         "part a",
         "find speed(A), impulse",
-        f"A hits B: along i, e = {ratio(c.e)}",
         "part b",
+        f"A hits B: along i, e = {ratio(c.e)}",
         "find speed(A), speed(B)",
         "part c",
         d.of(("find total_energy_lost", "find deflection(A)")),
@@ -388,8 +387,8 @@ def _then_wall(d: Dice) -> str:
         f"A hits B: along i, e = {ratio(c.e)}",
         "part a",
         "find velocity(A), velocity(B)",
-        f"B hits W: e = {ratio(f)}",
         "part b",
+        f"B hits W: e = {ratio(f)}",
         "find velocity(B), deflection(B)",
         "part c",
         "find total_energy_lost",

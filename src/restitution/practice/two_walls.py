@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
+from math import isqrt
 
 from restitution.practice.dice import Dice
 from restitution.practice.nice import COEFFICIENTS, acute, coefficient, mass, ratio, vector
@@ -39,8 +40,8 @@ def _square_1(d: Dice) -> str:
         f"P hits OX: e = {ratio(e)}",
         "part a",
         "find velocity(P)",
-        f"P hits OY: e = {ratio(e)}",
         "part b",
+        f"P hits OY: e = {ratio(e)}",
         "find velocity(P), speed(P)",
     )
 
@@ -58,8 +59,8 @@ def _square_2(d: Dice) -> str:
         f"P hits OX: e = {ratio(e)}",
         "part a",
         "find speed(P), angle(velocity(P), OX)",
-        f"P hits OY: e = {ratio(f)}",
         "part b",
+        f"P hits OY: e = {ratio(f)}",
         asked,
     )
 
@@ -100,7 +101,7 @@ def _square_3_with_numbers(d: Dice) -> str:
 
 
 def _square_4(d: Dice) -> str:
-    e = d.of(COEFFICIENTS)
+    e, other = _unlike(d)
     angle = acute(d, 5)
     return _lines(
         "wall OX: along i",
@@ -115,7 +116,7 @@ def _square_4(d: Dice) -> str:
         f"given total_energy_lost = {1 - e * e} energy(0)",
         "find e, speed(P)",
         "part c",
-        f"given {angle.fact[0]}, e = {ratio(e)}",
+        f"given {angle.fact[0]}, e = {ratio(other)}",
         "find impulse(2), speed(P, 1)",
     )
 
@@ -152,8 +153,8 @@ def _corner(d: Dice, angle: int, speed: str, e: Fraction, f: Fraction, weight: s
         f"P hits AB: e = {ratio(e)}",
         "part a",
         "FIRST",
-        f"P hits BC: e = {ratio(f)}",
         "part b",
+        f"P hits BC: e = {ratio(f)}",
         "SECOND",
     )
 
@@ -209,8 +210,8 @@ def _corner_4(angle: int) -> Recipe:
             f"given speed(P) = {_root(square)} u",
             "part a",
             "find e",
-            f"P hits BC: e = {ratio(f)}",
             "part b",
+            f"P hits BC: e = {ratio(f)}",
             d.of(("find speed(P), impulse", "find speed(P), deflection(P)")),
         )
 
@@ -219,11 +220,12 @@ def _corner_4(angle: int) -> Recipe:
 
 def _root(square: Fraction) -> str:
     """The square root of a fraction as text."""
-    denominator = square.denominator
-    whole = round(denominator**0.5)
-    if whole * whole == denominator:
-        return f"sqrt({square.numerator})/{whole}"
-    return f"sqrt({square})"
+    over, under = isqrt(square.numerator), isqrt(square.denominator)
+    if under * under != square.denominator:
+        return f"sqrt({square})"
+    if over * over == square.numerator:
+        return f"{Fraction(over, under)}"
+    return f"sqrt({square.numerator})/{under}"
 
 
 # --- parallel -----------------------------------------------------------------------------------
@@ -239,8 +241,8 @@ def _parallel_1(d: Dice) -> str:
         f"P hits L: e = {ratio(e)}",
         "part a",
         "find velocity(P)",
-        f"P hits M: e = {ratio(e)}",
         "part b",
+        f"P hits M: e = {ratio(e)}",
         "find velocity(P), speed(P)",
     )
 
@@ -257,8 +259,8 @@ def _parallel_2(d: Dice) -> str:
         f"P hits L: e = {ratio(e)}",
         "part a",
         "find speed(P)",
-        f"P hits M: e = {ratio(f)}",
         "part b",
+        f"P hits M: e = {ratio(f)}",
         "find speed(P), angle(velocity(P), M)",
     )
 
@@ -285,16 +287,16 @@ def _parallel_3(d: Dice) -> str:
 def _parallel_3_in_time(d: Dice) -> str:
     a, b = d.of([(a, b) for a in range(1, 6) for b in range(2, 9) if a != b])
     e = coefficient(d, b)
-    width = b * d.between(1, 2)
+    width = b + d.between(1, 4)
     return _lines(
         "wall L: along i, through (0, 0)",
         f"wall M: along i, through (0, {width})",
-        f"sphere P: at (0, {width}), velocity {vector(a, -b)}",
+        f"sphere P: at (0, {b}), velocity {vector(a, -b)}",
         f"P hits L: e = {ratio(e)}",
         "part a",
         "find velocity(P), position(P)",
-        f"P hits M: e = {ratio(e)}",
         "part b",
+        f"P hits M: e = {ratio(e)}",
         "find velocity(P), time(2), position(P, 2)",
     )
 
