@@ -264,3 +264,18 @@ def test_what_is_no_attempt_does_not_count(rubbish):
 def test_mistakes_that_are_no_ids_do_not_count():
     odd = {**attempt("wall-forward", 100), "mistakes": [None, 3, "x" * 1000, {}]}
     assert next_question([odd, odd], 100).mistake is None
+
+
+@pytest.mark.nightly
+@pytest.mark.timeout(3600)
+@pytest.mark.parametrize("cell", CELLS, ids=str)
+def test_questions_by_the_hundred(cell):
+    """Solvable, of simple numbers, told apart, worded and drawn."""
+    seen = set()
+    for seed in range(1000):
+        asked = practice_question(*cell, seed=seed)
+        assert objection(asked.solution) == "", asked.address
+        assert str(asked.question)
+        assert r.draw(asked.solution) is not None
+        seen.add(asked.statement.partition("\n")[2])
+    assert len(seen) > 20
