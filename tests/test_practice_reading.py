@@ -282,3 +282,23 @@ def test_a_phrase_of_walls_means_first_what_it_says(words: str) -> None:
 
 def test_words_that_name_nothing_have_no_meaning() -> None:
     assert read_phrase("hello there", problem()) == ()
+
+
+def test_a_dash_before_a_line_may_be_a_bullet() -> None:
+    (link,) = line("- v = 3").links
+    assert [written_claim(each) for each in link.readings] == ["-v = 3", "v = 3"]
+    assert [len(each.readings) for each in line("-v = 3").links] == [1]
+
+
+def test_letters_of_the_question_are_no_words() -> None:
+    statement = (
+        "sphere A: mass 1, velocity u i\nsphere B: mass k, at rest\nA hits B: along i\nfind e"
+    )
+    assert first("1 - ek = 0", statement) == ["1 - e k = 0"]
+    assert first("ke = 1", statement) == ["k e = 1"]
+    assert first("KE = 1", statement) == ["the ke = 1"]
+
+
+def test_the_number_of_an_equation_is_no_factor() -> None:
+    assert first("(1) -a = u/8") == ["-a = u/8"]
+    assert first("(2)(3) + 3(4) = 18") == ["2*3 + 3*4 = 18"]

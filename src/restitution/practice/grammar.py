@@ -94,6 +94,9 @@ class Parser(Cursor):
             if self.position - first > 6:
                 raise self.fail("a number or a letter")
             sign = self.take()
+            bullet = sign.kind == "-" and not sign.start and self.kind() and self.token().gap
+            if bullet and self.choose("bullet"):
+                continue
             negative ^= sign.kind == "-" or (sign.kind == "±" and self.lower)
         tree = self.product()
         return Negate(tree) if negative else tree

@@ -19,7 +19,7 @@ _PART = re.compile(
     re.IGNORECASE,
 )
 _NUMBERED = re.compile(
-    r"\s*(?:\(\d{1,2}\)|\[\d{1,2}\]|\(\*+\)|\d{1,2}[.)](?=\s+\S)|[•▪●◦*>]\s+|[①-⑳])\s*"
+    r"\s*(?:\(\d{1,2}\)|\[\d{1,2}\]|\(\*+\)|\d{1,2}[.)](?=\s+\S)|[•▪●◦*·>]\s+|[①-⑳])\s*"
 )
 _CASE = re.compile(
     r"\s*(?:case\s*(\d|[ivx]+|[a-d])\b|either\b|or\b(?!\s*$))\s*[:.)]?",
@@ -65,7 +65,9 @@ def without_number(text: str) -> int:
         offset = match.end()
     else:
         match = _NUMBERED.match(text)
-        if match and not re.match(r"\s*[=+*/^(\d-]", text[match.end() :]):
+        behind = text[match.end() :] if match else ""
+        signed = bool(match) and text[: match.end()].endswith(" ") and re.match(r"-[^\s]", behind)
+        if match and (signed or not re.match(r"\s*[=+*/^(\d-]", behind)):
             offset = match.end()
     return offset
 

@@ -342,6 +342,8 @@ class _Scanner:
             return False
         if low in SHORT:
             return self._is_short_word(run, low, end)
+        if run == "ek" and {"e", "k"} <= self.usage.letters:
+            return False
         if low == "ke" and run.islower() and set(run) <= self.usage.letters:
             return not re.match(r"\s*[=<>+*/^)-]|\s*$", self.text[end:])
         if behind in ("_", "^") or (behind.isdigit() and low not in PHRASE_WORDS):
