@@ -66,7 +66,7 @@ def without_number(text: str) -> int:
     else:
         match = _NUMBERED.match(text)
         behind = text[match.end() :] if match else ""
-        signed = bool(match) and text[: match.end()].endswith(" ") and re.match(r"-[^\s]", behind)
+        signed = behind != text and re.match(r"-\S", behind) and text[: -len(behind)].endswith(" ")
         if match and (signed or not re.match(r"\s*[=+*/^(\d-]", behind)):
             offset = match.end()
     return offset
