@@ -33,11 +33,11 @@ def worker_of(early: Worker | None) -> Worker:
 def answer(worker: Worker, file: str, task: Task, limit: float | None) -> Answer:
     """Read a file and have the task done; what is wrong is told, in JSON too if that is asked."""
     from restitution.export import contract
-    from restitution.export.job import Job, Playing, Writing
+    from restitution.export.job import Job, Writing
 
     writing = task if isinstance(task, Writing) else Writing()
     json = writing.form == "json"
-    part = task.part if isinstance(task, Writing | Playing) else None
+    part = _part_of(task)
     text = b""
     try:
         text = read(file)
@@ -86,6 +86,14 @@ def _reply(worker: Worker, job: Job) -> Reply:
     if reply.tired:
         worker.close()
     return reply
+
+
+def _part_of(task: Task) -> str | None:
+    from restitution.export.job import Marking, Playing, Writing
+
+    if isinstance(task, Marking):
+        return task.workings.part
+    return task.part if isinstance(task, Writing | Playing) else None
 
 
 def _require_part(problem: Problem, label: str | None) -> None:

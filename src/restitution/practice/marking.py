@@ -186,7 +186,16 @@ def _marked(
         judgement.letters,
         tuple(answers_of(solved, judgement, values, bench)),
         marks,
-        tuple(messages_of(judgement.lines, marks.points, judgement.letters, levels, usual)),
+        tuple(
+            messages_of(
+                judgement.lines,
+                marks.points,
+                values,
+                levels,
+                usual,
+                solution.problem,
+            )
+        ),
         tuple(_asks(judgement, bench.solution, part)),
     )
 

@@ -11,11 +11,14 @@ from dataclasses import dataclass
 
 from restitution.explaining.misconceptions import MISCONCEPTIONS, SLIPS
 from restitution.explaining.trees import exchanged
-from restitution.expression.tree import Expression, Letter, Negate
-from restitution.practice.judgement import JudgedLine, Meaning, Use
+from restitution.expression.tree import Expression, Letter, Quantity, walk
+from restitution.practice.judgement import JudgedLine, Use
 from restitution.practice.lines import text_of
 from restitution.practice.points import PointMark
 from restitution.practice.scheme import MarkPoint
+from restitution.practice.values import Values
+from restitution.practice.wordings import words_of
+from restitution.problem import Problem
 
 LEVELS = (0, 1, 2, 3, 4)
 
@@ -94,40 +97,82 @@ class Message:
     text: str
 
 
+@dataclass(frozen=True)
+class _Words:
+    """How quantities are said: by the student's letters, others in words."""
+
+    values: Values
+    problem: Problem
+
+    def put(self, side: Expression) -> Expression:
+        names: dict[Expression, Expression] = {}
+        for each in walk(side):
+            if isinstance(each, Quantity) and not _is_inside(each, side):
+                words = Letter(words_of(each, self.problem))
+                names[each] = self.values.letter_of(each) or words
+        return exchanged(side, names)
+
+
+def _is_inside(quantity: Quantity, tree: Expression) -> bool:
+    """Whether a quantity stands only within others: the velocity of which a component is taken."""
+    return any(
+        isinstance(each, Quantity) and each != quantity and quantity in walk(each)
+        for each in walk(tree)
+    )
+
+
 def messages_of(
     lines: Sequence[JudgedLine],
     points: Sequence[PointMark],
-    letters: Sequence[Meaning],
+    values: Values,
     levels: Mapping[int | None, int],
     usual: int,
+    problem: Problem,
 ) -> Iterator[Message]:
     """The messages on a working: ``levels`` by line, and the ``usual`` one for all others."""
     accused: int | None = None
+    words = _Words(values, problem)
+    roots = _roots(lines)
     for line in lines:
         number = line.line.number
         level = levels.get(number, usual)
         if level == 0:
             continue
-        text = _of_line(line, points, letters, level)
+        text = _of_line(line, points, words, level, roots)
         if text:
             yield Message(number, level, text)
         if line.verdict == "false" and accused is None:
             accused = number
     level = levels.get(None, usual)
     if level and accused is None and lines:
-        text = _next_step(points, letters, level)
+        text = _next_step(points, words, level)
         if text:
             yield Message(None, level, text)
 
 
+def _roots(lines: Sequence[JudgedLine]) -> Mapping[int, frozenset[int]]:
+    """The numbers of the false lines on which each line rests."""
+    roots: dict[int, frozenset[int]] = {}
+    for line in lines:
+        number = line.line.number
+        under = (roots.get(source, frozenset[int]()) for source in line.sources)
+        own = {number} if line.verdict == "false" else set[int]()
+        roots[number] = frozenset(own).union(*under)
+    return roots
+
+
 def _of_line(
-    line: JudgedLine, points: Sequence[PointMark], letters: Sequence[Meaning], level: int
+    line: JudgedLine,
+    points: Sequence[PointMark],
+    letters: _Words,
+    level: int,
+    roots: Mapping[int, frozenset[int]],
 ) -> str | None:
     match line.verdict:
         case "true":
             return _of_true(line)
         case "follows":
-            return _following(line)
+            return _following(sorted(roots[line.line.number]))
         case "unread":
             where = "" if line.line.column is None else f", column {line.line.column}"
             return f"This could not be read{where}: {line.line.fault or 'a relation is expected'}."
@@ -144,17 +189,15 @@ def _of_true(line: JudgedLine) -> str | None:
     return line.remark if line.remark and " " in line.remark else None
 
 
-def _following(line: JudgedLine) -> str:
-    if not line.sources:
+def _following(mistakes: Sequence[int]) -> str:
+    if not mistakes:
         return "Right, with your values."
-    where = " and ".join(str(number) for number in line.sources)
-    plural = "s" if len(line.sources) > 1 else ""
-    return f"Right, with your values. The mistake is in line{plural} {where}."
+    where = " and ".join(str(number) for number in mistakes)
+    is_in = "mistakes are in lines" if len(mistakes) > 1 else "mistake is in line"
+    return f"Right, with your values. The {is_in} {where}."
 
 
-def _of_mistake(
-    line: JudgedLine, points: Sequence[PointMark], letters: Sequence[Meaning], level: int
-) -> str:
+def _of_mistake(line: JudgedLine, points: Sequence[PointMark], letters: _Words, level: int) -> str:
     principle = _principle(line)
     if level == 1:
         if principle is None:
@@ -207,9 +250,7 @@ def _title(name: str) -> str:
     return title[0].lower() + title[1:]
 
 
-def _right_line(
-    line: JudgedLine, points: Sequence[PointMark], letters: Sequence[Meaning]
-) -> str | None:
+def _right_line(line: JudgedLine, points: Sequence[PointMark], letters: _Words) -> str | None:
     """The line of the scheme for the principle of a line, in the student's letters."""
     use = next(iter(line.uses), None)
     if use is None:
@@ -226,25 +267,23 @@ def _serves(point: MarkPoint, use: Use) -> bool:
     )
 
 
-def _written(point: MarkPoint, letters: Sequence[Meaning]) -> str | None:
-    """The line of a point, with the student's letters for their quantities."""
+def _written(point: MarkPoint, words: _Words) -> str | None:
+    """The line of a point, with the student's letters for their quantities, others in words."""
     if point.link is None:
         return None
-    names: dict[Expression, Expression] = {}
-    for meaning in letters:
-        if " " in meaning.letter:
-            continue
-        quantity = meaning.quantity
-        if isinstance(quantity, Negate):
-            names.setdefault(quantity.operand, Negate(Letter(meaning.letter)))
-        else:
-            names.setdefault(quantity, Letter(meaning.letter))
-    left, right = (exchanged(side, names) for side in (point.link.left, point.link.right))
+    left, right = (words.put(side) for side in (point.link.left, point.link.right))
+    sides = (left, right)
+    if any(" " in each.name for side in sides for each in _letters_in(side) if each is not side):
+        return None  # words in the middle of a formula are no line
     sign = {"<=": "≤", ">=": "≥", "!=": "≠"}.get(point.link.sign, point.link.sign)
     return f"{text_of(left)} {sign} {text_of(right)}"
 
 
-def _next_step(points: Sequence[PointMark], letters: Sequence[Meaning], level: int) -> str | None:
+def _letters_in(tree: Expression) -> Iterator[Letter]:
+    return (each for each in walk(tree) if isinstance(each, Letter))
+
+
+def _next_step(points: Sequence[PointMark], letters: _Words, level: int) -> str | None:
     """First the principle that is missing, then its equation."""
     missing = next(
         (

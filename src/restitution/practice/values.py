@@ -16,7 +16,7 @@ import numpy as np
 
 from restitution.explaining.trees import exchanged
 from restitution.expression.evaluate import Angle, Value
-from restitution.expression.tree import Expression, Letter, Quantity, children
+from restitution.expression.tree import Expression, Letter, Negate, Quantity, children
 from restitution.practice.arrays import Array, UnvaluedError
 from restitution.practice.interpretation import Interpretation
 from restitution.practice.judgement import JudgedLine, Meaning
@@ -90,6 +90,26 @@ class Values:
         if vector is None:
             return False
         return self._is_worth(exchanged(link.left, {velocity: vector}), link.left, line)
+
+    def letter_of(self, quantity: Expression) -> Expression | None:
+        """The student's letter for a quantity, with a sign where it has the other sense."""
+        world = self._scattered
+        for meaning in self.letters:
+            if " " in meaning.letter:
+                continue
+            try:
+                own = world.value(meaning.quantity, scope=meaning.scope)
+                asked = world.value(quantity)
+            except UnvaluedError:
+                continue
+            if isinstance(own, Vector) or isinstance(asked, Vector):
+                continue
+            a, b = _number(world, own), _number(world, asked)
+            if _near(a, b):
+                return Letter(meaning.letter)
+            if _near(a, -b):
+                return Negate(Letter(meaning.letter))
+        return None
 
     def _is_worth(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
         world = self._base

@@ -1,0 +1,154 @@
+"""Marks of workings, point by point, compared with those given by hand; and what is said."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+import restitution
+from restitution.practice.scheme import schemes
+
+PAIR = """
+sphere A: mass 2, velocity 3i + 2j
+sphere B: mass 4, velocity -i + j
+A hits B: along i, e = 1/2
+find velocity(A), velocity(B)
+"""
+SHOW = """
+sphere A: mass m, velocity u*cos(alpha) i + u*sin(alpha) j
+sphere B: mass 3m, at rest
+A hits B: along i
+show along(velocity(B), i) = u*(1 + e)*cos(alpha)/4
+"""
+WALL = """
+wall W: along i
+sphere P: mass 2, velocity u at alpha to W
+let alpha = arctan(3/4)
+P hits W: e = 1/3
+part a
+find speed(P)
+part b
+find deflection(P)
+"""
+BOTH = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+ONE = {
+    "v": "along(velocity(P), i)",
+    "w": "along(velocity(P), j)",
+    "b": "angle(velocity(P), W)",
+}
+
+# Each working with its marks by hand: + earned, - lost, in the order of the scheme.
+BY_HAND = [
+    (PAIR, None, "++++++++", "2*3 - 4*1 = 2v + 4w; w - v = 2; v = -1; w = 1; vel A; vel B"),
+    (PAIR, None, "-++++---", "2*3 - 4*1 = 2v + 4w; w - v = 0.5*4"),
+    (PAIR, None, "++-+++--", "6 + 4 = 2v + 4w; w - v = 2; w = 7/3, v = 1/3; wrong A; wrong B"),
+    (PAIR, None, "+++-----", "6 - 4 = 2v + 4w; 1/2(w - v) = 4; w = 3, v = -5; ends A; ends B"),
+    (PAIR, None, "++++++++", "vel A; vel B"),
+    (PAIR, None, "-+++++-+", "vel B"),
+    (SHOW, None, "++++++", "m u cos α = m v + 3 m w; w - v = e u cos α; 4w = (1+e)u cos α; w = ends"),
+    (SHOW, None, "+++++-", "m u cos α = m v + 3 m w; w - v = e u cos α; w = ends"),
+    (SHOW, None, "------", "w = ends"),
+    (WALL, "a", "++++", "v = 4u/5; w = 1/3 * 3u/5 = u/5; speed = √(16/25 + 1/25) u = √17 u/5"),
+    (WALL, "a", "++++", "speed = 0.825u"),
+    (WALL, "a", "----", "speed = u/3"),
+    (WALL, "b", "+++", "tan b = (u/5)/(4u/5) = 1/4; b = 14.0; deflection = 36.9 + 14.0 = 50.9"),
+    (WALL, "b", "+--", "tan b = 1/4; b = 14.0; deflection = 14.0"),
+]  # fmt: skip
+IN_FULL = {
+    "w = ends": "w = u(1+e) cos α / 4",
+    "vel A": "velocity of A = -i + 2j",
+    "vel B": "velocity of B = i + j",
+    "wrong A": "velocity of A = 1/3 i + 2j",
+    "wrong B": "velocity of B = 7/3 i + j",
+    "ends A": "velocity of A = -5i + 2j",
+    "ends B": "velocity of B = 3i + j",
+}
+
+
+@cache
+def solution(statement: str) -> restitution.Solution:
+    return restitution.solve(restitution.parse(statement))
+
+
+def marked(statement: str, typed: str, part: str | None = None, hints: int = 0):
+    lines = [IN_FULL.get(line.strip(), line.strip()) for line in typed.split(";")]
+    letters = ONE if statement == WALL else BOTH
+    return restitution.mark(solution(statement), lines, part, letters, hints=hints)
+
+
+@pytest.mark.parametrize(("statement", "part", "wanted", "typed"), BY_HAND)
+def test_points_are_those_given_by_hand(statement, part, wanted, typed):
+    points = marked(statement, typed, part).marks.points
+    signs = {"earned": "+", "lost": "-", "open": "?"}
+    assert "".join(signs[each.state] for each in points) == wanted
+
+
+def test_a_scheme_names_what_each_point_is_for():
+    scheme, *_ = schemes(solution(PAIR))
+    assert [point.kind for point in scheme.points] == [
+        "B1",
+        "M1",
+        "A1",
+        "M1",
+        "A1",
+        "DM1",
+        "A1",
+        "A1",
+    ]
+    known = {point.id for point in scheme.points}
+    assert len(known) == scheme.total
+    assert all(set(point.depends) <= known for point in scheme.points)
+    dependent = scheme.points[5]
+    assert dependent.depends == (scheme.points[1].id, scheme.points[3].id)
+
+
+def test_what_cannot_be_read_leaves_marks_open():
+    marks = marked(PAIR, "6 - 4 = 2v + 4w; w - v = )(").marks
+    assert marks.earned == 2
+    assert marks.open
+    assert marks.earned + marks.open + marks.lost == marks.of
+
+
+def test_a_line_has_all_its_keys():
+    data = marked(PAIR, "6 + 4 = 2v + 4w; so; w - v = )(; w - v = 2").json()
+    keys = {"n", "text", "read_as", "verdict", "accuracy"}
+    keys |= {"principle", "event", "link", "from", "mistake"}
+    assert [keys <= set(line) for line in data["lines"]] == [True] * len(data["lines"])
+    assert data["lines"][0]["mistake"]["id"] == "momentum-sign"
+    assert set(data["marks"]) == {"earned", "lost", "open", "of", "points"}
+
+
+def test_nothing_is_said_before_it_is_asked_for():
+    typed = "6 + 4 = 2v + 4w; w - v = 2; w = 7/3"
+    assert marked(PAIR, typed).messages == ()
+    for level in (1, 2, 3):
+        for message in marked(PAIR, typed, hints=level).messages:
+            assert "4(−1)" not in message.text
+    said = [each.text for each in marked(PAIR, typed, hints=1).messages]
+    assert said[0].startswith("This is conservation of momentum")
+    assert said[-1] == "Right, with your values. The mistake is in line 1."
+    last = marked(PAIR, typed, hints=4).messages[0].text
+    assert last == "The line is 2 × 3 + 4(−1) = 2v + 4w."
+
+
+def test_the_next_step_first_names_the_principle():
+    for level in (1, 2, 3):
+        (message,) = marked(PAIR, "vel A", hints=level).messages or (None,)
+        assert message is None or "=" not in message.text
+    (message,) = marked(PAIR, "6 - 4 = 2v + 4w", hints=1).messages
+    assert "not used" in message.text
+
+
+def test_a_part_that_is_not_there_and_a_level_that_is_not_there():
+    with pytest.raises(KeyError, match="parts: a, b"):
+        marked(WALL, "v = 1", "z")
+    with pytest.raises(restitution.StatementError, match="0 to 4"):
+        marked(PAIR, "v = 1", hints=7)
+
+
+def test_a_marking_is_text_for_a_terminal_and_html_that_holds_no_markup_of_the_student():
+    marking = marked(PAIR, "<b>6 - 4 = 2v + 4w</b>; w - v = 2")
+    assert max(map(len, str(marking).splitlines())) <= 80
+    assert "Marks:" in str(marking)
+    assert "<b>6" not in marking._repr_html_()
