@@ -46,8 +46,8 @@ BY_HAND = [
     (PAIR, None, "+++-----", "6 - 4 = 2v + 4w; 1/2(w - v) = 4; w = 3, v = -5; ends A; ends B"),
     (PAIR, None, "++++++++", "vel A; vel B"),
     (PAIR, None, "-+++++-+", "vel B"),
-    (SHOW, None, "++++++", "m u cos α = m v + 3 m w; w - v = e u cos α; 4w = (1+e)u cos α; w = ends"),
-    (SHOW, None, "+++++-", "m u cos α = m v + 3 m w; w - v = e u cos α; w = ends"),
+    (SHOW, None, "++++++", "clm; nel; 4w = (1+e)u cos α; w = ends"),
+    (SHOW, None, "+++++-", "clm; nel; w = ends"),
     (SHOW, None, "------", "w = ends"),
     (WALL, "a", "++++", "v = 4u/5; w = 1/3 * 3u/5 = u/5; speed = √(16/25 + 1/25) u = √17 u/5"),
     (WALL, "a", "++++", "speed = 0.825u"),
@@ -56,6 +56,8 @@ BY_HAND = [
     (WALL, "b", "+--", "tan b = 1/4; b = 14.0; deflection = 14.0"),
 ]  # fmt: skip
 IN_FULL = {
+    "clm": "m u cos α = m v + 3 m w",
+    "nel": "w - v = e u cos α",
     "w = ends": "w = u(1+e) cos α / 4",
     "vel A": "velocity of A = -i + 2j",
     "vel B": "velocity of B = i + j",
