@@ -1,0 +1,67 @@
+"""Versions of a sheet with other numbers, and mark schemes."""
+
+from __future__ import annotations
+
+import pytest
+from commands import run
+
+import restitution as r
+from restitution.export import mark_scheme as tables
+from restitution.practice.mark_scheme import mark_scheme
+from restitution.workings import explain
+
+STATEMENT = """title A ball & a cushion
+wall W: along i
+sphere P: mass 2, velocity 5i - 3j
+P hits W: e = 1/3
+part a
+find velocity(P)
+part b
+find energy_lost
+"""
+
+
+@pytest.fixture(scope="module")
+def rows():
+    return mark_scheme(r.solve(r.parse(STATEMENT)))
+
+
+def test_a_scheme_has_the_marks_of_the_working(rows):
+    parts = explain(r.solve(r.parse(STATEMENT))).parts
+    for part in parts:
+        own = [row for row in rows if row.part == part.label]
+        assert sum(len(row.marks) for row in own) == part.marks
+
+
+def test_a_scheme_names_usual_wrong_answers(rows):
+    notes = " ".join(note for row in rows for note in row.notes)
+    assert "5𝐢 + 9𝐣 (restitution upside down)" in notes  # 3 ÷ ⅓ = 9
+    assert "M0: " in notes
+
+
+def test_tables_are_escaped(rows):
+    html = tables.to_html(rows)
+    assert html.count("<tr>") == len(rows) + 2
+    assert "#table(" in tables.to_typst(rows)
+
+
+def test_the_command_sets_versions_with_their_schemes(tmp_path):
+    path = tmp_path / "ball.impact"
+    path.write_text(STATEMENT, encoding="utf-8")
+    output = tmp_path / "test.html"
+    status, _, messages = run("sheet", path, "-o", output, "--variants", "2", "--seed", "7")
+    assert status == 0, messages
+    assert "the walls stay" in messages
+    names = sorted(each.name for each in tmp_path.glob("*.html"))
+    assert names == ["test-1-scheme.html", "test-1.html", "test-2-scheme.html", "test-2.html"]
+    one, other = (tmp_path / f"test-{n}.html" for n in (1, 2))
+    assert one.read_text(encoding="utf-8") != other.read_text(encoding="utf-8")
+    assert "Mark scheme" in (tmp_path / "test-1-scheme.html").read_text(encoding="utf-8")
+    assert "Mark scheme" not in one.read_text(encoding="utf-8")
+
+
+def test_versions_need_a_file_each(tmp_path):
+    path = tmp_path / "ball.impact"
+    path.write_text(STATEMENT, encoding="utf-8")
+    status, _, _ = run("sheet", path, "-o", "-", "--format", "html", "--variants", "2")
+    assert status == 2
