@@ -48,7 +48,7 @@ def test_corrections_are_bounded() -> None:
 
 def test_the_calculator_in_radians_takes_degrees_for_radians() -> None:
     offered = [each for each in corrections(_claim("v", "5 sin(30°)")) if each.change == "radians"]
-    assert [each.claim.right for each in offered] == [read_expression("5 sin(30)")]
+    assert [each.claim.right for each in offered] == [read_expression("5 sin(30*180°/pi)")]
 
 
 def test_near_numbers_differ_by_one_figure() -> None:

@@ -168,11 +168,14 @@ class _Sitting:
             lines = self._asked(lines, asks)
         return Judgement(lines, self.meanings.best.meanings, tuple(sorted(asks)))
 
+    def _judge(self, interpretation: Interpretation, *, names: bool = True) -> Judge:
+        table = {line.number: interpretation.trees(line.number) for line in self.script.lines}
+        return Judge(self.bench.worlds, table, self.bench.names, self.bench.question, names=names)
+
     def _judged(
         self, script: Script, interpretation: Interpretation, *, names: bool = True
     ) -> tuple[Judge, tuple[JudgedLine, ...]]:
-        table = {line.number: interpretation.trees(line.number) for line in script.lines}
-        judge_ = Judge(self.bench.worlds, table, self.bench.names, self.bench.question, names=names)
+        judge_ = self._judge(interpretation, names=names)
         return judge_, judge_.judged(script)
 
     # --- letters that are not certain -----------------------------------------------------------
@@ -243,11 +246,7 @@ class _Sitting:
         near = set(_factors_in(first))
         for value, datum in islice((each for each in pairs if each[0] in near), _MISREADINGS):
             script = Script(tuple(_reread(line, value, datum) for line in self.script.lines))
-            _, again = self._judged(script, self.meanings.best, names=False)
-            if all(
-                new.verdict == "true" or new.verdict == old.verdict in ("remark", "unread")
-                for old, new in zip(lines, again, strict=True)
-            ):
+            if self._judge(self.meanings.best).is_true(script):
                 return tuple(_as_misread(lines, str(value)))
         return lines
 

@@ -239,7 +239,9 @@ def _radians(tree: Expression) -> Expression:
 
 def _plain(tree: Expression) -> Expression:
     """Degrees taken for radians."""
-    return Number(tree.value) if isinstance(tree, Degrees) else tree
+    if isinstance(tree, Number | Degrees):
+        return Binary("/", Binary("*", Number(tree.value), Degrees(Fraction(180))), Pi())
+    return tree
 
 
 # --- one datum for another --------------------------------------------------------------------

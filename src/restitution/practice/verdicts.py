@@ -129,6 +129,15 @@ class Judge:
         mistake = self.naming.named(found, self.stated(), confirmed)
         return replace(line, mistake=mistake, uses=line.uses or found.near)
 
+    def is_true(self, script: Script) -> bool:
+        """Whether every relation of a script holds in one of the solutions."""
+        return all(
+            self._holds(link, line, self.worlds) is not None
+            for line in script.lines
+            if line.kind not in ("remark", "heading", "crossed", "unread")
+            for link in line.links
+        )
+
     def meanings(self, number: int) -> Meanings:
         """What letters and phrases mean in a line."""
         return self._meanings.get(number, {})
