@@ -7,7 +7,7 @@ mistake has no name.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
@@ -49,6 +49,14 @@ _OF_POWERS = frozenset({"square-not-taken", "energy-ratio-as-speed"})
 _OF_FACTORS = frozenset({"mass-omitted", "restitution-omitted", "energy-no-half", "across-changed"})
 _LAWS = frozenset({"momentum", "restitution", "unchanged", "impulse", "energy", "deflection"})
 _OF_ENERGY = frozenset({"energy", "speed", "fact", "fraction"})
+# Mistakes that are less usual than others of which a line may be an instance as well.
+_BEFORE: Mapping[str, set[str]] = {
+    "angle-from-normal": {"sine-cosine"},
+    "energy-conserved": {"restitution-omitted", "restitution-inverted"},
+    "across-changed": {"restitution-parallel", "sine-cosine"},
+    "restitution-whole-speed": {"speed-for-component"},
+    "deflection-difference": {"deflection-is-after"},
+}
 _TRIED = 6
 NO_NAME = Mistake(None)
 Stated = frozenset[tuple[str, int | None]]
@@ -96,10 +104,13 @@ class Names:
         ]
         variants.sort(key=lambda each: 0 if each.event.wall else len(each.laws))
         ids = tuple(dict.fromkeys(each.id for each in variants))
-        first, *also = tuple(dict.fromkeys(each.mistake for each in variants)) or (None,)
-        if first is None:
+        families = tuple(dict.fromkeys(each.mistake for each in variants))
+        if not families:
             return Mistake(found.slip, "slip", at=found.at) if found.slip else NO_NAME
-        return Mistake(first, "misconception", ids, tuple(also), found.at, sure=not also)
+        likely = [each for each in families if not set(families) & _BEFORE.get(each, set())]
+        name = likely[0] if len(likely) == 1 else None
+        also = tuple(each for each in families if each != name)
+        return Mistake(name, "misconception", ids, also, found.at, sure=not also)
 
     # --- misconceptions -----------------------------------------------------------------------
 
