@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from restitution import work
@@ -187,29 +188,61 @@ def altered_worlds(
     With ``part``, a label, only items of that part count. Raises StatementError for an unknown id,
     UnsupportedError, with the reason and the mistakes that apply, where there is no such world.
     """
+    worlds: list[AlteredWorld] = []
+    reasons: dict[str, None] = {}
+    with (
+        suppress(TimeLimitError),  # what was solved by then is kept
+        work.limited(time_limit, error=TimeLimitError(_LATE)),
+    ):
+        for world in _worlds(solution, name, only, part, reasons):
+            worlds.append(world)  # noqa: PERF402 - each is kept, also where the next is broken off
+    return tuple(worlds) or _none(solution, name, reasons)
+
+
+def first_world(solution: Solution, name: str, time_limit: float | None = None) -> AlteredWorld:
+    """The first world of a mistake, or of one variant ``ID/N``, in which an answer changes.
+
+    Raises what `altered_worlds` raises.
+    """
+    reasons: dict[str, None] = {}
+    with work.limited(time_limit, error=TimeLimitError(_LATE)):
+        world = next(_worlds(solution, name, None, None, reasons), None)
+    return world or _none(solution, name, reasons)[0]
+
+
+def _worlds(
+    solution: Solution,
+    name: str,
+    only: Iterable[int] | None,
+    part: str | None,
+    reasons: dict[str, None],
+) -> Iterator[AlteredWorld]:
+    """The worlds in which an answer changes, as they are solved; why others are none."""
+    found = misconception(name)
+    for variant in found.variants:
+        if name not in (variant.id, found.id):
+            continue
+        try:
+            world = altered_world(solution, variant, only)
+        except UnsupportedError as error:
+            reasons[error.message] = None
+            continue
+        items = tuple(each for each in world.items if part in (None, each.part))
+        if items:
+            yield replace(world, items=items)
+        else:
+            reasons[_unchanged(world)] = None
+
+
+def _none(solution: Solution, name: str, reasons: Iterable[str]) -> tuple[AlteredWorld, ...]:
+    """Raises UnsupportedError: why there is no world, and which mistakes apply."""
     found = misconception(name)
     if found.world == "none":
         why = f"{name} has no world of its own: {found.sentence[:1].lower()}{found.sentence[1:-1]}"
-        raise UnsupportedError(f"{why}; {_those_that_apply(solution.problem)}")
-    wanted = [each for each in found.variants if name in (each.id, found.id)]
-    worlds: list[AlteredWorld] = []
-    reasons: dict[str, None] = {}
-    with work.limited(time_limit, error=TimeLimitError(_LATE)):
-        for variant in wanted:
-            try:
-                world = altered_world(solution, variant, only)
-            except UnsupportedError as error:
-                reasons[error.message] = None
-                continue
-            items = tuple(each for each in world.items if part in (None, each.part))
-            if items:
-                worlds.append(replace(world, items=items))
-            else:
-                reasons[_unchanged(world)] = None
-    if not worlds:
-        why = _why_not(name, wanted, list(reasons))
-        raise UnsupportedError(f"{why}; {_those_that_apply(solution.problem)}")
-    return tuple(worlds)
+    else:
+        wanted = [each for each in found.variants if name in (each.id, found.id)]
+        why = _why_not(name, wanted, list(reasons) or [_LATE])
+    raise UnsupportedError(f"{why}; {_those_that_apply(solution.problem)}")
 
 
 def solve_as(problem: Problem, mistake: str, time_limit: float | None = None) -> Solution:
@@ -219,7 +252,8 @@ def solve_as(problem: Problem, mistake: str, time_limit: float | None = None) ->
     answer), or of a variant, ``"momentum-sign/2"``. Raises StatementError for an unknown id, and
     UnsupportedError, with the reason, for a mistake without a world, or that changes nothing here.
     """
-    return altered_worlds(solve(problem, time_limit), mistake, time_limit=time_limit)[0].solution
+    misconception(mistake)
+    return first_world(solve(problem, time_limit), mistake, time_limit).solution
 
 
 _LATE = "no answer in the world of the mistake within the time limit"

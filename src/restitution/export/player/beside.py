@@ -14,7 +14,6 @@ from restitution.errors import UnsupportedError
 from restitution.explaining.consequences import (
     AlteredWorld,
     altered_world,
-    altered_worlds,
     applying,
 )
 from restitution.explaining.misconceptions import misconception
@@ -68,26 +67,25 @@ def world_to_play(solution: Solution, mistake: str) -> AlteredWorld:
             f"{mistake} changes a result and not the motion, so that there is nothing to play; "
             f"these change the motion: {', '.join(these) or 'none'}"
         )
-    try:
-        worlds = altered_worlds(solution, mistake)
-    except UnsupportedError:
-        worlds = ()
-    moving = next((each for each in worlds if each.alteration.laws), None)
-    return moving or _any_world(solution, mistake)
-
-
-def _any_world(solution: Solution, mistake: str) -> AlteredWorld:
+    unchanged: list[AlteredWorld] = []
     reasons: list[UnsupportedError] = []
-    for variant in misconception(mistake).variants:
-        if variant.laws and mistake in (variant.id, variant.mistake):
-            try:
-                world = altered_world(solution, variant)
-                if any(part.branches for part in world.solution.parts.values()):
-                    return world
-                reasons.append(UnsupportedError(f"{variant.id} leads to no motion here"))
-            except UnsupportedError as error:
-                reasons.append(error)
-    raise reasons[0]
+    for variant in about.variants:
+        if not variant.laws or mistake not in (variant.id, about.id):
+            continue
+        try:
+            world = altered_world(solution, variant)
+        except UnsupportedError as error:
+            reasons.append(error)
+            continue
+        if not any(part.branches for part in world.solution.parts.values()):
+            reasons.append(UnsupportedError(f"{variant.id} leads to no motion here"))
+        elif world.items:
+            return world
+        else:
+            unchanged.append(world)
+    if not unchanged:
+        raise reasons[0]
+    return unchanged[0]
 
 
 def _twin(motion: PartMotion, others: Sequence[PartMotion], number: int) -> PartMotion:
