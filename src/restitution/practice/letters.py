@@ -24,7 +24,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.arrays import is_bare
 from restitution.practice.candidates import Candidate, kinds_of
-from restitution.practice.dependence import Dependence
+from restitution.practice.dependence import Dependence, Relation
 from restitution.practice.inference import (
     Item,
     Slot,
@@ -56,14 +56,15 @@ from restitution.vector import Vector
 NEARLY = 0.7
 _RIVALS = 24
 _INEQUALITY = 0.25
-_HEADING, _BREAK, _ALONE = 0.2, 0.7, 1.2
+_HEADING, _BREAK, _ALONE = 0.2, 0.5, 1.2
 # What it costs that a letter means nothing which its first line may define.
 _UNKNOWN = 0.2
 # What a line tells that follows from those above or contradicts them, and one of momentum, which
 # tells the sense of its letters as well.
 _WORTH = {"new": 1.0, "follows": 0.3, "contradicts": 0.6}
 _MOMENTUM = 1.8
-_PLACES = 8
+_PLACES = 5
+_LAST = 10**6
 _VELOCITIES = frozenset("vVwW")
 
 
@@ -162,6 +163,7 @@ class _Search:
             self.items[line.number] = [(link, names) for link, names in links if names]
         self.directions = around.directions(self.lines)
         self.failing: set[int] = set()
+        self.relations: dict[Any, Relation] = {}
         self.told: set[str] = set()
         self.definitions = dict(self._definitions())
 
@@ -304,7 +306,7 @@ class _Search:
         items = self._weighed(items)
         states = search(items, slots, self.around.tester, self.around.broken)
         found = []
-        for state in states:
+        for state in states[: 2 * _RIVALS]:
             lines = {item.line for k, item in enumerate(items) if k in state.satisfied}
             whole = self._interpretation(state, slots, firsts)
             found.append(replace(whole, score=whole.score - self._cost(whole, breaks, lines)))
@@ -318,9 +320,10 @@ class _Search:
         """What it costs that letters change their meanings, less where several lines say so."""
         changed = [m.since for m in whole.meanings if m.since and m.by == "inferred"]
         cost = 0.0
-        for each in breaks:
+        ends = [*(each.line for each in breaks[1:]), _LAST]
+        for each, end in zip(breaks, ends, strict=False):
             if any(since >= each.line for since in changed):
-                several = sum(number >= each.line for number in lines) > 1
+                several = sum(each.line <= number < end for number in lines) > 1
                 cost += each.cost if several else each.alone
         return cost
 
@@ -332,12 +335,18 @@ class _Search:
         return Item(line.number, link.readings, used, weight, link.decimals, frame, pair)
 
     def _weighed(self, items: Sequence[Item]) -> list[Item]:
-        """The items with what each is worth, less where it follows from those above."""
+        """The items with what each is worth, less where it follows from those above.
+
+        What a line is worth does not change with the scopes that its letters are given.
+        """
         dependence = Dependence(self.around.tester, self.angular)
         weighed: list[Item] = []
         for item in items:
-            names = {name: f"{name} {s}" for name, s in item.slots.items()}
-            relation = dependence.relation(item.readings[0], names, item.frame)
+            key = item.line, item.readings
+            if key not in self.relations:
+                names = {name: f"{name} 0" for name in item.slots}
+                self.relations[key] = dependence.relation(item.readings[0], names, item.frame)
+            relation = self.relations[key]
             factor = _WORTH[relation]
             if relation == "new" and _is_momentum(item):
                 factor = _MOMENTUM
