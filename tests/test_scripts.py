@@ -16,6 +16,7 @@ from measure_marking import ROOT, SCRIPTS, MarkedScript, Measures, measure, scri
 
 import restitution
 from restitution.errors import RestitutionError
+from restitution.planning.desk import NotPlannedError
 
 SEED = int(os.environ.get("SEED", "16"))
 EXAMPLES = sorted((ROOT / "src" / "restitution" / "examples").glob("*.impact"))
@@ -112,7 +113,7 @@ def derived(paths: Sequence[Path], number: int, seed: int) -> list[DerivedScript
     for path in paths:
         try:
             chosen += [(text(path), part) for part in parts_of(text(path))]
-        except RestitutionError:  # a question without an answer
+        except (RestitutionError, NotPlannedError):  # without an answer, or without a working
             continue
     return [derive(*chosen[n % len(chosen)], Random(random.random())) for n in range(number)]
 
