@@ -121,6 +121,7 @@ class _Impact:
         """A letter, or a number, for each quantity of the laws."""
         taken = set(self.statement) | set("eijmu")
         pool = [letter for letter in POOL if letter not in taken]
+        pool += [f"{letter}_{number}" for letter in "pqrs" for number in (1, 2)]
         put: dict[Expression, Expression] = {}
         declared: dict[str, str] = {}
         laws = (*laws_at(self.event), *variant.laws)
