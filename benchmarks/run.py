@@ -5,9 +5,10 @@ that take turns; its help against an interpreter that does nothing. Warm: solvin
 each example, against ``sympy.solve`` on the same equations, each in a process of its own; the first
 time in a process against another time. Drawing: the pictures of each example, against solving it.
 Following: the lines of each working by hand, checked and recognised, against solving its statement.
+Marking: the scripts that were marked by hand, with letters declared and with none.
 
 ``--repeat`` says of how many runs the shortest is taken, ``--pairs`` how many pairs there are, and
-``--only`` takes one of the four.
+``--only`` takes one of them.
 """
 
 from __future__ import annotations
@@ -34,12 +35,14 @@ LIMIT = 20
 HERE = Path(__file__).parent
 EXAMPLES = HERE.parent / "src" / "restitution" / "examples"
 
+PARTS = ("cold", "warm", "drawing", "following", "planning", "marking")
+
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--pairs", type=int, default=15)
-    parser.add_argument("--only", choices=["cold", "warm", "drawing", "following", "planning"])
+    parser.add_argument("--only", choices=PARTS)
     options = parser.parse_args()
     parts = {
         "cold": lambda: cold(options.pairs),
@@ -47,6 +50,7 @@ def main() -> None:
         "drawing": lambda: drawing(options.repeat),
         "following": lambda: following(options.repeat),
         "planning": lambda: planning(options.repeat),
+        "marking": lambda: marking(options.repeat),
     }
     for name, part in parts.items():
         if options.only in (None, name):
@@ -349,6 +353,25 @@ def planning(repeat: int) -> None:
     )
     print(f"| a working planned, as a multiple of solving: median | {median(ratios):.1f} | | | |")
     print(f"\n{len(items)} examples are planned, {unplanned} are not.")
+
+
+def marking(repeat: int) -> None:
+    """Seconds in which a script is marked, its question solved, after a first time."""
+    sys.path.insert(0, str(HERE.parent / "tests"))
+    from measure_marking import reply, scripts_of
+
+    print("| marking, s | scripts | median | 95 % | most | of |\n|---|---:|---:|---:|---:|---|")
+    scripts = scripts_of()[::4]
+    for declared in (True, False):
+        taken: dict[str, float] = {}
+        for script in scripts:
+            reply(script, declared)
+            taken[script.name] = min(reply(script, declared)[1] for _ in range(max(repeat - 1, 1)))
+        letters = "letters declared" if declared else "letters inferred"
+        name = max(taken, key=lambda each: taken[each])
+        usual = sorted(taken.values())[int(0.95 * (len(taken) - 1))]
+        figures = f"{median(taken.values()):.2f} | {usual:.2f} | {taken[name]:.2f} | {name}"
+        print(f"| {letters} | {len(taken)} | {figures} |")
 
 
 def _ms(seconds: float | None) -> str:
