@@ -184,6 +184,8 @@ def heading_end(tokens: Sequence[Token], usage: Usage) -> int:
         return 0
     if end == len(tokens) or tokens[end].kind in (":", ",", "stop", ";"):
         return end if end == len(tokens) or tokens[end].kind == ":" or end > 1 else 0
+    if tokens[end].kind == "word":
+        return 0
     operator = tokens[end].kind in ("relation", "+", "*", "/", "^", "percent")
     first_name = tokens[end - 1].kind == "name" and tokens[end - 1].gap == 0
     return 0 if operator or first_name or tokens[0].kind == "name" else end

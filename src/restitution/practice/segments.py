@@ -70,6 +70,9 @@ def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[T
     place = 0
     tokens = [each for n, each in enumerate(tokens) if not _is_kind_of_body(tokens, n)]
     while place < len(tokens):
+        if _is_aside(tokens, place):
+            place = tokens_behind(tokens, place)
+            continue
         joined = (
             _size(tokens, place)
             or _owned(tokens, place)
@@ -86,6 +89,9 @@ def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[T
         end = _phrase_end(tokens, place, problem)
         if end > place:
             first = place
+            if len(found) > 1 and found[-1].word in ("has", "had") and found[-2].kind == "name":
+                found.pop()
+                first -= 1
             if found and _is_owner(found, tokens[place]):
                 found.pop()
                 first -= 1
@@ -98,6 +104,25 @@ def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[T
         place += 1
     found = [each for n, each in enumerate(found) if not _is_article(found, n)]
     return _with_order([_equality(found, place) for place in range(len(found))])
+
+
+def tokens_behind(tokens: Sequence[Token], place: int) -> int:
+    """The place behind the bracket that closes the one at a place."""
+    depth = 0
+    for end in range(place, len(tokens)):
+        depth += {"(": 1, ")": -1}.get(tokens[end].kind, 0)
+        if not depth:
+            return end + 1
+    return len(tokens)
+
+
+def _is_aside(tokens: Sequence[Token], place: int) -> bool:
+    """Whether brackets hold words and state nothing: ``v (speed of A) = 3``."""
+    if tokens[place].kind != "(" or not place or not tokens[place].gap:
+        return False
+    inside = tokens[place + 1 : tokens_behind(tokens, place) - 1]
+    signs = any(each.kind in ("relation", "arrow") for each in inside)
+    return not signs and any(each.kind == "word" for each in inside)
 
 
 def _with_letter(tokens: Sequence[Token], end: int) -> int:
@@ -396,6 +421,8 @@ def _is_factor(tokens: Sequence[Token], place: int, pending: Sequence[Token]) ->
     if not set(words) & HEADS.keys():
         return False
     behind = tokens[place + 1].kind if place + 1 < len(tokens) else ""
+    if behind in _OPERANDS:
+        return False
     if behind == "relation" and any(each.kind == "relation" for each in pending):
         return False
     return pending[-1].kind in ("letter", "number", "percent")
