@@ -115,7 +115,7 @@ def first(world: World, text: str, table: dict[str, str], scope: Scope = ANYWHER
         ("L = m u^2 - m q^2 - 1.5 m w^2", "energy 1 AB"),
         ("L = m*3u^2/4 - m v^2 - 1.5m w^2", "energy 1 AB"),
         ("L = 1/2*(6m/5)*(1 - e^2)*3u^2/4", "energy 1 "),
-        ("w = 2(1 + e) u cos(30)/5", "solve 1 B"),
+        ("w = 2(1 + e) u cos(30)/5", "value 1 B"),
         ("5v = sqrt(3) u - 3 e u sqrt(3)/2", "solve 1 A"),
         ("u cos(30) = sqrt(3) u/2", "arithmetic None "),
         ("sqrt(3)/2*3 = 2.598", "arithmetic None "),
@@ -146,7 +146,9 @@ def test_a_line_with_letters(text: str, principle: str) -> None:
         ("s = 1", "unchanged 1 B"),
         ("F = v i - 2j", "unchanged 1 A"),
         ("3v = -11", "solve 1 A"),
-        ("F = -11/3 i - 2j", "solve 1 A"),
+        ("v = -11/3", "value 1 A"),
+        ("v = -3.67", "value 1 A"),
+        ("F = -11/3 i - 2j", "value 1 A"),
     ],
 )
 def test_a_line_with_numbers(text: str, principle: str) -> None:
@@ -331,3 +333,50 @@ def test_an_altered_result_of_spheres(text: str, mistake: str) -> None:
 def test_a_line_with_sides_that_vanish_is_no_instance() -> None:
     # Under conserved energy v = u, and the line says 0 = 0.
     assert altered("L = m (u - v)^2/2", WALL, OF_WALL) == {"energy-of-difference"}
+
+
+TO_FIND_E = """
+sphere A: mass 2, velocity 4i + 3j
+sphere B: mass 3, velocity -2i + j
+A hits B: along i
+given velocity(A) = -i + 3j
+find e
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "principles"),
+    [
+        ("w = 4/3", {"momentum"}),
+        ("8 - 6 = -2 + 3w", {"momentum"}),
+        ("w + 1 = 6e", {"restitution"}),
+        ("e = 7/18", {"momentum", "restitution"}),
+        ("velocity(A) = -i + 3j", set()),
+    ],
+)
+def test_a_value_rests_on_no_law_with_a_letter_to_be_found(text: str, principles: set[str]) -> None:
+    world = world_of(TO_FIND_E)
+    line, decimals = claim(text)
+    table = meanings({"w": "along(velocity(B, 1), i)"})
+    assert agrees(line, world, table, decimals) is not None
+    laws = {use.principle for use in uses_of(line, world, table, decimals)}
+    assert laws & {"momentum", "restitution"} == principles
+
+
+@pytest.mark.parametrize(
+    ("text", "is_value"),
+    [
+        ("v = -11/3", True),
+        ("F = -11/3 i - 2j", True),
+        ("w = -2/3", True),
+        ("y = -2", True),
+        ("w = v + 3", False),
+        ("w - v = 3", False),
+        ("v = (-5 - 4*3/7*7)/3", False),
+    ],
+)
+def test_a_value_is_told_from_a_law(text: str, is_value: bool) -> None:
+    world = world_of(NUMBERS)
+    line, decimals = claim(text)
+    found = uses_of(line, world, meanings(OF_NUMBERS), decimals)
+    assert ("value" in {use.principle for use in found}) == is_value

@@ -441,7 +441,7 @@ _NAMES: Mapping[str, tuple[str, ...]] = {
     "angle": ("angle", "direction"),
     "scalar-product": ("scalar-product", "angle", "deflection"),
     "fact": ("fact", "energy", "angle", "deflection", "speed"),
-    "solve": ("solve",),
+    "solve": ("solve", "value"),
 }
 
 

@@ -3,17 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import combinations
 
 import numpy as np
 
 from restitution.expression.evaluate import Angle, Value
-from restitution.expression.tree import Expression, Letter, Name, Quantity, children, walk
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    children,
+    walk,
+)
 from restitution.practice.agreement import NOT, grades
-from restitution.practice.arrays import Array
+from restitution.practice.arrays import Array, is_bare
 from restitution.practice.judgement import Use
 from restitution.practice.results import altered_results
 from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope
 from restitution.practice.states import Block, States, states
+from restitution.practice.student import lawful_world
 from restitution.practice.telling import NO_MEANINGS, Meanings, Telling
 from restitution.practice.terms import is_triangle, law_put_in
 from restitution.practice.world import World
@@ -23,6 +35,7 @@ from restitution.vector import Vector
 _ENERGIES = frozenset({"energy", "energy_lost", "total_energy_lost"})
 _ANGLES = frozenset({"angle", "direction"})
 Laws = tuple[tuple[str, tuple[str, ...]], ...]
+_NO_VALUES = frozenset({"arithmetic", "component", "fact", "value"})
 _UNTOLD = frozenset({"solve", "fact", "arithmetic", "component"})
 _RESULTS = ("impulse", "energy", "deflection")
 
@@ -37,6 +50,9 @@ def uses_of(
     altered: bool = False,
 ) -> tuple[Use, ...]:
     """The laws of which a line is an instance; first its principle, then laws that it needs.
+
+    ``value`` is among them where the line gives a quantity its value and no more: first of all
+    where that takes several laws.
 
     The world is the true one, or the student's own. With ``altered``, a line that holds under no
     right law has a use for each altered law, or else altered result, of which it is an instance. An
@@ -86,8 +102,10 @@ class _Trial:
         self.quantities = tuple(_quantities(claim, self.world, meanings))
         self.now = self.world.now(scope)
         self.plain = not self.quantities and _is_arithmetic(claim)
-        self.uses_letters = _has_letters(claim, meanings)
-        found = grades(claim, self.world, meanings, decimals, scope)
+        self.uses_letters = bool(_letters_of(claim, meanings))
+        self.line = (claim, meanings, decimals, scope)
+        self.is_value = _is_value(claim, self.world, meanings)
+        found = self.grades_in(self.world)
         self.sides = [
             _size(self.world, self.world.value(side, meanings, scope))
             for side in (claim.left, claim.right)
@@ -96,8 +114,22 @@ class _Trial:
         self.true = bool((found[: tried.rows] < NOT).all())
         self.holding = tried.holding(found < NOT)
 
+    def grades_in(self, world: World) -> Array:
+        """How exactly the line holds in the samples of a world."""
+        claim, meanings, decimals, scope = self.line
+        return grades(claim, world, meanings, decimals, scope)
+
     def uses(self) -> tuple[Use, ...]:
         """The laws of the latest event on which the line depends."""
+        found = self._laws_used()
+        if not self.is_value or not found or found[0].principle in _NO_VALUES:
+            return found
+        value = Use("value", found[0].event, found[0].bodies)
+        if found[0].principle == "solve":
+            return (value, *found[1:])
+        return (*found, value)
+
+    def _laws_used(self) -> tuple[Use, ...]:
         if self.plain:
             return (Use("arithmetic"),)
         for number in sorted({block.event for block in self.states.blocks}, reverse=True):
@@ -111,6 +143,9 @@ class _Trial:
                 continue
             return self._named(best)
         if self.true and self._loose_everywhere():
+            found = self._of_found_letters()
+            if found:
+                return found
             return (Use(self._definition(), self._event(), self._bodies(None)),)
         return (Use("fact"),) if self.true else ()
 
@@ -159,13 +194,64 @@ class _Trial:
 
     def _named(self, best: Block) -> tuple[Use, ...]:
         told = best.laws if len(best.laws) == 1 else self._telling(best)
-        laws = tuple(Use(law, best.event, bodies) for law, bodies in told)
-        if len(told) > 1 and self._fact(best.event):
-            return (Use("fact", best.event, self._bodies(best.event)), *laws)
+        if len(told) > 1 and self.true:
+            if self._fact(best.event):
+                return (Use("fact", best.event, self._bodies(best.event)), *_laws(told, best.event))
+            told = self._with_facts(best.event, told)
+        laws = _laws(told, best.event)
         name = self._principle(best.event, told)
         if [name] == [use.principle for use in laws]:
             return laws
         return (Use(name, best.event, self._bodies(best.event)), *laws)
+
+    def _of_found_letters(self) -> tuple[Use, ...]:
+        """The laws that give the letters of a line that are to be found."""
+        claim, meanings, _, _ = self.line
+        if not _letters_of(claim, meanings) & self.states.base.found:
+            return ()
+        for number in sorted({block.event for block in self.states.blocks}, reverse=True):
+            every = max((block.laws for block in self._blocks(number)), key=len, default=())
+            kept = self._with_facts(number, every)
+            if kept:
+                name = kept[0][0] if len(kept) == 1 else "solve"
+                own = (Use("solve", number),) if name == "solve" else ()
+                return (*own, *_laws(kept, number))
+        return ()
+
+    def _with_facts(self, event: int, told: Laws) -> Laws:
+        """The laws that a line needs beside the facts, where letters are found from these.
+
+        A value that a fact and one law give does not rest on another law with a letter in it that
+        is still to be found.
+        """
+        world = self.states.base
+        unknown = frozenset(name for name in world.found if name[:2] != "_k")
+        if not unknown:
+            return told
+        every = max((block.laws for block in self._blocks(event)), key=len)
+        for count in range(len(told)):
+            for kept in combinations(every, count):
+                if not self._rests_on(event, kept, unknown):
+                    continue
+                return kept
+        return told
+
+    def _rests_on(self, event: int, kept: Laws, unknown: frozenset[str]) -> bool:
+        """Whether the line holds under some laws of an event, all other laws, and the facts."""
+        base = self.states.base
+        key = ("lawful", event, kept)
+        if key not in base._known:
+            others = (
+                (law, block.event, bodies)
+                for block in self.states.blocks
+                if block.variant is None and block.event != event
+                for law, bodies in block.laws
+            )
+            laws = {*others, *((law, event, bodies) for law, bodies in kept)}
+            with np.errstate(all="ignore"):
+                base._known[key] = lawful_world(base, laws, unknown)
+        world = base._known[key]
+        return world is not None and bool((self.grades_in(world) < NOT).all())
 
     def _telling(self, best: Block) -> Laws:
         """The laws without those that say of a component that is zero that it stays so."""
@@ -195,6 +281,8 @@ class _Trial:
             if "component" in kinds and len(kinds & {"speed", "angle"}) == 1:
                 return "speed" if "speed" in kinds else "angle"
             return "unchanged"
+        if not told:
+            return "fact"
         if len(told) == 1:
             return told[0][0]
         if kinds == {"speed"} or (kinds == {"angle"} and not self.uses_letters):
@@ -244,6 +332,10 @@ class _Trial:
             own = (step.first, step.second)
             return tuple(name for name in own if name in named)
         return tuple(sorted(named))
+
+
+def _laws(told: Laws, event: int) -> tuple[Use, ...]:
+    return tuple(Use(law, event, bodies) for law, bodies in told)
 
 
 def _size(world: World, value: Value) -> Array:
@@ -307,10 +399,42 @@ def _is_arithmetic(claim: Claim) -> bool:
     )
 
 
-def _has_letters(claim: Claim, meanings: Meanings) -> bool:
-    """Whether a line has letters of the statement in it."""
-    return any(
-        isinstance(node, Letter) and node.name not in meanings
+def _letters_of(claim: Claim, meanings: Meanings) -> frozenset[str]:
+    """The letters of the statement in a line."""
+    return frozenset(
+        node.name
         for side in (claim.left, claim.right)
         for node in walk(side)
+        if isinstance(node, Letter) and node.name not in meanings
+    )
+
+
+def _is_value(claim: Claim, world: World, meanings: Meanings) -> bool:
+    """Whether a line gives one quantity, or one letter to be found, its value and no more."""
+    for one, other in ((claim.left, claim.right), (claim.right, claim.left)):
+        lone = one.operand if isinstance(one, Negate) else one
+        named = isinstance(lone, Quantity) or (
+            isinstance(lone, Letter) and (lone.name in meanings or lone.name in world.found)
+        )
+        spoken = Claim(other, "=", other)
+        if named and not any(_quantities(spoken, world, meanings)):
+            return not _letters_of(spoken, meanings) & world.found and not _is_worked(other)
+    return False
+
+
+def _is_worked(tree: Expression) -> bool:
+    """Whether there is a calculation in a side: a sum of numbers, or a product of two."""
+    return any(
+        isinstance(node, Binary)
+        and (
+            (node.op in ("+", "-") and all(map(is_bare, (node.left, node.right))))
+            or (node.op == "*" and all(map(_is_plain, (node.left, node.right))))
+        )
+        for node in walk(tree)
+    )
+
+
+def _is_plain(tree: Expression) -> bool:
+    return isinstance(tree, Number) or (
+        isinstance(tree, Binary) and tree.op == "/" and is_bare(tree) and not _is_worked(tree)
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
 from typing import Any
@@ -76,7 +77,7 @@ def _world(
         masses = {name: roles[name] for name in roles if name not in sampled}
         sampled |= {name: FIELD.number(_number(role, rng)) for name, role in masses.items()}
         worlds = [world_of(branch.numbers, solved.part, branch.number, sampled, angles)]
-    return stacked(_telling_most(worlds))
+    return replace(stacked(_telling_most(worlds)), found=frozenset(branch.values))
 
 
 def _roles(solution: Solution, solved: PartSolution, branch: Branch) -> Mapping[str, Role]:

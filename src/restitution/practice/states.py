@@ -58,8 +58,12 @@ class Block:
 
 @dataclass(frozen=True, eq=False)
 class States:
-    """The blocks of a world, stacked: ``rows`` samples each, the world's own first."""
+    """The blocks of a world, stacked: ``rows`` samples each, those of ``base`` first.
 
+    ``base`` is the world itself, with its samples repeated.
+    """
+
+    base: World
     world: World
     rows: int
     blocks: tuple[Block, ...]
@@ -116,7 +120,7 @@ def _states(world: World, altered: bool) -> States:
             after = {(number, name): _velocity(base, number, *parts[name]) for name in parts}
             blocks.append(block if block.valid is not None else _valid(base, block))
             tables.append({**after, **_carried(base, number, after, later)})
-    return States(assembled(base, tables), base.samples, tuple(blocks))
+    return States(base, assembled(base, tables), base.samples, tuple(blocks))
 
 
 def _valid(base: World, block: Block) -> Block:

@@ -68,6 +68,17 @@ def world_of_lines(base: World, entries: Sequence[Entry], unknown: Collection[st
     return _solved(scattered_world(base, unknown), equations, unknown)
 
 
+def lawful_world(
+    base: World, kept: Collection[tuple[str, int, tuple[str, ...]]], unknown: Collection[str]
+) -> World | None:
+    """A world of scattered values in which the facts hold, and of the laws those that are kept.
+
+    Laws are named with their event and bodies.
+    """
+    laws = (each for each in laws_of(base) if (each.law, each.event, each.bodies) in kept)
+    return _solved(scattered_world(base, unknown), [*facts_of(base), *laws], unknown)
+
+
 def altered_world(base: World, variant: VariantAt, unknown: Collection[str] = ()) -> World | None:
     """The world in which a variant of a mistake stands in place of the laws that it replaces."""
     altered = [_of_claim(Claim(law.sides[0], "=", law.sides[1])) for law in variant.laws]

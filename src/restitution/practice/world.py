@@ -54,7 +54,8 @@ class World:
     statement and its hidden unknowns (``_m_A``) by name, angles in radians; ``angles`` are the
     names of those that are angles. ``after`` has the velocities after an event, by its number and
     the body; ``lines`` unit vectors along the line of centres of an impact, from the first body to
-    the second, or into the wall. ``times`` are None where nothing is known of places.
+    the second, or into the wall. ``times`` are None where nothing is known of places. ``found``
+    are the letters that the facts of the statement give a value.
     """
 
     problem: Problem
@@ -70,6 +71,7 @@ class World:
     times: Mapping[int, Array | None]
     stops: Mapping[str, tuple[Stop, ...]]
     plot: Plot
+    found: frozenset[str] = frozenset()
     _known: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
 
     @property
