@@ -380,3 +380,23 @@ def test_a_value_is_told_from_a_law(text: str, is_value: bool) -> None:
     line, decimals = claim(text)
     found = uses_of(line, world, meanings(OF_NUMBERS), decimals)
     assert ("value" in {use.principle for use in found}) == is_value
+
+
+@pytest.mark.parametrize(
+    ("text", "principle"),
+    [
+        ("3/7*7 = 3", "restitution 1 AB"),
+        ("3/7*(3 + 4) = 3", "restitution 1 AB"),
+        ("3/(3/7) = 7", "restitution 1 AB"),
+        ("3*4 = 12", "arithmetic None "),
+        ("0.6 - 1.6 = -1", "arithmetic None "),
+    ],
+)
+def test_a_product_with_the_coefficient(text: str, principle: str) -> None:
+    assert first(world_of(NUMBERS), text, OF_NUMBERS) == principle
+
+
+def test_a_law_of_speeds_with_one_at_rest() -> None:
+    table = {"w": "speed(B, 1)"}
+    assert first(world_of(FOUND), "m u cos(45) = k m w", table) == "momentum 1 AB"
+    assert first(world_of(FOUND), "w = e u cos(45)", table) == "restitution 1 AB"

@@ -27,7 +27,7 @@ from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope
 from restitution.practice.states import Block, States, states
 from restitution.practice.student import lawful_world
 from restitution.practice.telling import NO_MEANINGS, Meanings, Telling
-from restitution.practice.terms import is_triangle, law_put_in
+from restitution.practice.terms import coefficient_put_in, is_triangle, law_put_in
 from restitution.practice.world import World
 from restitution.problem import Impact
 from restitution.vector import Vector
@@ -36,7 +36,8 @@ _ENERGIES = frozenset({"energy", "energy_lost", "total_energy_lost"})
 _ANGLES = frozenset({"angle", "direction"})
 Laws = tuple[tuple[str, tuple[str, ...]], ...]
 _NO_VALUES = frozenset({"arithmetic", "component", "fact", "value"})
-_UNTOLD = frozenset({"solve", "fact", "arithmetic", "component"})
+_RESOLVED = frozenset({"arithmetic", "component"})
+_UNTOLD = frozenset({"none", "solve", "fact", "arithmetic", "component"})
 _RESULTS = ("impulse", "energy", "deflection")
 
 
@@ -79,12 +80,19 @@ def _put_in(
 ) -> tuple[Use, ...]:
     """The law of a line that has numbers in place of some components; none if it is plainer."""
     uses = found.uses()
-    if found.plain or not found.true or (uses and uses[0].principle not in _UNTOLD):
+    first = uses[0].principle if uses else "none"
+    if not found.true:
+        return ()
+    if first in _RESOLVED:
+        product = coefficient_put_in(claim, world, meanings, scope)
+        if product is not None:
+            return (product,)
+    if found.plain or not (first in _UNTOLD or (first == "speed" and len(uses) > 1)):
         return ()
     if uses and is_triangle(claim, world, meanings, scope):
         return (Use("angle", uses[0].event, uses[0].bodies), *uses[1:])
     law = law_put_in(claim, found.states, meanings, scope, exact=found.exact)
-    return () if law is None else (law,)
+    return () if law is None or found.is_value else (law,)
 
 
 class _Trial:

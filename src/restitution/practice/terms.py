@@ -266,7 +266,8 @@ class _Match:
     def _follows(self, factor: Array, masks: Sequence[int]) -> bool:
         """Whether each term moves with that of the law in loose states, or not at all.
 
-        One of several may move otherwise: a fact may give it by another one.
+        One may move otherwise, as a fact may give it by another one; but of two only where the law
+        is not the same number in all samples.
         """
         strays = 0
         for mask, (_, loose) in zip(masks, self.terms, strict=True):
@@ -275,7 +276,79 @@ class _Match:
             moves = np.abs(free - wanted) <= self.near * size
             stays = np.abs(free - self.sums[mask]) <= self.near * size
             strays += not (np.all(moves) or np.all(stays))
-        return strays <= (len(self.terms) > 2)
+        return strays <= (len(self.terms) > 2 or bool(np.ptp(self.terms[0][0]) > _NOTHING))
+
+
+# --- products with the coefficient ----------------------------------------------------------------
+
+
+def coefficient_put_in(claim: Claim, world: World, meanings: Meanings, scope: Scope) -> Use | None:
+    """The impact at which a line multiplies an approach by e, or divides a separation by it."""
+    told = Telling(world, degrees=False)
+    for number in range(len(world.events), 0, -1):
+        step = world.events[number - 1]
+        if not isinstance(step, Impact):
+            continue
+        e = world.spread(told.coefficient(number))
+        line = world.lines[number]
+        spheres = tuple(name for name in (step.first, step.second) if name in world.start)
+        apart, after = (
+            _relative([told.velocity(name, stage) for name in spheres]).dot(line)
+            for stage in (number - 1, number)
+        )
+        for node, other in _products(claim):
+            if _has_size(node, e, world, meanings, scope):
+                wanted = after if isinstance(other, _Divided) else apart
+                tree = other.tree if isinstance(other, _Divided) else other
+                if _has_size(tree, np.abs(world.spread(wanted)), world, meanings, scope):
+                    return Use("restitution", number, spheres)
+    return None
+
+
+@dataclass(frozen=True)
+class _Divided:
+    """What stands above the coefficient."""
+
+    tree: Expression
+
+
+def _relative(velocities: Sequence[Vector]) -> Vector:
+    return velocities[0] - velocities[1] if len(velocities) > 1 else velocities[0]
+
+
+def _products(claim: Claim) -> Iterator[tuple[Expression, Expression | _Divided]]:
+    """A factor of a side with the product of the others, or with what stands above it."""
+    for side in (claim.left, claim.right):
+        tree = side.operand if isinstance(side, Negate) else side
+        if not isinstance(tree, Binary):
+            continue
+        if tree.op == "/":
+            yield tree.right, _Divided(tree.left)
+        factors = _factors(tree)
+        for place, factor in enumerate(factors):
+            rest = factors[:place] + factors[place + 1 :]
+            if rest:
+                product = rest[0]
+                for each in rest[1:]:
+                    product = _times(product, each)
+                yield factor, product
+
+
+def _factors(tree: Expression) -> list[Expression]:
+    if isinstance(tree, Binary) and tree.op == "*":
+        return [*_factors(tree.left), *_factors(tree.right)]
+    return [tree]
+
+
+def _has_size(
+    tree: Expression, size: Array, world: World, meanings: Meanings, scope: Scope
+) -> bool:
+    """Whether a tree has a size that is not zero, to some figures."""
+    try:
+        value = np.abs(world.scalar(tree, meanings, scope=scope))
+    except UnvaluedError:
+        return False
+    return bool(np.all((size > _NOTHING) & (np.abs(value - size) <= 1e-3 * size)))
 
 
 # --- angles ---------------------------------------------------------------------------------------
