@@ -53,7 +53,8 @@ class Candidate:
 
     ``body`` and ``event`` are those it belongs to (event 0: before the first), ``axis`` is what a
     component is taken along; ``start`` tells that it belongs to the start and is known from the
-    statement. ``unchanged`` tells of a component that it is the same before and after ``event``.
+    statement. ``unchanged`` tells of a component that it is the same before and after ``event``,
+    ``varies`` that the value depends on letters of the statement.
     ``cost`` grows from 0 for the most usual to 1 for the least usual.
     """
 
@@ -66,6 +67,7 @@ class Candidate:
     start: bool = False
     cost: float = 0.0
     unchanged: bool = False
+    varies: bool = False
 
     @property
     def sensed(self) -> bool:
@@ -193,6 +195,8 @@ def _of_motion(
                     tangent, "tangent", "scalar", body, stage, None, start, cost + late + 0.2
                 )
     name = Name(body)
+    way = Quantity("direction", (name,), stage)
+    yield Candidate(way, "angle", "angle", body, stage, None, start, far + 0.4)
     speed, energy = Quantity("speed", (name,), stage), Quantity("energy", (name,), stage)
     yield Candidate(speed, "speed", "scalar", body, stage, None, start, far + 0.1)
     yield Candidate(v, "velocity", "vector", body, stage, None, start, far)

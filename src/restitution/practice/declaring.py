@@ -9,8 +9,17 @@ from collections.abc import Mapping
 from restitution.errors import StatementError
 from restitution.expression.limits import MAX_LINE_LENGTH
 from restitution.expression.quantities import KINDS
-from restitution.expression.tree import GREEK, Expression, Name, Quantity, walk
+from restitution.expression.tree import (
+    GREEK,
+    Expression,
+    Name,
+    Quantity,
+    has_quantity,
+    letters,
+    walk,
+)
 from restitution.practice.phrases import names_quantity, read_phrase, words_of
+from restitution.practice.surroundings import letters_of
 from restitution.problem import Problem
 
 MAX_LETTERS = 60
@@ -23,7 +32,6 @@ _GREEK = {
     for name in GREEK
 } | {"ϕ": "phi", "ϑ": "theta", "ϵ": "epsilon"}
 _CALL = re.compile(r"\b(" + "|".join(sorted(KINDS, key=len, reverse=True)) + r")\s*\(")
-_WORDS = re.compile(r"[A-Za-z]{3}|\s(?:of|to)\s")
 _OF_A_BODY = frozenset(
     word for word, kind in KINDS.items() if kind.arguments[1] == 1 and "sphere" in kind.names
 )
@@ -112,18 +120,19 @@ def meaning_from_text(
         rule = f"the meaning of {letter} is too long: at most {MAX_LINE_LENGTH} characters"
         raise StatementError(rule, number)
     fault: StatementError | None = None
-    if _CALL.search(text) or not _WORDS.search(text):
-        try:
-            return (_expression(text, problem, number),)
-        except StatementError as error:
-            if _CALL.search(text):
-                raise
-            fault = error
+    try:
+        tree = _expression(text, problem, number)
+        if has_quantity(tree) or letters(tree) <= letters_of(problem):
+            return (tree,)
+    except StatementError as error:
+        if _CALL.search(text):
+            raise
+        fault = error
     known = names_quantity(words_of(text), problem)
     meanings = read_phrase(text, problem) if known else ()
     if meanings:
         return meanings
-    if fault is not None:
+    if fault is not None and not re.search(r"[A-Za-z]{3}", text):
         raise fault
     rule = (
         f"the meaning of {letter}, {text!r}, names no quantity that is known here: say, for "

@@ -225,6 +225,17 @@ def search(
     ``broken`` has, for an item that is an instance of an altered law, the options of its slots (in
     their order) for which it is, and what share of a true item it is worth then.
     """
+    with np.errstate(all="ignore"):
+        return _searched(items, slots, tester, broken, width)
+
+
+def _searched(
+    items: Sequence[Item],
+    slots: Sequence[Slot],
+    tester: Tester,
+    broken: Callable[[Item, Sequence[Slot]], Mapping[tuple[int, ...], float]] | None,
+    width: int,
+) -> list[State]:
     states = [State((-1,) * len(slots))]
     for number in _order(items):
         item = items[number]

@@ -28,7 +28,8 @@ from restitution.practice.candidates import (
 from restitution.practice.script import ANYWHERE, Scope
 from restitution.problem import Event, Impact, Kick, Part, Problem
 
-_ODD, _RARE = 0.15, 0.5
+# Of another kind than the look of a letter tells: only where numbers cannot agree by chance.
+_ODD, _RARE, _STRANGE = 0.15, 0.5, 0.6
 
 
 @dataclass(frozen=True)
@@ -48,12 +49,16 @@ def options(usage: Usage, candidates: Iterable[Candidate], problem: Problem) -> 
     """The candidates of a letter, with what each costs for it."""
     kinds = kinds_of(usage.letter, usage.in_angle)
     for each in candidates:
-        if each.kind not in kinds or barred(usage, each):
+        if barred(usage, each):
+            continue
+        strange = each.kind not in kinds
+        if strange and (usage.in_angle or not each.varies):
             continue
         extra = _by_suffix(usage.letter, each, problem)
         if extra is None:
             continue
-        place = kinds.index(each.kind) * 0.05 if len(kinds) > 2 else 0.0
+        place = kinds.index(each.kind) * 0.05 if len(kinds) > 2 and not strange else 0.0
+        place += _STRANGE if strange else 0.0
         extra += place + _by_scope(usage.scope, each) + _by_axis(usage.letter, each)
         yield replace(each, cost=min(1.0, each.cost + extra))
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from restitution.expression.evaluate import Value
+from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import (
     Binary,
     Degrees,
@@ -62,7 +62,18 @@ class Surroundings:
     def candidates(self) -> tuple[Candidate, ...]:
         """Every quantity that a letter may mean."""
         every = candidates(self.problem, self.part)
-        return tuple(replace(each, unchanged=self._is_unchanged(each)) for each in every)
+        return tuple(
+            replace(each, unchanged=self._is_unchanged(each), varies=self._varies(each))
+            for each in every
+        )
+
+    def _varies(self, candidate: Candidate) -> bool:
+        """Whether a scalar depends on the letters of the statement."""
+        value = self.tester.value(candidate.quantity, {})
+        if value is None or isinstance(value, Vector | Angle):
+            return False
+        spread = self.world.spread(value)
+        return bool(np.all(np.isfinite(spread)) and np.ptp(spread) > 1e-6 * np.max(np.abs(spread)))
 
     def _is_unchanged(self, candidate: Candidate) -> bool:
         """Whether a component after an event is what it was before it."""
