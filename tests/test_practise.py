@@ -215,6 +215,12 @@ def test_a_mistake_named_twice_is_shown():
     assert next_question(done, 102).mistake is None
 
 
+@pytest.mark.parametrize("slip", ["sign", "rounding-early", "no such"])
+def test_a_slip_is_not_shown(slip):
+    done = [attempt("wall-forward", day, 2, mistakes=[slip]) for day in (100, 101)]
+    assert next_question(done, 101).mistake is None
+
+
 def test_levels_go_up_and_down():
     two = [attempt("wall-forward", 100), attempt("wall-forward", 101)]
     assert next_question(two, 104) == ("wall-forward", 2, None)

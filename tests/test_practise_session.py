@@ -8,6 +8,7 @@ import pytest
 from commands import run
 
 import restitution as r
+from restitution.cli import practising
 from restitution.errors import StatementError, UnsupportedError
 from restitution.practice.generate import practice_question
 from restitution.practice.session import Conversation, State, Wanted, first_question
@@ -117,10 +118,30 @@ def test_the_command_keeps_a_state(tmp_path):
     assert attempt["topic"] == "wall-forward"
 
 
+def test_what_is_interrupted_is_left_open(tmp_path, monkeypatch):
+    path = tmp_path / "mine.json"
+    lines = iter(["speed = 2", ""])
+
+    def read(prompt):
+        try:
+            return next(lines)
+        except StopIteration:
+            raise KeyboardInterrupt from None
+
+    monkeypatch.setattr(practising, "_line", read)
+    status, output, _ = run("practise", "wall-forward", "--seed", "1", "--state", path)
+    assert status == 0
+    assert "Go on with: restitution practise --state" in output
+    kept = json.loads(path.read_text())
+    assert kept["attempts"] == []
+    assert kept["open"]["seed"] == 1
+
+
 @pytest.mark.parametrize(
     "arguments",
     [
         ("practise", "no-such-topic"),
+        ("practise", "--mistake", "no-such-mistake"),
         ("practise", "--level", "5"),
         ("practise", "--seed", "-1"),
         ("practise", "--like", "no-such-file.impact"),

@@ -629,6 +629,9 @@ def practise(
     seed: Annotated[
         int | None, typer.Option(metavar="N", min=0, help="Which question; else any.")
     ] = None,
+    mistake: Annotated[
+        str | None, typer.Option(metavar="ID", help="One in which this mistake shows most.")
+    ] = None,
     topics: Annotated[bool, typer.Option("--topics", help="List the topics.")] = False,
     like: Annotated[
         str | None,
@@ -654,7 +657,7 @@ def practise(
         raise typer.BadParameter(
             "a question like another has its topic and its level", param_hint="--like"
         )
-    asked = practising.Practising(topic, level, seed, like, output, state)
+    asked = practising.Practising(topic, level, seed, like, output, state, mistake)
     with _refusing(), interruptible():
         status = practising.practise(asked)
     raise typer.Exit(status)

@@ -31,6 +31,7 @@ class Practising:
     like: str | None = None
     output: str | None = None
     state: str | None = None
+    mistake: str | None = None
 
 
 def list_topics() -> None:
@@ -84,7 +85,7 @@ def _seed(asked: Practising) -> int:
 def _chosen(asked: Practising, state: State) -> PracticeQuestion:
     from restitution.practice.session import Wanted, first_question
 
-    wanted = Wanted(asked.topic, asked.level, asked.seed)
+    wanted = Wanted(asked.topic, asked.level, asked.seed, asked.mistake)
     return first_question(wanted, state, _today(), _seed(asked))
 
 
@@ -134,10 +135,8 @@ def _hold(asked: Practising, kept: _State) -> int:
             _leave_open(kept, question)
             put(f"{_heading(question)}\n\n")
             conversation = Conversation(question, _line, _shown, width)
-            try:
-                outcome = conversation.hold()
-            finally:
-                _remember(kept, conversation)
+            outcome = conversation.hold()
+            _remember(kept, conversation)
             if outcome == "quit":
                 break
             following = asked if asked.seed is None else Practising(asked.topic, asked.level)
@@ -160,7 +159,7 @@ def _hold(asked: Practising, kept: _State) -> int:
 def _wanted(asked: Practising) -> Wanted:
     from restitution.practice.session import Wanted
 
-    return Wanted(asked.topic, asked.level, None)
+    return Wanted(asked.topic, asked.level, None, asked.mistake)
 
 
 def _remember(kept: _State, conversation: Conversation) -> None:

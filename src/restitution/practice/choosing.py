@@ -149,10 +149,19 @@ def _named_twice(known: Mapping[str, Sequence[_Attempt]]) -> tuple[str, str] | N
             if each.well and not each.mistakes:
                 break
             for mistake in dict.fromkeys(each.mistakes):
+                if not _can_be_shown(mistake):
+                    continue
                 count[mistake] = count.get(mistake, 0) + 1
         if count and max(count.values()) >= 2:
             return name, max(sorted(count), key=lambda mistake: count[mistake])
     return None
+
+
+def _can_be_shown(mistake: str) -> bool:
+    """Whether a mistake leads to an answer of its own: a slip does not."""
+    from restitution.explaining.misconceptions import MISCONCEPTIONS
+
+    return mistake in MISCONCEPTIONS and MISCONCEPTIONS[mistake].world != "none"
 
 
 # --- reading ------------------------------------------------------------------------------------

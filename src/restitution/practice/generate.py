@@ -100,6 +100,10 @@ def practice_question(
     """
     known = _topic(topic)
     _require(level in LEVELS, f"the level is {level}: it is 1, 2, 3 or 4")
+    if mistake is not None:
+        from restitution.explaining.misconceptions import misconception
+
+        mistake = misconception(mistake).id
     _require(0 <= seed <= MOST_SEED, f"the seed is {seed}: it is from 0 to {MOST_SEED}")
     return _question(known, level, seed, mistake)
 

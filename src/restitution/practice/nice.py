@@ -236,7 +236,7 @@ def is_nice(value: Any) -> bool:
     Letters may stand beside them. An angle is judged by its tangent.
     """
     parts = value if isinstance(value, tuple | list) else (value,)
-    return all(_is_nice(sp.sympify(part)) for part in parts)
+    return all(_is_nice(sp.sympify(part, strict=True)) for part in parts)
 
 
 @cache

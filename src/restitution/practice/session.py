@@ -78,6 +78,7 @@ class Wanted:
     topic: str | None = None
     level: int | None = None
     seed: int | None = None
+    mistake: str | None = None
 
 
 def first_question(wanted: Wanted, state: State, day: int, seed: int) -> PracticeQuestion:
@@ -112,7 +113,7 @@ def chosen(wanted: Wanted, state: State, day: int, seed: int) -> PracticeQuestio
     if wanted.level is not None:
         level = wanted.level
     number = seed if wanted.seed is None else wanted.seed
-    return practice_question(topic, level, number, mistake)
+    return practice_question(topic, level, number, wanted.mistake or mistake)
 
 
 def _level_in(state: State, topic: str) -> int:
