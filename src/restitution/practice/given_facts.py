@@ -6,12 +6,17 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from restitution.practice.dice import Dice
-from restitution.practice.nice import COEFFICIENTS, Acute, acute, pair, ratio, times, vector
+from restitution.practice.nice import (
+    COEFFICIENTS,
+    Acute,
+    acute,
+    lines_of,
+    pair,
+    ratio,
+    times,
+    vector,
+)
 from restitution.practice.one_wall import Recipe
-
-
-def _lines(*lines: str) -> str:
-    return "\n".join(line for line in lines if line) + "\n"
 
 
 def _unlike_masses(d: Dice, most: int = 5) -> tuple[int, int]:
@@ -26,7 +31,7 @@ def _right_angle_1(d: Dice) -> str:
     m, big = d.of([(a, b) for a in range(1, 5) for b in range(2, 7) if a < b])
     angle = acute(d, 13)
     speed = angle.hypotenuse * d.between(1, 2)
-    return _lines(
+    return lines_of(
         f"sphere A: mass {m}, velocity {speed} at alpha",
         f"sphere B: mass {big}, at rest",
         f"given {d.of(angle.fact)}",
@@ -55,7 +60,7 @@ def _turned(d: Dice) -> tuple[int, int, Acute, Fraction]:
 
 def _right_angle_2(d: Dice) -> str:
     m1, m2, angle, _ = _turned(d)
-    return _lines(
+    return lines_of(
         f"sphere A: mass {times(m1, 'm')}, velocity u at alpha",
         f"sphere B: mass {times(m2, 'm')}, at rest",
         f"given tan(alpha) = {Fraction(angle.across, angle.along)}",
@@ -70,7 +75,7 @@ def _right_angle_2(d: Dice) -> str:
 
 def _right_angle_3(d: Dice) -> str:
     m1, m2, _, e = _turned(d)
-    return _lines(
+    return lines_of(
         f"sphere A: mass {times(m1, 'm')}, velocity u at alpha",
         f"sphere B: mass {times(m2, 'm')}, at rest",
         f"A hits B: along i, e = {ratio(e)}",
@@ -84,7 +89,7 @@ def _right_angle_3(d: Dice) -> str:
 
 def _right_angle_4(d: Dice) -> str:
     m1, m2, _, e = _turned(d)
-    return _lines(
+    return lines_of(
         f"sphere A: mass {times(m1, 'm')}, velocity u at alpha",
         f"sphere B: mass {times(m2, 'm')}, at rest",
         "A hits B: along i",
@@ -103,7 +108,7 @@ def _right_angle_4(d: Dice) -> str:
 def _energy_1(d: Dice) -> str:
     c = pair(d, at_rest=True, denominators=3)
     lost = c.m1 * c.m2 / (c.m1 + c.m2) / 2 * (1 - c.e * c.e) * c.p1 * c.p1
-    return _lines(
+    return lines_of(
         f"sphere A: mass {_mass(c.m1)}, velocity {vector(c.p1, c.s1)}",
         f"sphere B: mass {_mass(c.m2)}, at rest",
         "A hits B: along i",
@@ -118,7 +123,7 @@ def _energy_1(d: Dice) -> str:
 def _energy_2(d: Dice) -> str:
     c = pair(d, denominators=3)
     lost = c.m1 * c.m2 / (c.m1 + c.m2) / 2 * (1 - c.e * c.e) * (c.p1 - c.p2) ** 2
-    return _lines(
+    return lines_of(
         f"sphere A: mass {_mass(c.m1)}, velocity {vector(c.p1, c.s1)}",
         f"sphere B: mass {_mass(c.m2)}, velocity {vector(c.p2, c.s2)}",
         "A hits B: along i",
@@ -145,7 +150,7 @@ def _simple_share(d: Dice) -> tuple[int, int, Acute, Fraction, Fraction]:
 
 def _energy_3(d: Dice) -> str:
     m1, m2, angle, _, share = _simple_share(d)
-    return _lines(
+    return lines_of(
         f"sphere A: mass {times(m1, 'm')}, velocity u at alpha",
         f"sphere B: mass {times(m2, 'm')}, at rest",
         f"given {d.of(angle.fact)}",
@@ -160,7 +165,7 @@ def _energy_3(d: Dice) -> str:
 
 def _energy_4(d: Dice) -> str:
     m1, m2, _, e, share = _simple_share(d)
-    return _lines(
+    return lines_of(
         f"sphere A: mass {times(m1, 'm')}, velocity u at alpha",
         f"sphere B: mass {times(m2, 'm')}, at rest",
         f"A hits B: along i, e = {ratio(e)}",
@@ -190,7 +195,7 @@ def _rest_1(d: Dice) -> str:
         e = -(c.m1 * c.p1 + c.m2 * c.p2) / (c.m1 * gap)
         if 0 < e < 1 and e.denominator <= 12:
             break
-    return _lines(
+    return lines_of(
         f"sphere A: mass {_mass(c.m1)}, velocity {vector(c.p1, c.s1)}",
         f"sphere B: mass {_mass(c.m2)}, velocity {vector(c.p2, 0)}",
         "A hits B: along i",
@@ -207,7 +212,7 @@ def _rest_1(d: Dice) -> str:
 def _rest_2(d: Dice) -> str:
     m, big = d.of([(a, b) for a in range(1, 5) for b in range(2, 7) if a < b])
     angle = acute(d, 5)
-    return _lines(
+    return lines_of(
         f"sphere A: mass {times(m, 'm')}, velocity u at alpha",
         f"sphere B: mass {times(big, 'm')}, at rest",
         f"given {d.of(angle.fact)}",
@@ -229,7 +234,7 @@ def _rest_3(d: Dice) -> str:
         e = (c.m1 * c.p1 + c.m2 * c.p2) / (c.m2 * gap)
         if 0 < e < 1 and e.denominator <= 12:
             break
-    return _lines(
+    return lines_of(
         f"sphere A: mass {_mass(c.m1)}, velocity {vector(c.p1, c.s1)}",
         f"sphere B: mass {_mass(c.m2)}, velocity {vector(c.p2, c.s2)}",
         "A hits B: along i",
@@ -246,7 +251,7 @@ def _rest_3(d: Dice) -> str:
 def _rest_4(d: Dice) -> str:
     e = d.of([each for each in COEFFICIENTS if each.numerator < 4])
     angle = acute(d, 5)
-    return _lines(
+    return lines_of(
         "sphere A: mass m, velocity u at alpha",
         "sphere B: mass k m, at rest",
         f"given {d.of(angle.fact)}",
@@ -269,7 +274,7 @@ def _range_1(d: Dice) -> str:
     angle = acute(d, 13)
     speed = angle.hypotenuse * d.between(1, 2)
     e = d.of(COEFFICIENTS)
-    return _lines(
+    return lines_of(
         "wall W: along i",
         f"sphere P: velocity {speed} at alpha to W",
         f"given {d.of(angle.fact)}",
@@ -286,7 +291,7 @@ def _range_2(d: Dice) -> str:
     """A is turned back by a heavier sphere at rest."""
     m1, m2 = d.of([(a, b) for a in range(1, 5) for b in range(2, 7) if a < b])
     c = pair(d, at_rest=True)
-    return _lines(
+    return lines_of(
         f"sphere A: mass {times(m1, 'm')}, velocity {vector(c.p1, c.s1, 'u')}",
         f"sphere B: mass {times(m2, 'm')}, at rest",
         "A hits B: along i",
@@ -302,7 +307,7 @@ def _range_3(d: Dice) -> str:
     m1, m2 = _unlike_masses(d)
     c = pair(d, both_across=False, reach=4)
     e = d.of(COEFFICIENTS)
-    return _lines(
+    return lines_of(
         f"sphere A: mass {times(m1, 'm')}, velocity {vector(abs(c.p1), c.s1, 'u')}",
         f"sphere B: mass {times(m2, 'm')}, velocity {vector(-d.between(1, 3), 0, 'u')}",
         "A hits B: along i",
@@ -321,7 +326,7 @@ def _range_4(d: Dice) -> str:
     c = pair(d, both_across=False, reach=4)
     e = d.of([each for each in COEFFICIENTS if each.denominator < 6])
     p2 = -d.between(1, 3)
-    return _lines(
+    return lines_of(
         f"sphere A: mass m, velocity {vector(c.p1, c.s1, 'u')}",
         f"sphere B: mass k m, velocity {vector(p2, 0, 'u')}",
         f"A hits B: along i, e = {ratio(e)}",

@@ -118,6 +118,11 @@ def _factor(size: Fraction) -> str:
     return f"{size}" if size.denominator == 1 else f"{size} "
 
 
+def lines_of(*lines: str) -> str:
+    """A statement of some lines; empty ones are left out."""
+    return "\n".join(line for line in lines if line) + "\n"
+
+
 # --- two spheres along their line ---------------------------------------------------------------
 
 
@@ -220,6 +225,14 @@ def along_after(
     u1, u2 = Vector(p1, Fraction(0)), Vector(p2, Fraction(0))
     v1, v2 = law.impact(u1, u2, m2, m1, c, e)
     return v1.x, v2.x
+
+
+def masses_of(c: Pair, letter: str = "") -> tuple[str, str]:
+    """Both masses as text, times a letter if one is given: then they are whole."""
+    if letter:
+        scale = Fraction(1) if c.m1.denominator == c.m2.denominator == 1 else Fraction(10)
+        return times(c.m1 * scale, letter), times(c.m2 * scale, letter)
+    return number(c.m1), number(c.m2)
 
 
 def unlike(sizes: list[Fraction]) -> bool:

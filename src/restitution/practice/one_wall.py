@@ -11,6 +11,7 @@ from restitution.practice.nice import (
     Acute,
     acute,
     coefficient,
+    lines_of,
     mass,
     number,
     ratio,
@@ -61,16 +62,12 @@ def _after(axis: str, a: int, rebound: Fraction, into: int) -> str:
     return vector(a, -into * rebound) if axis == "i" else vector(-into * rebound, a)
 
 
-def _lines(*lines: str) -> str:
-    return "\n".join(line for line in lines if line) + "\n"
-
-
 def _by_vectors(d: Dice, *asked: str, weight: str = "") -> str:
     """A velocity by components, a wall along an axis, and what is asked."""
     s = _sphere(d)
     axis, velocity, _, b, _ = _towards(d)
     heavy = f"mass {weight}, " if weight else ""
-    return _lines(
+    return lines_of(
         f"wall W: along {axis}",
         f"sphere {s}: {heavy}velocity {velocity}",
         f"{s} hits W: e = {ratio(coefficient(d, b))}",
@@ -95,7 +92,7 @@ def _by_angle(d: Dice, *asked: str, weight: str = "") -> str:
     velocity, facts, angle, speed = _speed_and_angle(d)
     into = speed * angle.across // angle.hypotenuse if angle else speed // 2
     heavy = f"mass {weight}, " if weight else ""
-    return _lines(
+    return lines_of(
         "wall W: along i",
         f"sphere {s}: {heavy}{velocity}",
         *facts,
@@ -111,7 +108,7 @@ def _slanting(d: Dice, *asked: str, weight: str = "") -> str:
     along, into = d.between(1, 3), d.between(1, 3) * d.sign()
     velocity = vector(along * x - into * y, along * y + into * x)
     heavy = f"mass {weight}, " if weight else ""
-    return _lines(
+    return lines_of(
         f"wall W: along {vector(x, y)}",
         f"sphere {s}: {heavy}velocity {velocity}",
         f"{s} hits W: e = {ratio(coefficient(d, into))}",
@@ -124,7 +121,7 @@ def _in_letters(d: Dice, *asked: str, weight: str = "") -> str:
     s = _sphere(d)
     angle = acute(d, 13)
     heavy = f"mass {weight}, " if weight else ""
-    return _lines(
+    return lines_of(
         "wall W: along i",
         f"sphere {s}: {heavy}velocity u at alpha to W",
         f"given {d.of(angle.fact)}",
@@ -140,7 +137,7 @@ def _forward_4(d: Dice) -> str:
     s = _sphere(d)
     angle = acute(d, 13)
     e = coefficient(d, Fraction(angle.across, angle.along))
-    return _lines(
+    return lines_of(
         "wall W: along i",
         f"sphere {s}: velocity u at alpha to W",
         f"{s} hits W",
@@ -156,7 +153,7 @@ def _before(d: Dice) -> str:
     s = _sphere(d)
     axis, _, a, b, into = _towards(d)
     e = coefficient(d, b)
-    return _lines(
+    return lines_of(
         f"wall W: along {axis}",
         f"sphere {s}: velocity p i + q j",
         f"{s} hits W: e = {ratio(e)}",
@@ -176,7 +173,7 @@ def _coefficient_1(d: Dice) -> str:
     axis, velocity, a, b, into = _towards(d)
     e = coefficient(d, b)
     second = d.of((f"find deflection({s})", f"find speed({s}, 0), speed({s})", ""))
-    return _lines(
+    return lines_of(
         f"wall W: along {axis}",
         f"sphere {s}: velocity {velocity}",
         f"{s} hits W",
@@ -192,7 +189,7 @@ def _coefficient_2(d: Dice) -> str:
     s = _sphere(d)
     a, b, c = d.of(_WHOLE_SPEEDS)
     u, v = round((a * a + b * b) ** 0.5), round((a * a + c * c) ** 0.5)
-    return _lines(
+    return lines_of(
         "wall W: along i",
         f"sphere {s}: velocity {u} at alpha to W",
         f"given {d.of((f'tan(alpha) = {Fraction(b, a)}', f'sin(alpha) = {Fraction(b, u)}'))}",
@@ -209,7 +206,7 @@ def _coefficient_2_by_angles(d: Dice) -> str:
     s = _sphere(d)
     angle = acute(d, 17)
     e = coefficient(d, Fraction(angle.across, angle.along))
-    return _lines(
+    return lines_of(
         "wall W: along i",
         f"sphere {s}: velocity {angle.hypotenuse} at alpha to W",
         f"given {angle.fact[0]}",
@@ -229,7 +226,7 @@ def _coefficient_3(d: Dice) -> str:
     along, into = d.between(1, 4), d.between(2, 6) * d.sign()
     e = coefficient(d, into)
     back = -e * into
-    return _lines(
+    return lines_of(
         f"wall W: along {vector(x, y)}",
         f"sphere {s}: velocity {vector(along * x - into * y, along * y + into * x)}",
         f"{s} hits W",
@@ -247,7 +244,7 @@ def _coefficient_4(d: Dice) -> str:
     along, into = d.between(1, 4), d.between(2, 6) * d.sign()
     e = coefficient(d, into)
     back = -e * into
-    return _lines(
+    return lines_of(
         "wall W",
         f"sphere {s}: mass {mass(d)}, velocity "
         f"{vector(along * x - into * y, along * y + into * x)}",
@@ -264,7 +261,7 @@ def _coefficient_4_in_letters(d: Dice) -> str:
     s = _sphere(d)
     a, b, c = d.of(_WHOLE_SPEEDS)
     u, v = round((a * a + b * b) ** 0.5), round((a * a + c * c) ** 0.5)
-    return _lines(
+    return lines_of(
         "wall W: along i",
         f"sphere {s}: mass m, velocity u at alpha to W",
         f"given tan(alpha) = {Fraction(b, a)}",
@@ -284,7 +281,7 @@ def _angle_2(d: Dice) -> str:
     s = _sphere(d)
     a, b, c = d.of(_WHOLE_SPEEDS)
     u, v = round((a * a + b * b) ** 0.5), round((a * a + c * c) ** 0.5)
-    return _lines(
+    return lines_of(
         "wall W: along i",
         f"sphere {s}: velocity {u} at alpha to W",
         f"{s} hits W: e = {Fraction(c, b)}",
@@ -301,7 +298,7 @@ def _angle_3(d: Dice) -> str:
     angle = acute(d, 17)
     e = coefficient(d, Fraction(angle.across, angle.along))
     speed = d.between(3, 12)
-    return _lines(
+    return lines_of(
         "wall W: along i",
         f"sphere {s}: velocity {speed} at alpha to W",
         f"{s} hits W: e = {ratio(e)}",
@@ -318,7 +315,7 @@ def _angle_4(d: Dice) -> str:
     s = _sphere(d)
     e = d.of(("1/4", "1/3", "4/9", "9/16", "1/2", "2/3", "3/4", "16/25"))
     asked = d.of((f"find speed({s})", f"find speed({s}), impulse", f"find energy_lost, speed({s})"))
-    return _lines(
+    return lines_of(
         "wall W: along i",
         f"sphere {s}: mass {d.of(('m', '2m', '3m'))}, velocity u at alpha to W",
         f"{s} hits W: e = {e}",
@@ -337,7 +334,7 @@ def _deflection_3(d: Dice) -> str:
     s = _sphere(d)
     angle = d.of([Acute(4, 3, 5), Acute(12, 5, 13), Acute(15, 8, 17)])
     speed = angle.hypotenuse * d.between(1, 2)
-    return _lines(
+    return lines_of(
         "wall W: along i",
         f"sphere {s}: mass {mass(d)}, velocity {speed} at alpha to W",
         f"given {d.of(angle.fact)}",
@@ -353,7 +350,7 @@ def _deflection_3(d: Dice) -> str:
 def _deflection_3_at_60(d: Dice) -> str:
     s = _sphere(d)
     before, e = d.of(((60, "1/3"), (60, "1/2"), (45, "1/2"), (45, "1/3"), (30, "1/2"), (60, "3/4")))
-    return _lines(
+    return lines_of(
         "wall W: along i",
         f"sphere {s}: velocity u at {before}° to W",
         f"{s} hits W: e = {e}",
@@ -368,7 +365,7 @@ def _deflection_4(d: Dice) -> str:
     s = _sphere(d)
     angle = acute(d, 13)
     e = coefficient(d, Fraction(angle.across, angle.along))
-    return _lines(
+    return lines_of(
         "wall W: along i",
         f"sphere {s}: velocity u at alpha to W",
         f"{s} hits W",
@@ -388,7 +385,7 @@ def _impulse_3(d: Dice) -> str:
     axis, velocity, _, b, _ = _towards(d)
     e = coefficient(d, b)
     weight = d.of(("2", "3", "4", "0.5", "0.4"))
-    return _lines(
+    return lines_of(
         f"wall W: along {axis}",
         f"sphere {s}: mass {weight}, velocity {velocity}",
         f"{s} hits W",
@@ -406,7 +403,7 @@ def _impulse_4(d: Dice) -> str:
     e = coefficient(d, Fraction(angle.across, angle.along))
     weight = d.of(("m", "2m", "3m"))
     size = (1 + e) * Fraction(angle.across, angle.hypotenuse) * (int(weight[:-1] or 1))
-    return _lines(
+    return lines_of(
         "wall W: along i",
         f"sphere {s}: mass {weight}, velocity u at alpha to W",
         f"given {d.of(angle.fact)}",
@@ -428,7 +425,7 @@ def _energy_3(d: Dice) -> str:
     e = coefficient(d, b)
     weight = d.of(("2", "4", "6", "1", "0.5"))
     lost = Fraction(weight) / 2 * b * b * (1 - e * e)
-    return _lines(
+    return lines_of(
         f"wall W: along {axis}",
         f"sphere {s}: mass {weight}, velocity {velocity}",
         f"{s} hits W",
@@ -445,7 +442,7 @@ def _energy_4(d: Dice) -> str:
     angle = acute(d, 13)
     e = coefficient(d, Fraction(angle.across, angle.along))
     share = (1 - e * e) * Fraction(angle.across, angle.hypotenuse) ** 2
-    return _lines(
+    return lines_of(
         "wall W: along i",
         f"sphere {s}: mass {d.of(('m', '2m', '3m'))}, velocity u at alpha to W",
         f"{s} hits W: e = {ratio(e)}",

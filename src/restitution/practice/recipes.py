@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from restitution.practice import given_facts, one_wall, two_spheres, two_walls
+from restitution.practice import given_facts, lines_of_centres, one_wall, two_spheres, two_walls
 from restitution.practice.one_wall import Recipe
 
 RECIPES: Mapping[tuple[str, int], tuple[Recipe, ...]] = {
     **one_wall.RECIPES,
     **two_walls.RECIPES,
     **two_spheres.RECIPES,
+    **lines_of_centres.RECIPES,
     **given_facts.RECIPES,
 }

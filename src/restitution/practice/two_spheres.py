@@ -1,4 +1,4 @@
-"""Questions on collisions of two spheres, and of a sphere with a wall and a sphere."""
+"""Questions on collisions of two spheres, by topic and level."""
 
 from __future__ import annotations
 
@@ -13,6 +13,8 @@ from restitution.practice.nice import (
     Pair,
     Slanted,
     acute,
+    lines_of,
+    masses_of,
     number,
     pair,
     ratio,
@@ -21,10 +23,6 @@ from restitution.practice.nice import (
     vector,
 )
 from restitution.practice.one_wall import Recipe
-
-
-def _lines(*lines: str) -> str:
-    return "\n".join(line for line in lines if line) + "\n"
 
 
 def _turned(d: Dice) -> bool:
@@ -40,20 +38,13 @@ def _axis(turned: bool) -> str:
     return "j" if turned else "i"
 
 
-def _masses(c: Pair, letter: str = "") -> tuple[str, str]:
-    if letter:
-        scale = Fraction(1) if c.m1.denominator == c.m2.denominator == 1 else Fraction(10)
-        return times(c.m1 * scale, letter), times(c.m2 * scale, letter)
-    return number(c.m1), number(c.m2)
-
-
 def _vectors(d: Dice, c: Pair, *asked: str, letter: str = "", e: str | None = None) -> str:
     """Both velocities by components, the line of centres along an axis, and what is asked."""
     turned = _turned(d)
-    m1, m2 = _masses(c, "m" if letter else "")
+    m1, m2 = masses_of(c, "m" if letter else "")
     second = f"velocity {_in_axes(c.p2, c.s2, turned, letter)}" if c.p2 or c.s2 else "at rest"
     restitution = ratio(c.e) if e is None else e
-    return _lines(
+    return lines_of(
         f"sphere A: mass {m1}, velocity {_in_axes(c.p1, c.s1, turned, letter)}",
         f"sphere B: mass {m2}, {second}",
         f"A hits B: along {_axis(turned)}" + (f", e = {restitution}" if restitution else ""),
@@ -68,7 +59,7 @@ def _struck(
     d: Dice, m1: str, m2: str, speed: str, e: Fraction, angle: Acute, *asked: str, line: str = "i"
 ) -> str:
     fact = d.of(angle.fact)
-    return _lines(
+    return lines_of(
         f"sphere A: mass {m1}, velocity {speed} at alpha from {line}",
         f"sphere B: mass {m2}, at rest",
         f"given {fact}",
@@ -117,7 +108,7 @@ def _at_rest_3(d: Dice) -> str:
 def _slanting(d: Dice, c: Slanted, asked: str) -> str:
     """Velocities by components, the line of centres along a vector, and what is asked besides."""
     second = f"velocity {vector(*c.u2)}" if any(c.u2) else "at rest"
-    return _lines(
+    return lines_of(
         f"sphere A: mass {number(c.m1)}, velocity {vector(*c.u1)}",
         f"sphere B: mass {number(c.m2)}, {second}",
         f"A hits B: along {vector(*c.line)}, e = {ratio(c.e)}",
@@ -166,7 +157,7 @@ def _at_rest_4(d: Dice) -> str:
         ]
     )
     share = (1 - e * e) * Fraction(m2, m1 + m2) * Fraction(angle.along, angle.hypotenuse) ** 2
-    return _lines(
+    return lines_of(
         f"sphere A: mass {times(m1, 'm')}, velocity u at alpha",
         f"sphere B: mass {times(m2, 'm')}, at rest",
         f"given {angle.fact[0]}",
@@ -203,7 +194,7 @@ def _moving(d: Dice, *asked: str, direct: bool = False, letters: bool = False) -
         velocity = vector(p2, 0, "u" if letters else "")
     else:
         velocity = f"{w} at beta from -i"
-    return _lines(
+    return lines_of(
         f"sphere A: mass {m1}, velocity {u} at alpha",
         f"sphere B: mass {m2}, velocity {velocity}",
         f"given {one.fact[0]}" + ("" if direct else f", tan(beta) = {other.across}/{other.along}"),
@@ -237,7 +228,7 @@ def _moving_4(d: Dice) -> str:
     p2 = -Fraction(d.between(1, 6))
     (m1, m2), e = _simple_moving(d, p1, p2)
     q2 = (m1 * p1 + m2 * p2 + m1 * e * (p1 - p2)) / (m1 + m2)
-    return _lines(
+    return lines_of(
         f"sphere A: mass {number(m1)}, velocity {one.hypotenuse * scale} at alpha",
         f"sphere B: mass {number(m2)}, velocity {vector(p2, 0)}",
         f"given {d.of(one.fact)}",
@@ -277,8 +268,8 @@ def _vectors_4(d: Dice) -> str:
 def _vectors_4_mass(d: Dice) -> str:
     c = pair(d, denominators=2)
     turned = _turned(d)
-    m1, _ = _masses(c)
-    return _lines(
+    m1, _ = masses_of(c)
+    return lines_of(
         f"sphere A: mass {m1}, velocity {_in_axes(c.p1, c.s1, turned)}",
         f"sphere B: mass M, velocity {_in_axes(c.p2, c.s2, turned)}",
         f"A hits B: along {_axis(turned)}, e = {ratio(c.e)}",
@@ -314,7 +305,7 @@ def _letters_4(d: Dice) -> str:
     k = c.m2 / c.m1
     turned = _turned(d)
     speed = (1 + c.e) * c.p1 / (1 + k)
-    return _lines(
+    return lines_of(
         f"sphere A: mass m, velocity {_in_axes(c.p1, c.s1, turned, 'u')}",
         "sphere B: mass k m, at rest",
         f"A hits B: along {_axis(turned)}, e = {ratio(c.e)}",
@@ -323,147 +314,6 @@ def _letters_4(d: Dice) -> str:
         "part b",
         f"given speed(B) = {times(speed, 'u')}",
         d.of(("find k, energy_lost/energy(0)", "find k, impulse, speed(A)")),
-    )
-
-
-# --- a wall and a sphere ------------------------------------------------------------------------
-
-
-def _cushion(d: Dice) -> tuple[Pair, Fraction, Fraction, Fraction]:
-    """A collision after a wall parallel to its line: the across component before the wall too."""
-    while True:
-        c = pair(d, at_rest=True, denominators=4)
-        e = d.of(COEFFICIENTS)
-        into = abs(c.s1) / e
-        if into.denominator == 1 and into <= 12 and into != c.p1:
-            return c, e, into, abs(c.s1)
-
-
-def _cushion_1(d: Dice) -> str:
-    c, e, into, _ = _cushion(d)
-    m1, m2 = _masses(c)
-    return _lines(
-        "wall W: along i",
-        f"sphere A: mass {m1}, velocity {vector(c.p1, -into)}",
-        f"sphere B: mass {m2}, at rest",
-        f"A hits W: e = {ratio(e)}",
-        "part a",
-        "find velocity(A)",
-        "part b",
-        f"A hits B: along i, e = {ratio(c.e)}",
-        "find velocity(A), velocity(B)",
-    )
-
-
-def _cushion_2(d: Dice) -> str:
-    c, e, into, _ = _cushion(d)
-    m1, m2 = _masses(c)
-    return _lines(
-        "wall W: along i",
-        f"sphere A: mass {m1}, velocity {vector(c.p1, -into)}",
-        f"sphere B: mass {m2}, at rest",
-        f"A hits W: e = {ratio(e)}",
-        "part a",
-        "find speed(A), impulse",
-        "part b",
-        f"A hits B: along i, e = {ratio(c.e)}",
-        "find speed(A), speed(B)",
-        "part c",
-        d.of(("find total_energy_lost", "find deflection(A)")),
-    )
-
-
-def _then_wall(d: Dice) -> str:
-    """The collision first, then B, or A, against a wall."""
-    c = pair(d, denominators=3)
-    while c.q2 <= 0:
-        c = pair(d, denominators=3)
-    m1, m2 = _masses(c)
-    f = d.of([each for each in COEFFICIENTS if each != c.e])
-    return _lines(
-        f"sphere A: mass {m1}, velocity {vector(c.p1, c.s1)}",
-        f"sphere B: mass {m2}, velocity {vector(c.p2, c.s2)}",
-        "wall W: along j",
-        f"A hits B: along i, e = {ratio(c.e)}",
-        "part a",
-        "find velocity(A), velocity(B)",
-        "part b",
-        f"B hits W: e = {ratio(f)}",
-        "find velocity(B), deflection(B)",
-        "part c",
-        "find total_energy_lost",
-    )
-
-
-def _then_wall_4(d: Dice) -> str:
-    c = pair(d, at_rest=True, denominators=3)
-    f = d.of([each for each in COEFFICIENTS if each != c.e])
-    scale = 1 if c.m1.denominator == c.m2.denominator == 1 else 10
-    m1, m2 = times(c.m1 * scale, "m"), times(c.m2 * scale, "m")
-    return _lines(
-        f"sphere A: mass {m1}, velocity {vector(c.p1, c.s1, 'u')}",
-        f"sphere B: mass {m2}, at rest",
-        "wall W: along j",
-        f"A hits B: along i, e = {ratio(c.e)}",
-        "part a",
-        "find velocity(A), velocity(B)",
-        "part b",
-        "B hits W: e = f",
-        f"given impulse(2) = {times(c.m2 * scale * (1 + f) * c.q2, 'm u')}",
-        "find f, velocity(B), deflection(B)",
-    )
-
-
-# --- the line of centres ------------------------------------------------------------------------
-
-
-def _found(d: Dice, *asked: str) -> str:
-    """The velocity of one sphere after the collision, of which the line of centres follows."""
-    c = slanted(d, at_rest=d.below(3) == 0, denominators=1)
-    second = f"velocity {vector(*c.u2)}" if any(c.u2) else "at rest"
-    return _lines(
-        f"sphere A: mass {number(c.m1)}, velocity {vector(*c.u1)}",
-        f"sphere B: mass {number(c.m2)}, {second}",
-        "A hits B",
-        f"given velocity(A) = {vector(*c.v1)}",
-        *asked,
-    )
-
-
-def _line_1(d: Dice) -> str:
-    return _found(d, "part a", "find impulse(B)", "part b", "find velocity(B)")
-
-
-def _line_2(d: Dice) -> str:
-    return _found(d, "part a", "find line_of_centres", "part b", "find velocity(B), e")
-
-
-def _line_3(d: Dice) -> str:
-    """Centres on parallel paths: the line of centres makes arcsin(d/2r) with them."""
-    across, whole = d.of(((3, 5), (4, 5), (5, 13), (12, 13)))
-    share = Fraction(2 * across, whole)
-    offset = f"{float(share):g} r" if whole == 5 else f"{share} r"
-    while True:
-        c = pair(d, at_rest=True)
-        if c.m1.denominator == c.m2.denominator == 1:
-            break
-    k = d.between(1, 3)
-    second = f"velocity {vector(-k, 0, 'u')}" if d.below(3) else "at rest"
-    return _lines(
-        f"sphere A: mass {times(c.m1, 'm')}, velocity {vector(d.between(1, 3), 0, 'u')}, radius r",
-        f"sphere B: mass {times(c.m2, 'm')}, {second}, radius r",
-        f"A hits B: offset {offset}, e = {ratio(c.e)}",
-        "part a",
-        "find impulse",
-        "part b",
-        d.of(("find speed(A)", "find speed(B)", "find speed(A), speed(B)")),
-    )
-
-
-def _line_4(d: Dice) -> str:
-    last = d.of(("find energy_lost", "find deflection(A), energy_lost", "find deflection(B)"))
-    return _found(
-        d, "part a", "find line_of_centres", "part b", "find velocity(B), e", "part c", last
     )
 
 
@@ -535,12 +385,4 @@ RECIPES: Mapping[tuple[str, int], tuple[Recipe, ...]] = {
     ),
     ("spheres-letters", 3): (_letters_3,),
     ("spheres-letters", 4): (_letters_4,),
-    ("wall-then-sphere", 1): (_cushion_1,),
-    ("wall-then-sphere", 2): (_cushion_2,),
-    ("wall-then-sphere", 3): (_then_wall,),
-    ("wall-then-sphere", 4): (_then_wall_4,),
-    ("line-of-centres", 1): (_line_1,),
-    ("line-of-centres", 2): (_line_2,),
-    ("line-of-centres", 3): (_line_3,),
-    ("line-of-centres", 4): (_line_4,),
 }

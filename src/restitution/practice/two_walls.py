@@ -1,4 +1,4 @@
-"""Questions on impacts with two walls, one after the other, by topic and level."""
+"""Questions on impacts one after the other: with two walls, with a wall and a sphere."""
 
 from __future__ import annotations
 
@@ -7,12 +7,20 @@ from fractions import Fraction
 from math import isqrt
 
 from restitution.practice.dice import Dice
-from restitution.practice.nice import COEFFICIENTS, acute, coefficient, mass, ratio, vector
+from restitution.practice.nice import (
+    COEFFICIENTS,
+    Pair,
+    acute,
+    coefficient,
+    lines_of,
+    mass,
+    masses_of,
+    pair,
+    ratio,
+    times,
+    vector,
+)
 from restitution.practice.one_wall import Recipe
-
-
-def _lines(*lines: str) -> str:
-    return "\n".join(line for line in lines if line) + "\n"
 
 
 def _unlike(d: Dice) -> tuple[Fraction, Fraction]:
@@ -33,7 +41,7 @@ def _simple(d: Dice) -> tuple[Fraction, Fraction]:
 def _square_1(d: Dice) -> str:
     a, b = d.of([(a, b) for a in range(2, 13) for b in range(2, 13) if a != b])
     e = coefficient(d, a, b)
-    return _lines(
+    return lines_of(
         "wall OX: along i",
         "wall OY: along j",
         f"sphere P: velocity {vector(-a, -b)}",
@@ -51,7 +59,7 @@ def _square_2(d: Dice) -> str:
     e, f = _unlike(d)
     speed = angle.hypotenuse * d.between(1, 2)
     asked = d.of(("find speed(P)", "find angle(velocity(P), OX)"))
-    return _lines(
+    return lines_of(
         "wall OX: along i",
         "wall OY: along j",
         f"sphere P: velocity {speed} at alpha from -i",
@@ -68,7 +76,7 @@ def _square_2(d: Dice) -> str:
 def _square_3(d: Dice) -> str:
     angle = acute(d, 5)
     e, f = _simple(d)
-    return _lines(
+    return lines_of(
         "wall OX: along i",
         "wall OY: along j",
         f"sphere P: mass {d.of(('m', '2m'))}, velocity u at alpha from -i",
@@ -87,7 +95,7 @@ def _square_3(d: Dice) -> str:
 def _square_3_with_numbers(d: Dice) -> str:
     a, b = d.of([(a, b) for a in range(2, 10) for b in range(2, 10) if a != b])
     e, f = _unlike(d)
-    return _lines(
+    return lines_of(
         "wall OX: along i",
         "wall OY: along j",
         f"sphere P: mass {mass(d)}, velocity {vector(-a, -b)}",
@@ -103,7 +111,7 @@ def _square_3_with_numbers(d: Dice) -> str:
 def _square_4(d: Dice) -> str:
     e, other = _unlike(d)
     angle = acute(d, 5)
-    return _lines(
+    return lines_of(
         "wall OX: along i",
         "wall OY: along j",
         "sphere P: mass m, velocity u at alpha from -i",
@@ -124,7 +132,7 @@ def _square_4(d: Dice) -> str:
 def _square_4_two(d: Dice) -> str:
     a, b = d.of([(a, b) for a in range(2, 10) for b in range(2, 10) if a != b])
     e, f = coefficient(d, b), coefficient(d, a)
-    return _lines(
+    return lines_of(
         "wall OX: along i",
         "wall OY: along j",
         f"sphere P: mass {mass(d)}, velocity {vector(-a, -b)}",
@@ -146,7 +154,7 @@ _SECOND = {60: 120, 120: 60}  # the direction of BC, from that of AB, by the ang
 def _corner(d: Dice, angle: int, speed: str, e: Fraction, f: Fraction, weight: str = "") -> str:
     heavy = f"mass {weight}, " if weight else ""
     start = d.of((30, 60))
-    return _lines(
+    return lines_of(
         "wall AB: along i",
         f"wall BC: along {_SECOND[angle]}°",
         f"sphere P: {heavy}velocity {speed} at {start}° to AB",
@@ -202,7 +210,7 @@ def _corner_4(angle: int) -> Recipe:
         square = Fraction(1, 4) + Fraction(3, 4) * e * e
         if start == 30:
             square = Fraction(3, 4) + e * e / 4
-        return _lines(
+        return lines_of(
             "wall AB: along i",
             f"wall BC: along {_SECOND[angle]}°",
             f"sphere P: mass m, velocity u at {start}° to AB",
@@ -234,7 +242,7 @@ def _root(square: Fraction) -> str:
 def _parallel_1(d: Dice) -> str:
     a, b = d.of([(a, b) for a in range(1, 7) for b in range(4, 13) if a != b])
     e = coefficient(d, b, Fraction(b, 2))
-    return _lines(
+    return lines_of(
         "wall L: along i",
         "wall M: along i",
         f"sphere P: velocity {vector(a * d.sign(), -b)}",
@@ -251,7 +259,7 @@ def _parallel_2(d: Dice) -> str:
     angle = acute(d, 13)
     e, f = _unlike(d)
     speed = angle.hypotenuse * d.between(1, 2)
-    return _lines(
+    return lines_of(
         "wall L: along i",
         "wall M: along i",
         f"sphere P: velocity {speed} at alpha to L",
@@ -270,7 +278,7 @@ def _parallel_3(d: Dice) -> str:
     e, f = _simple(d)
     weight = d.of(("m", "2m"))
     asked = d.of(("find impulse(1), impulse(2)", "find total_energy_lost"))
-    return _lines(
+    return lines_of(
         "wall L: along i",
         "wall M: along i",
         f"sphere P: mass {weight}, velocity u at alpha to L",
@@ -288,7 +296,7 @@ def _parallel_3_in_time(d: Dice) -> str:
     a, b = d.of([(a, b) for a in range(1, 6) for b in range(2, 9) if a != b])
     e = coefficient(d, b)
     width = b + d.between(1, 4)
-    return _lines(
+    return lines_of(
         "wall L: along i, through (0, 0)",
         f"wall M: along i, through (0, {width})",
         f"sphere P: at (0, {b}), velocity {vector(a, -b)}",
@@ -304,7 +312,7 @@ def _parallel_3_in_time(d: Dice) -> str:
 def _parallel_4(d: Dice) -> str:
     angle = acute(d, 5)
     e = d.of([e for e in COEFFICIENTS if e.numerator == 1 or e.denominator == 3])
-    return _lines(
+    return lines_of(
         "wall L: along i",
         "wall M: along i",
         "sphere P: velocity u at alpha to L",
@@ -316,6 +324,94 @@ def _parallel_4(d: Dice) -> str:
         f"given {angle.fact[0]}, tan(angle(velocity(P), M)) = "
         f"{e * e * Fraction(angle.across, angle.along)}",
         "find e, speed(P, 1), speed(P)",
+    )
+
+
+# --- a wall and a sphere ------------------------------------------------------------------------
+
+
+def _cushion(d: Dice) -> tuple[Pair, Fraction, Fraction, Fraction]:
+    """A collision after a wall parallel to its line: the across component before the wall too."""
+    while True:
+        c = pair(d, at_rest=True, denominators=4)
+        e = d.of(COEFFICIENTS)
+        into = abs(c.s1) / e
+        if into.denominator == 1 and into <= 12 and into != c.p1:
+            return c, e, into, abs(c.s1)
+
+
+def _cushion_1(d: Dice) -> str:
+    c, e, into, _ = _cushion(d)
+    m1, m2 = masses_of(c)
+    return lines_of(
+        "wall W: along i",
+        f"sphere A: mass {m1}, velocity {vector(c.p1, -into)}",
+        f"sphere B: mass {m2}, at rest",
+        f"A hits W: e = {ratio(e)}",
+        "part a",
+        "find velocity(A)",
+        "part b",
+        f"A hits B: along i, e = {ratio(c.e)}",
+        "find velocity(A), velocity(B)",
+    )
+
+
+def _cushion_2(d: Dice) -> str:
+    c, e, into, _ = _cushion(d)
+    m1, m2 = masses_of(c)
+    return lines_of(
+        "wall W: along i",
+        f"sphere A: mass {m1}, velocity {vector(c.p1, -into)}",
+        f"sphere B: mass {m2}, at rest",
+        f"A hits W: e = {ratio(e)}",
+        "part a",
+        "find speed(A), impulse",
+        "part b",
+        f"A hits B: along i, e = {ratio(c.e)}",
+        "find speed(A), speed(B)",
+        "part c",
+        d.of(("find total_energy_lost", "find deflection(A)")),
+    )
+
+
+def _then_wall(d: Dice) -> str:
+    """The collision first, then B, or A, against a wall."""
+    c = pair(d, denominators=3)
+    while c.q2 <= 0:
+        c = pair(d, denominators=3)
+    m1, m2 = masses_of(c)
+    f = d.of([each for each in COEFFICIENTS if each != c.e])
+    return lines_of(
+        f"sphere A: mass {m1}, velocity {vector(c.p1, c.s1)}",
+        f"sphere B: mass {m2}, velocity {vector(c.p2, c.s2)}",
+        "wall W: along j",
+        f"A hits B: along i, e = {ratio(c.e)}",
+        "part a",
+        "find velocity(A), velocity(B)",
+        "part b",
+        f"B hits W: e = {ratio(f)}",
+        "find velocity(B), deflection(B)",
+        "part c",
+        "find total_energy_lost",
+    )
+
+
+def _then_wall_4(d: Dice) -> str:
+    c = pair(d, at_rest=True, denominators=3)
+    f = d.of([each for each in COEFFICIENTS if each != c.e])
+    scale = 1 if c.m1.denominator == c.m2.denominator == 1 else 10
+    m1, m2 = times(c.m1 * scale, "m"), times(c.m2 * scale, "m")
+    return lines_of(
+        f"sphere A: mass {m1}, velocity {vector(c.p1, c.s1, 'u')}",
+        f"sphere B: mass {m2}, at rest",
+        "wall W: along j",
+        f"A hits B: along i, e = {ratio(c.e)}",
+        "part a",
+        "find velocity(A), velocity(B)",
+        "part b",
+        "B hits W: e = f",
+        f"given impulse(2) = {times(c.m2 * scale * (1 + f) * c.q2, 'm u')}",
+        "find f, velocity(B), deflection(B)",
     )
 
 
@@ -333,4 +429,8 @@ RECIPES: Mapping[tuple[str, int], tuple[Recipe, ...]] = {
     ("walls-parallel", 2): (_parallel_2,),
     ("walls-parallel", 3): (_parallel_3, _parallel_3_in_time),
     ("walls-parallel", 4): (_parallel_4,),
+    ("wall-then-sphere", 1): (_cushion_1,),
+    ("wall-then-sphere", 2): (_cushion_2,),
+    ("wall-then-sphere", 3): (_then_wall,),
+    ("wall-then-sphere", 4): (_then_wall_4,),
 }
