@@ -194,7 +194,7 @@ def altered_worlds(
         suppress(TimeLimitError),  # what was solved by then is kept
         work.limited(time_limit, error=TimeLimitError(_LATE)),
     ):
-        for world in _worlds(solution, name, only, part, reasons):
+        for world in _worlds(solution, name, only, part, reasons, time_limit):
             worlds.append(world)  # noqa: PERF402 - each is kept, also where the next is broken off
     return tuple(worlds) or _none(solution, name, reasons)
 
@@ -206,7 +206,7 @@ def first_world(solution: Solution, name: str, time_limit: float | None = None) 
     """
     reasons: dict[str, None] = {}
     with work.limited(time_limit, error=TimeLimitError(_LATE)):
-        world = next(_worlds(solution, name, None, None, reasons), None)
+        world = next(_worlds(solution, name, None, None, reasons, time_limit), None)
     return world or _none(solution, name, reasons)[0]
 
 
@@ -216,14 +216,19 @@ def _worlds(
     only: Iterable[int] | None,
     part: str | None,
     reasons: dict[str, None],
+    time_limit: float | None,
 ) -> Iterator[AlteredWorld]:
-    """The worlds in which an answer changes, as they are solved; why others are none."""
+    """The worlds in which an answer changes, as they are solved; why others are none.
+
+    One that takes long leaves time for the others.
+    """
+    seconds = _SECONDS if time_limit is None else min(_SECONDS, time_limit / 4)
     found = misconception(name)
     for variant in found.variants:
         if name not in (variant.id, found.id):
             continue
         try:
-            world = altered_world(solution, variant, only)
+            world = altered_world(solution, variant, only, seconds)
         except UnsupportedError as error:
             reasons[error.message] = None
             continue
@@ -272,12 +277,11 @@ def _why_not(name: str, wanted: list[Alteration], reasons: list[str]) -> str:
     apply = [
         each for each in reasons if "does not apply" not in each and "has no world" not in each
     ]
-    unlike = list(dict.fromkeys(each.partition(": ")[2] for each in reasons))
     if not apply:
-        return f"{name} does not apply here: {unlike[0]}"
-    return f"{name} changes no answer here" + (
-        f": {apply[0]}" if all("leads to no answer" in each for each in apply) else ""
-    )
+        return f"{name} does not apply here: {reasons[0].partition(': ')[2]}"
+    if all("leads to no answer" in each for each in apply):
+        return f"{name} leads to no answer here: {apply[0].partition(': ')[2]}"
+    return f"{name} changes no answer here"
 
 
 def _those_that_apply(problem: Problem) -> str:
