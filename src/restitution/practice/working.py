@@ -21,9 +21,10 @@ from restitution.practice.headings import (
     scope_of,
     without_number,
 )
+from restitution.practice.merging import with_phrases
 from restitution.practice.scanner import scan
 from restitution.practice.script import ANYWHERE, LineKind, Scope, Script, ScriptLine
-from restitution.practice.segments import segments, with_phrases
+from restitution.practice.segments import segments
 from restitution.practice.statements import Past, Statements, read_statements
 from restitution.practice.tokens import Token, Usage
 from restitution.practice.usage import usage_of
