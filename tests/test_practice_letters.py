@@ -14,10 +14,12 @@ import restitution as r
 from restitution.errors import StatementError
 from restitution.expression import read_expression, write_expression
 from restitution.expression.tree import Expression
+from restitution.practice.agreement import agrees
 from restitution.practice.declaring import letters_from_mapping, letters_from_text
 from restitution.practice.interpretation import Interpretations
 from restitution.practice.letters import meanings_of
 from restitution.practice.letters_box import letters_box
+from restitution.practice.sampling import true_worlds
 from restitution.practice.script import (
     ANYWHERE,
     Claim,
@@ -231,3 +233,28 @@ def test_what_the_letters_box_says_is_read_again() -> None:
     rows = letters_box(problem, solution)
     again = letters_from_mapping({row.letter: row.meaning for row in rows}, problem)
     assert [write_expression(again[row.letter][0]) for row in rows] == [r.meaning for r in rows]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("2p + q = 17\np = q + 5", "asks"),
+        ("3v + 5w = 7\nw - v = 3\nv = 4", "false"),
+        ("-3v + 5w = 7\nw - v = 3", "false"),
+    ],
+)
+def test_a_wrong_line_is_not_made_true_by_an_absurd_meaning(text: str, expected: str) -> None:
+    found = inferred(SPHERES, text)
+    script = script_of(text, solved(SPHERES)[0])
+    world = true_worlds(solved(SPHERES)[1])[0]
+    claim = script.lines[-1].links[0].readings[0]
+    if expected == "asks":
+        assert found.asks
+    else:
+        assert agrees(claim, world, found.best.trees(len(script.lines))) is None
+
+
+def test_a_letter_of_any_look_may_be_a_quantity_that_varies() -> None:
+    found = inferred(TWO_WALLS, "k = 2/3*u sin(40°)\nb = arctan(2/3*tan(40°))")
+    assert "velocity(P, 1)" in quantities(found)["k"]
+    assert quantities(found)["b"] == "angle(velocity(P, 1), AB)"

@@ -240,7 +240,11 @@ def _searched(
     for number in _order(items):
         item = items[number]
         extended = list(_extended(states, number, item, slots, tester))
-        if broken is not None and not all(number in each.satisfied for each in extended):
+        if (
+            broken is not None
+            and item.fresh
+            and not all(number in each.satisfied for each in extended)
+        ):
             extended += _breaking(states, number, item, slots, broken(item, slots))
         states = _pruned(extended, width)
     states = _sensed(states, items, slots, tester)

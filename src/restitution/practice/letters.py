@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     Letter,
     letters,
 )
+from restitution.practice.angles import is_angle
 from restitution.practice.arrays import is_bare
 from restitution.practice.candidates import Candidate, kinds_of
 from restitution.practice.dependence import Dependence, Relation
@@ -56,7 +57,7 @@ from restitution.vector import Vector
 NEARLY = 0.7
 _RIVALS = 24
 _INEQUALITY = 0.25
-_HEADING, _BREAK, _ALONE = 0.2, 0.5, 1.2
+_HEADING, _BREAK, _ALONE = 0.2, 0.5, 1.05
 # What it costs that a letter means nothing which its first line may define.
 _UNKNOWN = 0.2
 # What a line tells that follows from those above or contradicts them, and one of momentum, which
@@ -170,16 +171,20 @@ class _Search:
     # --- letters of the lines
 
     def _angular(self) -> frozenset[str]:
-        """The letters that stand inside a trigonometric function anywhere."""
-        return frozenset[str]().union(
-            *(
-                inside_angles(side)
-                for line in self.lines
-                for link in line.links
-                for claim in link.readings[:1]
-                for side in (claim.left, claim.right)
-            )
+        """The letters that stand inside a trigonometric function, or are equated with an angle."""
+        claims = [
+            claim for line in self.lines for link in line.links for claim in link.readings[:1]
+        ]
+        found = frozenset[str]().union(
+            *(inside_angles(side) for claim in claims for side in (claim.left, claim.right))
         )
+        for claim in claims:
+            known = found | self.around.world.angles
+            for one, other in ((claim.left, claim.right), (claim.right, claim.left)):
+                angle = is_angle(other, known) and letters(other) <= known
+                if isinstance(one, Letter) and angle:
+                    found |= {one.name}
+        return found
 
     def meanings(self, number: int) -> dict[str, Expression]:
         """The trees of letters whose declaration is certain, in a line."""
