@@ -41,6 +41,7 @@ _POINTS = 8
 _STEPS = 20
 _CLOSE = 1e-7
 _LATEST = 6
+_TRIES = 24
 _FUNCTIONS: Mapping[str, Callable[[Array], Array]] = {
     "sqrt": np.sqrt,
     "sin": np.sin,
@@ -77,10 +78,14 @@ def deduced_from(
     others = [(a, b) for a, b in combinations(list(reversed(usable)), 2) if a in near or b in near]
     untrue = [k for k in usable if not entries[k].right][-1:]
     threes = [(*pair, k) for k in untrue for pair in combinations(usable, 2) if k not in pair]
+    tried = 0
     for places in chain(((k,) for k in near), others, threes):
         earlier = [entries[k] for k in places]
         if not own <= frozenset().union(*(_symbols(each) for each in earlier)) | data:
             continue
+        tried += 1
+        if tried > _TRIES:
+            break
         if _follows(entry, earlier, world, data):
             return tuple(sorted(places))
     return ()

@@ -14,6 +14,8 @@ from functools import cached_property
 from itertools import islice
 from typing import Any
 
+import numpy as np
+
 from restitution.expression.tree import (
     Binary,
     Degrees,
@@ -59,7 +61,8 @@ def judge(
     )
     if not bench.worlds:
         return Judgement(tuple(JudgedLine(each, "remark") for each in own.lines), ())
-    return _Sitting(bench, own, meanings).judgement()
+    with np.errstate(all="ignore"):
+        return _Sitting(bench, own, meanings).judgement()
 
 
 @dataclass(frozen=True, eq=False)

@@ -28,7 +28,7 @@ from restitution.expression.tree import (
     Quantity,
     walk,
 )
-from restitution.practice.agreement import agrees, numbers_of
+from restitution.practice.agreement import agrees, difference, numbers_of
 from restitution.practice.candidates import candidates
 from restitution.practice.entries import Entry, is_numeric, same_relation
 from restitution.practice.judgement import Mistake, Use
@@ -53,11 +53,13 @@ _OF_ENERGY = frozenset({"energy", "speed", "fact", "fraction"})
 _BEFORE: Mapping[str, set[str]] = {
     "angle-from-normal": {"sine-cosine"},
     "energy-conserved": {"restitution-omitted", "restitution-inverted"},
-    "across-changed": {"restitution-parallel", "sine-cosine"},
-    "restitution-whole-speed": {"speed-for-component"},
+    "energy-component-missing": {"energy-fraction-of-line"},
     "deflection-difference": {"deflection-is-after"},
 }
+_BEFORE_AT_A_WALL: Mapping[str, set[str]] = {"across-changed": {"restitution-parallel"}}
+_BEFORE_OF_SPHERES: Mapping[str, set[str]] = {"restitution-parallel": {"across-changed"}}
 _TRIED = 6
+_CLOSE, _TINY = 0.03, 1e-6
 NO_NAME = Mistake(None)
 Stated = frozenset[tuple[str, int | None]]
 
@@ -107,7 +109,9 @@ class Names:
         families = tuple(dict.fromkeys(each.mistake for each in variants))
         if not families:
             return Mistake(found.slip, "slip", at=found.at) if found.slip else NO_NAME
-        likely = [each for each in families if not set(families) & _BEFORE.get(each, set())]
+        wall = variants[0].event.wall
+        usual = {**_BEFORE, **(_BEFORE_AT_A_WALL if wall else _BEFORE_OF_SPHERES)}
+        likely = [each for each in families if not set(families) & usual.get(each, set())]
         name = likely[0] if len(likely) == 1 else None
         also = tuple(each for each in families if each != name)
         return Mistake(name, "misconception", ids, also, found.at, sure=not also)
@@ -322,8 +326,17 @@ def _mending(entry: Entry, judge: Judge) -> Iterator[Correction]:
     worlds = (judge.base, *judge.students())
     for correction in corrections(entry.claim):
         mended = Entry(entry.number, correction.claim, entry.meanings, entry.scope, entry.decimals)
-        if any(_holds(mended, world) for world in worlds):
+        if any(_is_near(mended, world) and _holds(mended, world) for world in worlds):
             yield correction
+
+
+def _is_near(entry: Entry, world: World) -> bool:
+    """Whether the sides of a claim differ by so little that rounding may be all of it."""
+    try:
+        apart, size = difference(entry.claim, world, entry.meanings, entry.scope)
+    except RestitutionError:
+        return False
+    return entry.claim.sign != "=" or bool(np.all(np.abs(apart) <= _CLOSE * size + _TINY))
 
 
 def _slip(entry: Entry, judge: Judge, mended: Sequence[Correction]) -> str | None:

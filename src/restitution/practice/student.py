@@ -29,6 +29,7 @@ Array = Any
 Residual = Callable[[World], Array]
 
 _STEPS = 14
+_LINES = 24
 _CHOOSING = 3
 """In so many steps the equations are chosen anew; after that they stay."""
 _INDEPENDENT = 1e-5

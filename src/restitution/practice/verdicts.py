@@ -39,6 +39,8 @@ _WORST: tuple[Verdict, ...] = ("false", "unread", "asks", "unsupported", "follow
 _GRADES: tuple[Accuracy, ...] = ("coarse", "rounded", "exact")
 # How far a student's own rounding to three figures may move his values.
 _OWN_ROUNDING = 0.006
+_NAMED = 10
+"""So many mistakes are looked into; of more the first tell enough."""
 COARSE = "coarse"
 OTHER_ROOT = "other-root"
 IMPOSSIBLE = "impossible"
@@ -172,7 +174,7 @@ class Judge:
         verdict = next(each for each in _WORST if any(link.verdict == each for link in links))
         place = next(k for k, link in enumerate(links) if link.verdict == verdict)
         worst = links[place]
-        if verdict == "false" and self._names:
+        if verdict == "false" and self._names and len(self._explained) < _NAMED:
             entry = self._entry(line, line.links[place], worst)
             self._explain(line.number, self.naming.explained(entry, self))
         for name in worst.letters:
@@ -333,6 +335,8 @@ class Judge:
             entry = self._entry_of(line, link, claim)
             if (number := self._own_root(entry)) is not None:
                 return JudgedLink("follows", claim, "exact", (number,), _impossible(claim))
+            if sum(each.wrong for each in self.entries) > _NAMED:
+                break
             places = deduced_from(entry, self.entries, self._base, self.question.given)
             if places:
                 numbers = tuple(self.entries[place].number for place in places)
