@@ -159,3 +159,20 @@ def test_a_result_that_is_shown_to_some_figures_is_rounded() -> None:
     )
     line, decimals = claim("energy_lost = 0.311m u^2")
     assert agrees(line, world, {}, decimals) == "rounded"
+
+
+def test_the_direction_of_a_line_is_told_by_any_vector_along_it() -> None:
+    world = world_of(
+        """
+        wall W
+        sphere P: velocity 4i - 2j
+        P hits W
+        given velocity(P) = 2i + 2j
+        find direction(W), e
+        """
+    )
+    table = meanings({"d": "direction(W)"})
+    for text in ("direction(W) = 2i + j", "d = -4i - 2j", "line_of_centres = i - 2j"):
+        assert agrees(claim(text)[0], world, table) == "exact", text
+    for text in ("direction(W) = i + 2j", "d = 2i - j"):
+        assert agrees(claim(text)[0], world, table) is None, text

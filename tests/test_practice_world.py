@@ -17,9 +17,10 @@ from restitution.errors import RestitutionError
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Letter, Name, Number, Quantity
+from restitution.practice.agreement import agrees
 from restitution.practice.arrays import UnvaluedError
 from restitution.practice.sampling import true_worlds
-from restitution.practice.script import Scope
+from restitution.practice.script import Claim, Scope
 from restitution.practice.timing import retimed
 from restitution.practice.world import World, stacked
 from restitution.problem import Compare, Show, Value
@@ -94,7 +95,11 @@ def compare(world: World, branch: Branch) -> int:
                 continue
             if tree.kind == "angle" and abs(exact[0]) < 1e-6:
                 continue  # the inverse tangent of nearly nothing
-            found = as_columns(world, world.value(tree), sample)
+            try:
+                found = as_columns(world, world.value(tree), sample)
+            except UnvaluedError as error:
+                assert "at rest" in str(error)  # as far as doubles can tell
+                continue
             turn = abs(exact[0] - found[0]) if tree.kind == "direction" else 0.0
             if not math.isclose(turn, 2 * math.pi, abs_tol=1e-6):
                 assert np.allclose(found, exact, rtol=1e-7, atol=1e-7), (tree, found, exact)
@@ -125,14 +130,18 @@ def check_item(item: Any, world: World, now: int) -> None:
                 put = {name: world.spread(x)[sample] for name, x in world.letters.items()}
                 exact = [float(x.subs({s: put[s.name] for s in x.free_symbols})) for x in parts]
                 found = as_columns(world, world.value(item.item.expression, now=now), sample)
+                if item.kind == "direction" and len(exact) == 2:
+                    exact = [x / math.hypot(*exact) for x in exact]
                 if len(exact) == len(found):
                     assert np.allclose(found, exact, rtol=1e-6, atol=1e-7), (item.text, found)
     relation = item.item.relation if isinstance(item.item, Show) and item.holds else None
     if isinstance(relation, Compare) and item.item.subject is None and not relation.figures:
-        sides = [world.scalar(each, now=now) for each in relation.operands]
-        for left, op, right in zip(sides, relation.operators, sides[1:], strict=False):
+        scope = Scope(event=now) if now else Scope(event=1, stage="before")
+        for left, op, right in zip(
+            relation.operands, relation.operators, relation.operands[1:], strict=False
+        ):
             if op == "=":
-                assert np.allclose(left, right, rtol=1e-6, atol=1e-9), item.text
+                assert agrees(Claim(left, "=", right), world, scope=scope), item.text
 
 
 @pytest.mark.parametrize("path", EXAMPLES[::16], ids=lambda path: path.stem)

@@ -10,7 +10,17 @@ from typing import Any
 import numpy as np
 
 from restitution.expression.evaluate import Angle, Value
-from restitution.expression.tree import Binary, Degrees, Expression, Name, Negate, Number, walk
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    walk,
+)
 from restitution.practice.arrays import Array, UnvaluedError, is_bare
 from restitution.practice.judgement import Accuracy
 from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope, Sign
@@ -82,13 +92,15 @@ def difference(
     """Left side less right side, and the size of what is compared, in every sample.
 
     Both have the shape (samples, 1), or (samples, 2) for vectors. Angles are in radians and differ
-    by less than a half turn. Raises UnvaluedError where the sides are not alike.
+    by less than a half turn. A wall, or a line of centres, is told by any vector along it. Raises
+    UnvaluedError where the sides are not alike.
     """
     how: dict[str, Any] = {"scope": scope, "degrees": degrees, "put": put, "noted": noted}
     left = world.value(claim.left, meanings, **how)
     right = world.value(claim.right, meanings, **how)
     with np.errstate(all="ignore"):
-        return _difference(claim, world, left, right, degrees, noted)
+        lines = any(_is_line(side, world, meanings) for side in (claim.left, claim.right))
+        return _difference(claim, world, left, right, degrees, noted, lines=lines)
 
 
 def _difference(
@@ -98,8 +110,12 @@ def _difference(
     right: Value,
     degrees: bool,
     noted: list[Expression] | None,
+    *,
+    lines: bool,
 ) -> tuple[Array, Array]:
     left, right = _sized(claim.left, left, right), _sized(claim.right, right, left)
+    if lines:
+        left, right = _directed(left, right)
     if isinstance(left, Vector) or isinstance(right, Vector):
         a, b = (_as_vector(each) for each in (left, right))
         size = np.maximum(np.hypot(*a), np.hypot(*b))
@@ -317,6 +333,30 @@ def _sized(tree: Expression, value: Value, other: Value) -> Value:
     if isinstance(tree, Name) and isinstance(value, Vector) and not isinstance(other, Vector):
         return np.hypot(value.x, value.y)
     return value
+
+
+def _is_line(tree: Expression, world: World, meanings: Meanings) -> bool:
+    """Whether a side is the direction of a line, of which a vector of any length tells."""
+    if isinstance(tree, Letter):
+        tree = meanings.get(tree.name, tree)
+    if isinstance(tree, Negate):
+        return _is_line(tree.operand, world, {})
+    return isinstance(tree, Quantity) and (
+        tree.kind == "line_of_centres"
+        or (
+            tree.kind == "direction"
+            and isinstance(tree.arguments[0], Name)
+            and tree.arguments[0].name in world.plot.walls
+        )
+    )
+
+
+def _directed(left: Value, right: Value) -> tuple[Value, Value]:
+    """Two directions of lines as unit vectors of one sense."""
+    if not (isinstance(left, Vector) and isinstance(right, Vector)):
+        return left, right
+    one, other = (v / np.hypot(v.x, v.y) for v in (left, right))
+    return one, other * np.where(one.dot(other) < 0, -1.0, 1.0)
 
 
 def _as_vector(value: Value) -> Vector:
