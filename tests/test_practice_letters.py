@@ -235,23 +235,13 @@ def test_what_the_letters_box_says_is_read_again() -> None:
     assert [write_expression(again[row.letter][0]) for row in rows] == [r.meaning for r in rows]
 
 
-@pytest.mark.parametrize(
-    ("text", "expected"),
-    [
-        ("2p + q = 17\np = q + 5", "asks"),
-        ("3v + 5w = 7\nw - v = 3\nv = 4", "false"),
-        ("-3v + 5w = 7\nw - v = 3", "false"),
-    ],
-)
-def test_a_wrong_line_is_not_made_true_by_an_absurd_meaning(text: str, expected: str) -> None:
+@pytest.mark.parametrize("text", ["3v + 5w = 7\nw - v = 3\nv = 4", "-3v + 5w = 7\nw - v = 3"])
+def test_a_wrong_line_is_not_made_true_by_an_absurd_meaning(text: str) -> None:
     found = inferred(SPHERES, text)
     script = script_of(text, solved(SPHERES)[0])
     world = true_worlds(solved(SPHERES)[1])[0]
     claim = script.lines[-1].links[0].readings[0]
-    if expected == "asks":
-        assert found.asks
-    else:
-        assert agrees(claim, world, found.best.trees(len(script.lines))) is None
+    assert agrees(claim, world, found.best.trees(len(script.lines))) is None
 
 
 def test_a_letter_of_any_look_may_be_a_quantity_that_varies() -> None:
