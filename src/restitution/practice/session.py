@@ -25,6 +25,7 @@ Word = Literal["hint", "show", "another", "next", "quit"]
 
 _MARKING = 10.0  # seconds
 _LATE = TimeLimitError("the working was not marked in time: take a line away, and try again")
+_NOTHING = "nothing yet"  # a remark, so that the first step may be hinted at
 _MOST_BYTES = 4_000_000
 WORDS: dict[str, Word] = {
     "hint": "hint",
@@ -171,56 +172,61 @@ class Conversation:
         if label is not None:
             self.write(f"Part ({label})")
         level, handed_in = 0, False
+        draft: list[str] = []
         while True:
-            typed, word = self._working()
+            before = len(draft)
+            word = self._working(draft)
+            level = level if len(draft) == before else 0
             if word == "show":
                 self.write(self._solution(label))
                 return None
             if word == "hint":
                 level = min(level + 1, 4)
-                self._mark(label, typed or self.lines.get(label, []), level)
+                self._mark(label, draft or self.lines.get(label, []), level)
             elif word is not None:
                 return word
-            elif not typed:
-                if handed_in:
-                    return None
-                self.write("Nothing was typed: hint, show, next or quit?")
-                handed_in = True
-            else:
-                handed_in = True
-                marking = self._mark(label, typed, 0)
+            elif draft:
+                marking, draft, handed_in = self._mark(label, draft, 0), [], True
                 if marking is not None and marking.marks.earned == marking.marks.of:
                     return None
                 self.write("Try again, or an empty line to go on. (hint, show)")
+            elif handed_in:
+                return None
+            else:
+                self.write("Nothing was typed: hint, show, next or quit?")
+                handed_in = True
 
-    def _working(self) -> tuple[list[str], Word | None]:
-        """Lines up to an empty one, and the word that ended them instead, if one did."""
-        typed: list[str] = []
+    def _working(self, draft: list[str]) -> Word | None:
+        """Add lines to a draft up to an empty one; the word that ended them instead, if one did."""
         while True:
             line = self.read("> ")
             if line is None:
-                return typed, None if typed else "quit"
+                return None if draft else "quit"
             if not line.strip():
-                return typed, None
+                return None
             word = WORDS.get(line.strip().lower())
             if word is not None:
-                return typed, word
-            typed.append(line)
+                return word
+            draft.append(line)
 
     def _mark(self, label: str | None, typed: list[str], hints: int) -> Marking | None:
         """The marks of a part, shown; None where it cannot be marked, which is told."""
         from restitution.practice.marking import mark
+        from restitution.render.text import wrapped
 
-        self.lines[label] = typed
+        if typed:
+            self.lines[label] = typed
         try:
             with limited(_MARKING, error=_LATE):
-                marking = mark(self.question.solution, list(self._script()), label, hints=hints)
+                script = list(self._script()) if typed else [_NOTHING]
+                marking = mark(self.question.solution, script, label, hints=hints)
         except RestitutionError as error:
             self.write(error.message)
             return None
         if hints:
-            own = [message.text for message in marking.messages if message.text]
-            self.write("\n".join(dict.fromkeys(own)) or "There is no hint for this.")
+            own = dict.fromkeys(message.text for message in marking.messages if message.text)
+            lines = [line for text in own for line in wrapped(text, self.width)]
+            self.write("\n".join(lines) or "There is no hint for this.")
             return marking
         self.write(str(marking))
         if typed:
