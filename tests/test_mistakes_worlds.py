@@ -295,6 +295,8 @@ def test_what_cannot_be_says_why():
         altered_worlds(wall, "rounding-early")
     with pytest.raises(UnsupportedError, match="does not speak of energy lost"):
         altered_worlds(wall, "energy-of-difference/1")
+    with pytest.raises(StatementError, match="has no statement"):
+        r.to_statement(r.solve_as(wall.problem, "restitution-omitted").problem)
     with pytest.raises(UnsupportedError, match="has answers and no working"):
         r.explain(r.solve_as(wall.problem, "restitution-omitted"))
 

@@ -46,12 +46,15 @@ def to_statement(problem: Problem) -> str:
     r"""The statement of a problem; ``parse`` reads it back as an equal Problem.
 
     A body is told on one line, however many lines told of it. Raises StatementError for what
-    no text can say: numbers that are not exact, a name that is none, a title of several lines.
+    no text can say: numbers that are not exact, a name that is none, a title of several lines, laws
+    that are altered.
 
     >>> from restitution.language import parse
     >>> to_statement(parse("sphere P: mass 2\\nsphere P: at rest"))
     'sphere P: mass 2, at rest\\n'
     """
+    if problem.altered:
+        raise StatementError("the world of a mistake, in which other laws hold, has no statement")
     bodies: list[Sphere | Wall | Point] = [
         *problem.spheres,
         *problem.walls,
