@@ -176,3 +176,11 @@ def test_the_direction_of_a_line_is_told_by_any_vector_along_it() -> None:
         assert agrees(claim(text)[0], world, table) == "exact", text
     for text in ("direction(W) = i + 2j", "d = 2i - j"):
         assert agrees(claim(text)[0], world, table) is None, text
+
+
+@pytest.mark.parametrize(
+    "text", ["9^9^9^9 = v", "v = 9^9^9^9", "v = 1.5*9^9^9", "v = arcsin(2)", "v = sqrt(2 - 3)"]
+)
+def test_what_is_beyond_numbers_agrees_with_nothing(text: str) -> None:
+    line, decimals = claim(text)
+    assert agrees(line, world_of(WALL), OF_WALL, decimals) is None

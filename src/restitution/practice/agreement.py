@@ -153,7 +153,7 @@ def scale(
             elif isinstance(value, Angle):
                 value = value.measure()
             total = total + np.abs(_columns(world, value))
-    return total
+    return np.where(np.isfinite(total), total, 0.0)
 
 
 # --- one link -------------------------------------------------------------------------------------
@@ -170,6 +170,7 @@ def _grades(
 ) -> Array:
     """The grades of one equation or inequality."""
     apart, size = difference(claim, world, meanings, scope, degrees=degrees, noted=noted)
+    size = np.where(np.isfinite(size), size, 0.0)
     tolerance = _RELATIVE * size + _ROUNDING * _magnitude(world)
     if claim.sign == "=" and (apart != 0).any() and (np.abs(apart) <= 1e-6 * size.max()).any():
         terms = scale(claim, world, meanings, scope)
@@ -206,7 +207,7 @@ def _moved(
     if is_angular(claim, world, meanings, scope):
         changes = (_within_a_turn(each) for each in changes)
     moved = np.maximum(*map(np.abs, changes))
-    return np.where(np.isnan(moved), 0.0, moved)
+    return np.where(np.isfinite(moved), moved, 0.0)
 
 
 def _holding(sign: Sign, apart: Array, tolerance: Array, *, closed: bool = False) -> Array:
