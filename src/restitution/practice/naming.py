@@ -45,6 +45,9 @@ if TYPE_CHECKING:
 _OF_SIGNS = frozenset(
     {"momentum-sign", "restitution-sign", "impulse-sign", "deflection-difference"}
 )
+_OF_SPEEDS = frozenset({"restitution-whole-speed", "speed-for-component", "impulse-of-speeds"})
+# Where a speed is the size of a component, these are what they are called.
+_PLAINER = frozenset({"momentum-sign", "restitution-sign", "impulse-sign", "restitution-inverted"})
 _OF_POWERS = frozenset({"square-not-taken", "energy-ratio-as-speed"})
 _OF_FACTORS = frozenset({"mass-omitted", "restitution-omitted", "energy-no-half", "across-changed"})
 _LAWS = frozenset({"momentum", "restitution", "unchanged", "impulse", "energy", "deflection"})
@@ -54,6 +57,9 @@ _BEFORE: Mapping[str, set[str]] = {
     "angle-from-normal": {"sine-cosine"},
     "energy-conserved": {"restitution-omitted", "restitution-inverted"},
     "energy-component-missing": {"energy-fraction-of-line"},
+    "speed-for-component": {"momentum-sign", "restitution-sign", "restitution-inverted"},
+    "restitution-whole-speed": {"restitution-sign", "restitution-inverted"},
+    "impulse-of-speeds": {"impulse-sign"},
     "deflection-difference": {"deflection-is-after"},
 }
 _BEFORE_AT_A_WALL: Mapping[str, set[str]] = {"across-changed": {"restitution-parallel"}}
@@ -113,7 +119,8 @@ class Names:
         usual = {**_BEFORE, **(_BEFORE_AT_A_WALL if wall else _BEFORE_OF_SPHERES)}
         likely = [each for each in families if not set(families) & usual.get(each, set())]
         name = likely[0] if len(likely) == 1 else None
-        also = tuple(each for each in families if each != name)
+        dull = _OF_SPEEDS if name in _PLAINER else frozenset()
+        also = tuple(each for each in families if each != name and each not in dull)
         return Mistake(name, "misconception", ids, also, found.at, sure=not also)
 
     # --- misconceptions -----------------------------------------------------------------------
@@ -236,7 +243,7 @@ def _is_law(correction: Correction, entry: Entry, judge: Judge) -> bool:
 def _stands(variant: VariantAt, mended: Sequence[Correction]) -> bool:
     """Whether no slip explains a line as well as an altered law does."""
     undone = {"radians"} if variant.mistake == "sine-cosine" else set()
-    if variant.mistake in _OF_SIGNS:
+    if variant.mistake in _OF_SIGNS | _OF_SPEEDS:
         undone |= {"sign"}
     if variant.mistake in _OF_POWERS:
         undone |= {"power"}

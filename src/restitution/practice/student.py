@@ -57,6 +57,7 @@ def student_world(
     """
     order = list(reversed(entries)) if latest else list(entries)
     own = [each for each in order if not each.right] + [each for each in order if each.right]
+    own = own[:_LINES]
     equations = [
         _of_entry(each) for each in own if each.claim.sign == "=" and not each.claim.others
     ]
