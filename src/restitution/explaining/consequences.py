@@ -107,16 +107,17 @@ def _solved(changed: AlteredProblem, time_limit: float | None) -> Solution:
 def _needs(variant: Alteration, problem: Problem) -> str:
     """What a question lacks to which a variant does not apply."""
     if variant.results and not _has(variant, problem):
-        return f"there is no impact {_PLACES[variant.where]}"
+        return f"{NO_IMPACT} {_PLACES[variant.where]}"
     if variant.results:
         kinds = dict.fromkeys(each.quantity.partition("(")[0] for each in variant.results)
         spoken = " or ".join(each.replace("_", " ") for each in kinds)
         return f"the statement does not speak of {spoken} in a way that it alters"
     if variant.mistake == "second-wall-angle":
         return "no sphere goes from one wall to another"
-    return f"there is no impact {_PLACES[variant.where]}"
+    return f"{NO_IMPACT} {_PLACES[variant.where]}"
 
 
+NO_IMPACT = "there is no impact"
 _PLACES = {"wall": "with a wall", "spheres": "of two spheres", "impact": ""}
 
 
@@ -278,7 +279,8 @@ def _why_not(name: str, wanted: list[Alteration], reasons: list[str]) -> str:
         each for each in reasons if "does not apply" not in each and "has no world" not in each
     ]
     if not apply:
-        return f"{name} does not apply here: {reasons[0].partition(': ')[2]}"
+        nearest = next((each for each in reasons if NO_IMPACT not in each), reasons[0])
+        return f"{name} does not apply here: {nearest.partition(': ')[2]}"
     if all("leads to no answer" in each for each in apply):
         return f"{name} leads to no answer here: {apply[0].partition(': ')[2]}"
     return f"{name} changes no answer here"

@@ -12,6 +12,7 @@ from dataclasses import replace
 
 from restitution.errors import UnsupportedError
 from restitution.explaining.consequences import (
+    NO_IMPACT,
     AlteredWorld,
     altered_world,
     applying,
@@ -40,7 +41,10 @@ def of_mistake(
     altered_ = motions(world.solution, part, true[0].numbers.numbers)
     data = of_motions(true, solution.problem.title, seconds)
     for number, (shown, motion) in enumerate(zip(data["motions"], true, strict=True)):
-        twin = _in_place(motion, _twin(motion, altered_, number))
+        alike = _twin(motion, altered_, number)
+        if alike is None:
+            continue
+        twin = _in_place(motion, alike)
         (other,) = of_motions([twin], None, seconds)["motions"]
         _in_step(shown, other)
         shown["beside"] = {
@@ -48,6 +52,8 @@ def of_mistake(
             "says": list(sentences(twin)),
             "motion": other,
         }
+    if not any("beside" in shown for shown in data["motions"]):
+        raise UnsupportedError(f"the motion of {world.id} cannot be shown: it has other bodies")
     return data
 
 
@@ -84,20 +90,18 @@ def world_to_play(solution: Solution, mistake: str) -> AlteredWorld:
         else:
             unchanged.append(world)
     if not unchanged:
-        raise reasons[0]
+        raise next((each for each in reasons if NO_IMPACT not in each.message), reasons[0])
     return unchanged[0]
 
 
-def _twin(motion: PartMotion, others: Sequence[PartMotion], number: int) -> PartMotion:
-    """The altered motion of the same part and bodies."""
+def _twin(motion: PartMotion, others: Sequence[PartMotion], number: int) -> PartMotion | None:
+    """The altered motion of the same part and bodies; None where the mistake leaves none."""
     alike = [
         each
         for each in others
-        if set(each.labels) & set(motion.labels) and each.bodies == motion.bodies
+        if set(each.labels) & set(motion.labels) and set(each.bodies) == set(motion.bodies)
     ]
-    if not alike:
-        raise UnsupportedError("the altered motion cannot be shown: it has other bodies")
-    return alike[min(number, len(alike) - 1)]
+    return alike[min(number, len(alike) - 1)] if alike else None
 
 
 def _in_place(true: PartMotion, other: PartMotion) -> PartMotion:
