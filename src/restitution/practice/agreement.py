@@ -203,10 +203,11 @@ def _moved(
 ) -> Array:
     """By how much the difference of the sides changes where a decimal is put at either end."""
     ends = [difference(claim, world, meanings, scope, degrees=degrees, put=each)[0] for each in put]
-    changes = (each - apart for each in ends)
-    if is_angular(claim, world, meanings, scope):
-        changes = (_within_a_turn(each) for each in changes)
-    moved = np.maximum(*map(np.abs, changes))
+    with np.errstate(all="ignore"):
+        changes = [each - apart for each in ends]
+        if is_angular(claim, world, meanings, scope):
+            changes = [_within_a_turn(each) for each in changes]
+        moved = np.maximum(*map(np.abs, changes))
     return np.where(np.isfinite(moved), moved, 0.0)
 
 
