@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
+from math import gcd
 
 from restitution.practice.dice import Dice
 from restitution.practice.nice import (
@@ -46,15 +47,14 @@ def _right_angle_1(d: Dice) -> str:
 
 def _turned(d: Dice) -> tuple[int, int, Acute, Fraction]:
     """Masses, an angle and a coefficient with which A is turned through a right angle."""
-    options = [
-        (m1, m2, Acute(a, b, 0), e)
-        for e in COEFFICIENTS
-        for m1 in range(1, 5)
-        for m2 in range(2, 7)
-        for a in range(1, 5)
-        for b in range(1, 5)
-        if m1 != m2 and a != b and (e * m2 - m1) * b * b == (m1 + m2) * a * a
-    ]
+    options = []
+    for m1 in range(1, 6):
+        for m2 in range(2, 10):
+            for a, b in ((a, b) for a in range(1, 6) for b in range(1, 6)):
+                e = (m1 + (m1 + m2) * Fraction(a * a, b * b)) / m2
+                plain = gcd(m1, m2) == gcd(a, b) == 1 and a != b and e.denominator <= 12
+                if plain and Fraction(1, 5) <= e <= Fraction(9, 10):
+                    options.append((m1, m2, Acute(a, b, 0), e))
     return d.of(options)
 
 
@@ -98,7 +98,7 @@ def _right_angle_4(d: Dice) -> str:
         "find tan(alpha)",
         "part b",
         f"given e = {ratio(e)}",
-        "find speed(A), speed(B), energy_lost/energy(0)",
+        d.of(("find speed(A), speed(B)", "find speed(B), impulse")),
     )
 
 

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from restitution.practice.dice import Dice
 from restitution.practice.nice import (
+    COEFFICIENTS,
     LINES,
     Acute,
     acute,
@@ -439,14 +440,14 @@ def _energy_3(d: Dice) -> str:
 
 def _energy_4(d: Dice) -> str:
     s = _sphere(d)
-    angle = acute(d, 13)
-    e = coefficient(d, Fraction(angle.across, angle.along))
-    share = (1 - e * e) * Fraction(angle.across, angle.hypotenuse) ** 2
+    square = d.of(tuple(map(Fraction, ("9/25", "16/25", "1/4", "1/2", "3/4"))))  # of the sine
+    e = d.of(COEFFICIENTS)
+    weight, speed = d.of((("m", "u"), ("2m", "u"), ("3m", "u"), (mass(d), f"{d.between(4, 15)}")))
     return lines_of(
         "wall W: along i",
-        f"sphere {s}: mass {d.of(('m', '2m', '3m'))}, velocity u at alpha to W",
+        f"sphere {s}: mass {weight}, velocity {speed} at alpha to W",
         f"{s} hits W: e = {ratio(e)}",
-        f"given energy_lost = {share} energy(0)",
+        f"given energy_lost = {(1 - e * e) * square} energy(0)",
         "part a",
         "find alpha",
         "part b",
