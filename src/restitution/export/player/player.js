@@ -158,7 +158,8 @@ class Player {
     const labels = data.motions.map(({ label }, i) => label || `Motion ${i + 1}`);
     this.choice.replaceChildren(...labels.map((label, i) => html("option", { value: i }, label)));
     this.choice.hidden = data.motions.length < 2;
-    this.choose(data.motions.length - 1);
+    const compared = data.motions.findLastIndex(({ beside }) => beside);
+    this.choose(compared < 0 ? data.motions.length - 1 : compared);
   }
 
   // One of several motions.
