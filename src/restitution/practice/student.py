@@ -48,12 +48,19 @@ class Equation:
 
 
 def student_world(
-    base: World, entries: Sequence[Entry], unknown: Collection[str] = (), *, latest: bool = True
+    base: World,
+    entries: Sequence[Entry],
+    unknown: Collection[str] = (),
+    *,
+    latest: bool = True,
+    broken: Collection[tuple[str, int | None]] = (),
 ) -> World | None:
     """The world in which the lines of a student hold, as far as they hold together.
 
     ``unknown`` are the letters of the statement that the part has to find. Where lines clash those
-    that are not true win, of these the ``latest`` or the first. None where it has no values.
+    that are not true win, of these the ``latest`` or the first.
+    Laws that are ``broken``, each at an event, do not hold beside them. None where there are no
+    such values.
     """
     order = list(reversed(entries)) if latest else list(entries)
     own = [each for each in order if not each.right] + [each for each in order if each.right]
@@ -61,7 +68,8 @@ def student_world(
     equations = [
         _of_entry(each) for each in own if each.claim.sign == "=" and not each.claim.others
     ]
-    return _solved(base, [*equations, *facts_of(base), *laws_of(base)], unknown)
+    laws = [each for each in laws_of(base) if (each.law, each.event) not in broken]
+    return _solved(base, [*equations, *facts_of(base), *laws], unknown)
 
 
 def world_of_lines(base: World, entries: Sequence[Entry], unknown: Collection[str]) -> World | None:

@@ -394,9 +394,25 @@ class Judge:
 
     def _worlds_of_student(self) -> Iterator[World]:
         for latest in (True, False):
-            world = student_world(self._base, self.entries, self.question.unknown, latest=latest)
+            world = student_world(
+                self._base,
+                self.entries,
+                self.question.unknown,
+                latest=latest,
+                broken=self._broken(),
+            )
             if world is not None:
                 yield world
+
+    def _broken(self) -> frozenset[tuple[str, int | None]]:
+        """The laws in whose place the student has an altered one."""
+        return frozenset(
+            (use.principle, use.event)
+            for entry in self.entries
+            if entry.wrong
+            for use in self.uses_of_entry(entry)
+            if use.altered is not None
+        )
 
     def altered(self, variant: VariantAt) -> World | None:
         """The world of an altered law, all else being right."""

@@ -1,0 +1,109 @@
+"""The student's own world, and what follows from lines by algebra alone."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+import restitution
+from restitution.explaining.facts import events_of
+from restitution.explaining.misconceptions import variants_at
+from restitution.expression import read_expression
+from restitution.practice.agreement import agrees
+from restitution.practice.deduction import deduced_from
+from restitution.practice.entries import Entry
+from restitution.practice.sampling import true_worlds
+from restitution.practice.script import Claim
+from restitution.practice.student import altered_world, student_world, world_of_lines
+from restitution.practice.world import World
+
+_STATEMENT = """
+sphere A: mass 4, velocity 5i + 2j
+sphere B: mass 1, velocity -3i + 7j
+A hits B: along i, e = 1/4
+find velocity(A), velocity(B)
+"""
+# By hand: 4v + w = 17 and w - v = 2, so v = 3 and w = 5.
+_MEANINGS = {
+    "v": read_expression("along(velocity(A), i)", names={"A", "B"}),
+    "w": read_expression("along(velocity(B), i)", names={"A", "B"}),
+}
+
+
+@cache
+def _world() -> World:
+    (world,) = true_worlds(restitution.solve(restitution.parse(_STATEMENT)), None)
+    return world
+
+
+def _entry(text: str, *, right: bool = True) -> Entry:
+    left, _, other = text.partition("=")
+    claim = Claim(read_expression(left), "=", read_expression(other))
+    return Entry(1, claim, _MEANINGS, right=right, wrong=not right)
+
+
+def _holds(text: str, world: World) -> bool:
+    return agrees(_entry(text).claim, world, _MEANINGS) is not None
+
+
+def test_laws_that_a_wrong_line_leaves_standing_hold_on() -> None:
+    # 4v + w = 23 in place of momentum: with w = v + 2, v = 21/5.
+    own = student_world(_world(), [_entry("20 + 3 = 4v + w", right=False)])
+    assert own is not None
+    assert _holds("v = 21/5", own)
+    assert _holds("w = 31/5", own)
+    assert np.allclose(own.after[1, "A"].y, 2)
+
+
+def test_a_wrong_value_wins_over_the_lines_before_it() -> None:
+    lines = [_entry("17 = 4v + w"), _entry("w - v = 2"), _entry("v = 4", right=False)]
+    latest = student_world(_world(), lines)
+    first = student_world(_world(), lines, latest=False)
+    assert latest is not None
+    assert first is not None
+    assert _holds("w = 6", latest)
+    assert _holds("w = 1", first)
+
+
+def test_lines_alone_carry_what_they_determine_and_nothing_else() -> None:
+    both = world_of_lines(_world(), [_entry("17 = 4v + w"), _entry("w - v = 2")], ())
+    one = world_of_lines(_world(), [_entry("17 = 4v + w")], ())
+    assert both is not None
+    assert one is not None
+    assert _holds("v = 3", both)
+    assert not _holds("v = 3", one)
+
+
+def test_an_altered_law_stands_in_place_of_the_right_one() -> None:
+    (event,) = events_of(_world().problem)
+    variant = next(each for each in variants_at(event) if each.mistake == "restitution-inverted")
+    world = altered_world(_world(), variant)
+    assert world is not None
+    # e(w - v) = 8 gives w - v = 32, and 4v + w = 17.
+    assert _holds("v = -3", world)
+    assert _holds("w = 29", world)
+
+
+@pytest.mark.parametrize(
+    ("text", "places"),
+    [
+        ("w = v + 2", (1,)),
+        ("17 = 5v + 2", (0, 1)),
+        ("v = 3", (0, 1)),
+        ("v = 4", ()),
+        ("w = 17 - 4v", (0,)),
+    ],
+)
+def test_what_follows_by_algebra(text: str, places: tuple[int, ...]) -> None:
+    lines = [_entry("17 = 4v + w"), _entry("w - v = 2")]
+    assert deduced_from(_entry(text), lines, _world()) == places
+
+
+def test_algebra_without_a_real_end_is_followed() -> None:
+    line = Claim(read_expression("20 sin(alpha)^2"), "=", read_expression("30"))
+    right = Claim(read_expression("sin(alpha)^2"), "=", read_expression("3/2"))
+    wrong = Claim(read_expression("sin(alpha)^2"), "=", read_expression("2/3"))
+    assert deduced_from(Entry(2, right), [Entry(1, line)], _world()) == (0,)
+    assert deduced_from(Entry(2, wrong), [Entry(1, line)], _world()) == ()
