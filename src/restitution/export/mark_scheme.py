@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from html import escape
 
 from restitution.practice.mark_scheme import SchemeRow
+from restitution.render.layout import Words
+from restitution.render.typst import to_typst as equation
 from restitution.render.typst import words
 
 _HEADS = ("Part", "Marks", "For", "Notes")
@@ -21,46 +23,68 @@ table.scheme .notes { font-size: .86rem }
 
 def to_html(rows: Sequence[SchemeRow]) -> str:
     """The scheme as a table."""
-    heads = "".join(f'<th scope="col">{each}</th>' for each in _HEADS)
-    body = "".join(_html_row(row, new) for row, new in _with_parts(rows))
+    parted = _has_parts(rows)
+    heads = "".join(f'<th scope="col">{each}</th>' for each in _HEADS[not parted :])
+    body = "".join(_html_row(row, new, parted) for row, new in _with_parts(rows))
     total = sum(len(row.marks) for row in rows)
     return (
         f'<table class="scheme"><thead><tr>{heads}</tr></thead><tbody>{body}'
-        f'<tr><td></td><td class="marks">{total}</td><td colspan="2">Total</td></tr>'
-        "</tbody></table>"
+        f'<tr>{"<td></td>" if parted else ""}<td class="marks">{total}</td>'
+        '<td colspan="2">Total</td></tr></tbody></table>'
     )
 
 
-def _html_row(row: SchemeRow, new: bool) -> str:
+def _html_row(row: SchemeRow, new: bool, parted: bool) -> str:
+    from restitution.workings.html import inline
+
     label = f"({escape(row.part)})" if new and row.part is not None else ""
-    working = f"<br>{escape(row.working)}" if row.working else ""
+    line = f"<br>{inline(row.line)}" if row.line else ""
     notes = "<br>".join(map(escape, row.notes))
     return (
-        f'<tr><td>{label}</td><td class="marks">{escape(" ".join(row.marks))}</td>'
-        f'<td>{escape(row.purpose)}{working}</td><td class="notes">{notes}</td></tr>'
+        f"<tr>{f'<td>{label}</td>' if parted else ''}"
+        f'<td class="marks">{escape(" ".join(row.marks))}</td>'
+        f'<td>{escape(row.purpose)}{line}</td><td class="notes">{notes}</td></tr>'
     )
 
 
 def to_typst(rows: Sequence[SchemeRow]) -> str:
-    """The scheme as a table in Typst's markup."""
-    cells = [f"[#strong[{words(each)}]]" for each in _HEADS]
+    """The scheme as a table in Typst's markup; its head stands on every page."""
+    parted = _has_parts(rows)
+    heads = ", ".join(f"[#strong[{words(each)}]]" for each in _HEADS[not parted :])
+    cells = [f"table.header({heads})"]
     for row, new in _with_parts(rows):
         label = f"({row.part})" if new and row.part is not None else ""
-        working = f" #linebreak() {words(row.working)}" if row.working else ""
+        line = f" #linebreak() {_typst_line(row)}" if row.line else ""
         notes = " #linebreak() ".join(words(each) for each in row.notes)
+        cells += [f"[{words(label)}]"] * parted
         cells += [
-            f"[{words(label)}]",
             f"[#strong[{words(' '.join(row.marks))}]]",
-            f"[{words(row.purpose)}{working}]",
+            f"[{words(row.purpose)}{line}]",
             f"[#text(size: 0.85em)[{notes}]]",
         ]
     total = sum(len(row.marks) for row in rows)
-    cells += ["[]", f"[#strong[{words(str(total))}]]", f"[{words('Total')}]", "[]"]
+    cells += ["[]"] * parted
+    cells += [f"[#strong[{words(str(total))}]]", f"[{words('Total')}]", "[]"]
     inside = ",\n  ".join(cells)
+    columns = "(auto, auto, 1.2fr, 1fr)" if parted else "(auto, 1.2fr, 1fr)"
     return (
-        "#table(columns: (auto, auto, 1.2fr, 1fr), stroke: 0.4pt, inset: 5pt, "
-        f"align: left + top,\n  {inside},\n)"
+        f"#table(columns: {columns}, stroke: 0.4pt, inset: 5pt, align: left + top,\n  {inside},\n)"
     )
+
+
+def _typst_line(row: SchemeRow) -> str:
+    """The line as it is set in the worked solution."""
+    pieces = []
+    for each in row.line:
+        if isinstance(each, str | Words):
+            pieces.append(words(each if isinstance(each, str) else each.text))
+        else:
+            pieces.append(equation(each))
+    return "".join(pieces)
+
+
+def _has_parts(rows: Sequence[SchemeRow]) -> bool:
+    return any(row.part is not None for row in rows)
 
 
 def _with_parts(rows: Sequence[SchemeRow]) -> list[tuple[SchemeRow, bool]]:

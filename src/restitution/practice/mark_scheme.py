@@ -13,11 +13,12 @@ from restitution.explaining.consequences import altered_world, applying
 from restitution.explaining.marks import Style
 from restitution.explaining.misconceptions import MISCONCEPTIONS
 from restitution.practice.scheme import MarkPoint, schemes
+from restitution.render.layout import Layout
 from restitution.render.text import to_text
 from restitution.solving.solution import Solution
 from restitution.work import limited
 from restitution.workings import explain
-from restitution.workings.steps import PartExplanation, Row
+from restitution.workings.steps import PartExplanation, Row, Words
 
 _MOST_WRONG = 4
 _SECONDS = 2.5
@@ -30,8 +31,15 @@ class SchemeRow:
     part: str | None
     marks: tuple[str, ...]
     purpose: str
-    working: str
+    line: Words
     notes: tuple[str, ...]
+
+    @property
+    def working(self) -> str:
+        """The line as text."""
+        return "".join(
+            each if isinstance(each, str) else to_text(each) for each in self.line
+        ).strip()
 
 
 def mark_scheme(solution: Solution, style: Style = "fm1") -> tuple[SchemeRow, ...]:
@@ -40,46 +48,46 @@ def mark_scheme(solution: Solution, style: Style = "fm1") -> tuple[SchemeRow, ..
     rows: list[SchemeRow] = []
     for part in explain(solution, marks=style).parts:
         points = list(schemes(solution, part.label, style)[0].points)
-        for marks, working in _beside(part, points):
+        for marks, line in _beside(part, points):
             own, points = points[: len(marks)], points[len(marks) :]
-            rows.append(_row(part.label, own, working, solution, wrong))
+            rows.append(_row(part.label, own, line, solution, wrong))
     return tuple(rows)
 
 
 def _beside(
     part: PartExplanation, points: Sequence[MarkPoint]
-) -> Iterator[tuple[Sequence[str], str]]:
+) -> Iterator[tuple[Sequence[str], Words]]:
     """The marks of each line with the line; without lines where the working has other marks."""
     lines = [each for each in _lines(part) if each[0]]
     if [mark for marks, _ in lines for mark in marks] == [point.kind for point in points]:
         yield from lines
         return
     for point in points:
-        yield [point.kind], ""
+        yield [point.kind], ()
 
 
-def _lines(part: PartExplanation) -> Iterator[tuple[list[str], str]]:
+def _lines(part: PartExplanation) -> Iterator[tuple[list[str], Words]]:
     for step in part.steps:
         if step.mark:
-            words = "".join(each if isinstance(each, str) else to_text(each) for each in step.words)
-            yield step.mark.split(), words.strip()
+            yield step.mark.split(), step.words
         for row in step.rows:
-            yield row.mark.split(), _text(row)
+            yield row.mark.split(), _words(row)
 
 
-def _text(row: Row) -> str:
-    """A line of mathematics as text."""
-    pieces = ["" if each is None else to_text(each) for each in row.operands]
-    text = pieces[0]
-    for sign, piece in zip(row.signs, pieces[1:], strict=False):
-        text += f" {sign} {piece}"
-    return text.strip()
+def _words(row: Row) -> Words:
+    """A line of mathematics with its signs."""
+    pieces: list[str | Layout] = [each for each in row.operands[:1] if each is not None]
+    for sign, operand in zip(row.signs, row.operands[1:], strict=False):
+        pieces.append(f" {sign} ")
+        if operand is not None:
+            pieces.append(operand)
+    return tuple(pieces)
 
 
 def _row(
     part: str | None,
     points: Sequence[MarkPoint],
-    working: str,
+    line: Words,
     solution: Solution,
     wrong: dict[tuple[str | None, int], list[str]],
 ) -> SchemeRow:
@@ -90,7 +98,7 @@ def _row(
         part,
         tuple(point.kind for point in points),
         purpose[:1].upper() + purpose[1:],
-        working,
+        line,
         tuple(notes),
     )
 
