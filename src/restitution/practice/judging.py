@@ -237,7 +237,11 @@ class _Sitting:
             )
         )
         _, again = self._judged(script, self.meanings.best)
-        return tuple(replace(new, line=old.line) for old, new in zip(lines, again, strict=True))
+        typed = [each.number for each in self.script.lines if each.kind == "relations"]
+        return tuple(
+            old if _is_withdrawn(old, new, typed) else replace(new, line=old.line)
+            for old, new in zip(lines, again, strict=True)
+        )
 
     # --- misread data ---------------------------------------------------------------------------
 
@@ -294,6 +298,12 @@ def _reread(line: ScriptLine, typed: Fraction, datum: Fraction) -> ScriptLine:
         for link in line.links
     )
     return replace(line, links=links)
+
+
+def _is_withdrawn(old: JudgedLine, new: JudgedLine, typed: Sequence[int]) -> bool:
+    """Whether a line was crossed out for being wrong, and the working went on."""
+    crossed = old.line.kind == "crossed" and new.verdict == "false"
+    return crossed and any(number > old.line.number for number in typed)
 
 
 def _is_replaced(line: ScriptLine, below: Sequence[ScriptLine]) -> bool:
