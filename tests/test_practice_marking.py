@@ -154,3 +154,57 @@ def test_a_marking_is_text_for_a_terminal_and_html_that_holds_no_markup_of_the_s
     assert max(map(len, str(marking).splitlines())) <= 80
     assert "Marks:" in str(marking)
     assert "<b>6" not in marking._repr_html_()
+
+
+LINE = """sphere A: mass 5, velocity 4i
+sphere B: mass 3, velocity -4i
+A hits B: along i, e = 1/3
+"""
+
+UNNAMED = """wall W: along i
+sphere P: mass 2, velocity 6i - 8j
+P hits W: e = 1/4
+"""
+
+
+def of_letters(statement: str, typed: str, letters=BOTH):
+    return restitution.mark(solution(statement), typed, letters=letters)
+
+
+def test_components_answer_for_a_velocity_whose_other_component_is_zero():
+    typed = "5*4 - 3*4 = 5v + 3w\nw - v = 1/3 * 8\n8v = 0\nv = 0\nw = 8/3"
+    for asked in ("velocity(A), velocity(B)", "speed(A), speed(B)"):
+        reply = of_letters(LINE + f"find {asked}", typed)
+        assert reply.marks.earned == reply.marks.of
+    wrong = of_letters(LINE + "find velocity(A), velocity(B)", typed.replace("w = 8/3", "w = 3"))
+    assert wrong.marks.earned == wrong.marks.of - 1
+
+
+def test_two_components_answer_for_a_velocity():
+    statement = UNNAMED + "find velocity(P)"
+    typed = "x component after = 6\ny component after = 1/4*8 = 2"
+    both, one = of_letters(statement, typed, {}), of_letters(statement, typed.splitlines()[1], {})
+    assert both.marks.earned == both.marks.of
+    assert one.marks.earned < one.marks.of
+
+
+@pytest.mark.parametrize(
+    ("asked", "typed"),
+    [
+        ("energy_lost", "1/2*2*(64 - 4) = 60"),
+        ("impulse", "2*8 + 2*2 = 20"),
+        ("deflection(P)", "53.13 + 18.43 = 71.6"),
+    ],
+)
+def test_a_value_without_a_name_answers(asked, typed):
+    right = of_letters(UNNAMED + f"find {asked}", typed, {})
+    assert right.marks.earned == right.marks.of
+    other = of_letters(UNNAMED + f"find {asked}", "2*8 = 16", {})
+    assert other.marks.earned < other.marks.of
+
+
+def test_a_letter_for_a_component_gives_a_printed_speed():
+    statement = LINE + "show speed(B) = 8/3"
+    reply = of_letters(statement, "5*4 - 3*4 = 5v + 3w\nw - v = 8/3\n8w = 64/3\nw = 8/3")
+    assert reply.marks.earned == reply.marks.of
+    assert of_letters(statement, "w = 8/3").marks.earned == 0

@@ -174,8 +174,10 @@ class _Examiner:
     def _value(self, point: MarkPoint) -> PointMark:
         """A value: true, or his own where the point follows through; the last one given counts."""
         last: PointMark | None = None
-        for line in self.lines:
-            match = self.values.matches(point, line)
+        for place, line in enumerate(self.lines, 1):
+            match = self.values.matches(point, line) or self.values.completes(
+                point, self.lines[:place]
+            )
             if match is None:
                 continue
             if line.verdict == "true" and match == "true":
@@ -258,8 +260,7 @@ class _Examiner:
 
     def _imply(self) -> None:
         """A true value earns what it cannot be had without; not where the result is printed."""
-        if any(point.shown for point in self.scheme.points):
-            return
+        printed = {name for each in self.scheme.points if each.shown for name in each.above}
         for point in reversed(self.scheme.points):
             own = self.states[point.id]
             if own.state != "earned" or own.line is None or point.shown:
@@ -275,7 +276,7 @@ class _Examiner:
                 continue
             for name in point.above:
                 state = self.states[name]
-                if state.state == "earned" or state.point.shown:
+                if state.state == "earned" or state.point.shown or name in printed:
                     continue
                 if state.line is not None and self._is_wrong(state.line):
                     continue

@@ -16,7 +16,7 @@ import numpy as np
 
 from restitution.explaining.trees import exchanged
 from restitution.expression.evaluate import Angle, Value
-from restitution.expression.tree import Expression, Letter, Negate, Quantity, children
+from restitution.expression.tree import Expression, Letter, Negate, Number, Quantity, children
 from restitution.practice.arrays import Array, UnvaluedError
 from restitution.practice.interpretation import Interpretation
 from restitution.practice.judgement import JudgedLine, Meaning
@@ -29,6 +29,8 @@ from restitution.vector import Vector
 Match = Literal["true", "own"]
 
 _NEAR = 1e-7
+_ROUNDED = 2e-3
+_IMPULSE = ("I", "J")
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,9 +59,32 @@ class Values:
         if point.link is None:
             return None
         if point.shown and not self._is_printed(point, line):
-            return None
+            whole = line.verdict == "true" and self._gives_whole(point.link.left, line)
+            return self._match(line) if whole else None
         if not point.shown and not self._gives(point.link.left, line):
+            computed = point.letter == "A" and self._computes(point.link.left, line)
+            if not computed and not self._gives_whole(point.link.left, line):
+                return None
+        return self._match(line)
+
+    def completes(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> Match | None:
+        """Whether the last of some lines completes the components of a point's velocity."""
+        link = point.link
+        if link is None or point.shown or not isinstance(link.left, Quantity) or not lines:
             return None
+        if link.left.kind != "velocity":
+            return None
+        squares = [square for line in lines for square in self._squares(link.left, line)]
+        own = self._squares(link.left, lines[-1])
+        if not own:
+            return None
+        size = self._size(link.left)
+        if size is None or not any(_near(a + b, size**2) for a in own for b in squares):
+            return None
+        sound = all(line.verdict == "true" for line in lines if self._squares(link.left, line))
+        return "own" if not sound else self._match(lines[-1])
+
+    def _match(self, line: JudgedLine) -> Match:
         return "true" if line.verdict == "true" or self.his_own else "own"
 
     def is_solved(self, line: JudgedLine) -> bool:
@@ -145,6 +170,95 @@ class Values:
         if line.verdict == "remark":
             return False
         return self.value_of(quantity, line) is not None
+
+    def _computes(self, quantity: Expression, line: JudgedLine) -> bool:
+        """Whether a true line without a name computes what a quantity is worth, and is not zero."""
+        if line.verdict != "true":
+            return False
+        meanings = self._meanings(line)
+        for chain in _chains(line):
+            first, last = chain[0].left, chain[-1].right
+            impulse = isinstance(first, Letter) and first.name in _IMPULSE
+            impulse = impulse and isinstance(quantity, Quantity) and quantity.kind == "impulse"
+            nameless = self._is_nameless(first, meanings, line)
+            if not nameless and not impulse:
+                continue
+            try:
+                worth = self._base.value(last, meanings, line.line.scope)
+                asked = self._base.value(quantity)
+            except UnvaluedError:
+                continue
+            rounded = line.line.links[-1].decimals and line.accuracy != "coarse"
+            near = _is_rounded if rounded else _same
+            if near(self._base, worth, asked) and not _is_zero(self._base, asked):
+                return True
+        return False
+
+    def _is_nameless(
+        self, side: Expression, meanings: Mapping[str, Expression], line: JudgedLine
+    ) -> bool:
+        """Whether a side is a calculation, or a letter of which no meaning is known."""
+        if isinstance(side, Number):
+            return False
+        if isinstance(side, Letter):
+            return side.name not in meanings and not self._has_value(side, meanings, line)
+        return self._is_value(side, meanings, line)
+
+    def _has_value(
+        self, side: Expression, meanings: Mapping[str, Expression], line: JudgedLine
+    ) -> bool:
+        try:
+            self._base.value(side, meanings, line.line.scope)
+        except UnvaluedError:
+            return False
+        return True
+
+    def _gives_whole(self, quantity: Expression, line: JudgedLine) -> bool:
+        """Whether a line gives the only component of a velocity, where the other one is zero."""
+        size = self._size(quantity)
+        return size is not None and any(
+            _near(square, size**2) for square in self._squares(quantity, line)
+        )
+
+    def _squares(self, quantity: Expression, line: JudgedLine) -> list[Array]:
+        """The true squares of the components of a velocity that a sound line gives a value."""
+        if not isinstance(quantity, Quantity) or quantity.kind not in ("velocity", "speed"):
+            return []
+        if line.verdict not in ("true", "follows", "false"):
+            return []
+        velocity = replace(quantity, kind="velocity")
+        meanings = self._meanings(line)
+        squares: list[Array] = []
+        for chain in _chains(line):
+            sides = chain[0].left, chain[-1].right
+            for named, value in (sides, sides[::-1]):
+                tree = exchanged(named, {Letter(name): meant for name, meant in meanings.items()})
+                if not any(self._names(each, velocity, {}, line) for each in _within(tree)):
+                    continue
+                if not self._is_component(tree) or not self._is_value(value, meanings, line):
+                    continue
+                try:
+                    true = self._base.value(named, meanings, line.line.scope)
+                except UnvaluedError:
+                    continue
+                if not isinstance(true, Vector):
+                    squares.append(_number(self._base, true) ** 2)
+        return squares
+
+    def _is_component(self, tree: Expression) -> bool:
+        """Whether a tree is a component of a velocity, or that turned round."""
+        if isinstance(tree, Negate):
+            (tree,) = children(tree)
+        return isinstance(tree, Quantity) and tree.kind in ("along", "across")
+
+    def _size(self, quantity: Expression) -> Array | None:
+        """The true size of a velocity or speed; None where a quantity is neither."""
+        if not isinstance(quantity, Quantity) or quantity.kind not in ("velocity", "speed"):
+            return None
+        try:
+            return _number(self._base, self._base.value(replace(quantity, kind="speed")))
+        except UnvaluedError:
+            return None
 
     def _is_printed(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line is the printed relation, its sides perhaps exchanged, or ends in it."""
@@ -251,6 +365,23 @@ def _same(world: World, one: Value, other: Value) -> bool:
         )
     a, b = _number(world, one), _number(world, other)
     return _near(a, b) or _near(a, -b)
+
+
+def _is_rounded(world: World, own: Value, true: Value) -> bool:
+    """Whether a value is another one to 3 figures; a bare number is an angle in degrees."""
+    if isinstance(own, Vector) or isinstance(true, Vector):
+        return _same(world, own, true)
+    a, b = _number(world, own), _number(world, true)
+    if isinstance(true, Angle) and not isinstance(own, Angle):
+        a = np.radians(a)
+    return bool(np.allclose(np.abs(a), np.abs(b), rtol=_ROUNDED))
+
+
+def _is_zero(world: World, value: Value) -> bool:
+    if isinstance(value, Vector):
+        return _is_zero(world, value.x) and _is_zero(world, value.y)
+    number = _number(world, value)
+    return _near(number, 0 * number)
 
 
 def _number(world: World, value: Value) -> Array:
