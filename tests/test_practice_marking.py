@@ -208,3 +208,15 @@ def test_a_letter_for_a_component_gives_a_printed_speed():
     reply = of_letters(statement, "5*4 - 3*4 = 5v + 3w\nw - v = 8/3\n8w = 64/3\nw = 8/3")
     assert reply.marks.earned == reply.marks.of
     assert of_letters(statement, "w = 8/3").marks.earned == 0
+
+
+def test_right_answers_earn_what_they_do_without_and_a_mistake_does_not():
+    statement = (
+        "sphere A: mass 2m, velocity u at alpha\nsphere B: mass 3m, at rest\n"
+        "A hits B: along i\ngiven direction(A) = 90°\nfind e"
+    )
+    typed = "2m u cos α = 3 m w\nw = e u cos α\ne = 2/3"
+    right = of_letters(statement, typed)
+    assert right.marks.earned == right.marks.of
+    wrong = of_letters(statement, typed.replace("e = 2/3", "e = 3/2"))
+    assert wrong.marks.earned < wrong.marks.of

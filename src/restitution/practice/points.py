@@ -87,7 +87,9 @@ class _Examiner:
     def marks(self) -> Marks:
         for point in self.scheme.points:
             self.states[point.id] = self._first(point)
+        self._solve()
         self._imply()
+        self._complete()
         self._keep()
         self._require()
         points = [self.states[point.id] for point in self.scheme.points]
@@ -257,6 +259,47 @@ class _Examiner:
         return f"a slip ({mistake.id})"
 
     # --- the whole ------------------------------------------------------------------------------
+
+    def _solve(self) -> None:
+        """A true value of either unknown is the value for which an elimination is made."""
+        for point in self.scheme.points:
+            own = self.states[point.id]
+            between = point.letter == "A" and point.principle == "solve" and point.item is None
+            if own.state != "lost" or own.line is not None or not between or point.equation:
+                continue
+            taken = {
+                each.line
+                for each in self.states.values()
+                if each.state == "earned" and each.point.letter == "A"
+            }
+            line = next(
+                (
+                    each
+                    for each in self.lines
+                    if each.verdict == "true"
+                    and each.line.number not in taken
+                    and self.values.is_solved(each)
+                ),
+                None,
+            )
+            if line is not None:
+                self.states[point.id] = self._earned(point, line, "")
+
+    def _complete(self) -> None:
+        """Right answers to all that is asked, above no mistake, earn what they could do without."""
+        points = self.scheme.points
+        answers = [self.states[point.id] for point in points if point.item is not None]
+        broken = any(line.verdict in (*_UNSOUND, *_UNSURE) for line in self.lines)
+        if broken or not answers or any(point.shown for point in points):
+            return
+        if any(each.state != "earned" for each in answers):
+            return
+        last = max(each.line or 0 for each in answers)
+        for point in points:
+            if self.states[point.id].state != "earned":
+                self.states[point.id] = PointMark(
+                    point, "earned", last, "all that is asked is right without it", implied=True
+                )
 
     def _imply(self) -> None:
         """A true value earns what it cannot be had without; not where the result is printed."""

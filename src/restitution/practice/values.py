@@ -201,6 +201,8 @@ class Values:
         if isinstance(side, Number):
             return False
         if isinstance(side, Letter):
+            if line.uses and all(use.principle == "arithmetic" for use in line.uses):
+                return True
             return side.name not in meanings and not self._has_value(side, meanings, line)
         return self._is_value(side, meanings, line)
 
