@@ -39,7 +39,9 @@ def _carried(name: str, file: str) -> Guide:
 
 GUIDES: Mapping[str, Guide] = {
     "students": _carried("For students", "page.md"),
+    "practice": _carried("Practice", "practice.md"),
     "teachers": _carried("For teachers", "teachers.md"),
+    "marking": _carried("Marking", "marking.md"),
     "language": Guide("The language", "language.md", _PACKAGE / "language" / "reference.md"),
     "lab": _carried("The Lab", "lab.md"),
     "glossary": _carried("Glossary", "glossary.md"),
