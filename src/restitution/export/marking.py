@@ -88,6 +88,9 @@ def marking_of(
     from restitution.practice.marking import mark, mark_parts
 
     levels = hints if isinstance(hints, int) else dict(_levels(hints))
+    for letter, meaning in letters.items():
+        if not isinstance(meaning, str):
+            raise StatementError(f"the meaning of {letter[:20]} is a text")
     if part is not None:
         _require_part(solution, part)
         return mark(solution, working, part, letters, hints=levels).json()

@@ -62,11 +62,13 @@ class _Task:
     """A function of `work`: it takes what it is about, a limit, and what else may be told.
 
     Of that, by name: its type, or the texts of which it is one, and what it is unless it is told.
+    A reply that is not ``kept`` is forgotten at once: it holds what a student typed.
     """
 
     function: Callable[..., Made]
     optional: Mapping[str, tuple[Kind, Any]] = field(default_factory=dict)
     about: str = "statement"
+    kept: bool = True
 
 
 _STYLES = ("fm1", "m4", "caie", "none")
@@ -96,10 +98,11 @@ _TASKS = {
             "letters": (dict, None),
             "hints": (int | dict, 0),
         },
+        kept=False,
     ),
     "mistake": _Task(work.played_mistake, {"mistake": (str, ""), "part": (str, None)}),
-    "practise": _Task(work.to_practise, about="wanted"),
-    "progress": _Task(work.progress, about="record"),
+    "practise": _Task(work.to_practise, about="wanted", kept=False),
+    "progress": _Task(work.progress, about="record", kept=False),
 }
 
 
@@ -185,6 +188,8 @@ def _doing(task: _Task) -> Callable[[Request], Awaitable[Response]]:
             others = tuple(asked_for.get(name, usual) for name, (_, usual) in task.optional.items())
             key = (task.function.__name__, json.dumps(asked_for, sort_keys=True))
             about = asked_for[task.about]
+            if not task.kept:
+                return await _while_wanted(request, _worked(staff, task, about, others))
             reply_ = staff.replies.get(key, lambda: _worked(staff, task, about, others))
             return await _while_wanted(request, reply_)
 
