@@ -175,8 +175,10 @@ def _marked(
             raise StatementError(f"hints have the levels 0 to 4, not {level}")
     bench = bench_of(solution, part)
     solved = bench.solved
-    if solved.error is not None:
-        raise solved.error
+    without = [item.error for item in solved.items if item.error is not None]
+    error = solved.error or (without[0] if len(without) == len(solved.items) > 0 else None)
+    if error is not None:
+        raise error
     judgement = judge(bench.solution, script, part, _meanings(letters or {}, solution.problem))
     values = Values(bench.worlds, bench.question.unknown, judgement.letters)
     marks = marked(judgement, schemes(bench.solution, part), values)
