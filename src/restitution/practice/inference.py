@@ -27,6 +27,9 @@ from restitution.vector import Vector
 # Interpretations that are kept from item to item, and the best ways to satisfy one item.
 _WIDTH, _WAYS = 80, 60
 # So many numbers are worked out at once, at most.
+# An item tells the meanings of so many letters at most, and a script is tried in so many ways.
+_MOST_OPEN = 5
+_TRIES = 1500
 _ROOM = 600_000
 # What an unusual meaning costs, in true lines.
 COST = 0.3
@@ -237,9 +240,10 @@ def _searched(
     width: int,
 ) -> list[State]:
     states = [State((-1,) * len(slots))]
+    tries = iter(range(_TRIES))
     for number in _order(items):
         item = items[number]
-        extended = list(_extended(states, number, item, slots, tester))
+        extended = list(_extended(states, number, item, slots, tester, tries))
         if (
             broken is not None
             and item.fresh
@@ -365,9 +369,17 @@ def _pruned(states: Iterable[State], width: int) -> list[State]:
 
 
 def _extended(
-    states: Sequence[State], number: int, item: Item, slots: Sequence[Slot], tester: Tester
+    states: Sequence[State],
+    number: int,
+    item: Item,
+    slots: Sequence[Slot],
+    tester: Tester,
+    tries: Iterator[int],
 ) -> Iterator[State]:
-    """The interpretations with one more item: as they are, and in every way that makes it true."""
+    """The interpretations with one more item: as they are, and in every way that makes it true.
+
+    An item with too many open letters, and one for which no ``tries`` are left, tells nothing.
+    """
     used = sorted(set(item.slots.values()))
     groups: dict[tuple[Any, ...], list[State]] = defaultdict(list)
     for state in states:
@@ -378,7 +390,11 @@ def _extended(
             yield from _judged(members, number, item, slots, tester)
             continue
         yield from members
+        if len(free) > _MOST_OPEN:
+            continue
         for chosen in product(*(list(slots[s].values) for s in free)):
+            if next(tries, None) is None:
+                break
             yield from _tried(
                 members, number, item, slots, tester, dict(zip(free, chosen, strict=True))
             )
