@@ -24,7 +24,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.angles import is_angle
 from restitution.practice.arrays import is_bare
-from restitution.practice.candidates import Candidate, kinds_of
+from restitution.practice.candidates import Candidate, kinds_of, suffix
 from restitution.practice.dependence import Dependence, Relation
 from restitution.practice.inference import (
     Item,
@@ -281,7 +281,8 @@ class _Search:
         if self._is_velocity(name):
             moving = [each for each in self.around.candidates if each.kind == "velocity"]
             after = [each for each in moving if each.event and scope.event in (None, each.event)]
-            return after[0] if len(after) == 1 else None
+            own = [each for each in after if each.body == suffix(name)]
+            return own[-1] if own else after[0] if len(after) == 1 else None
         usage = Usage(name, name in self.angular, scope)
         return usual(usage, self.around.candidates, self.around.problem, self.around.events)
 

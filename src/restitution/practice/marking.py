@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
-from restitution.errors import StatementError
+from restitution.errors import RestitutionError, StatementError
+from restitution.explaining.consequences import altered_world
+from restitution.explaining.misconceptions import alteration
 from restitution.expression.tree import Expression
 from restitution.expression.writing import write_expression
 from restitution.practice.answers import AnswerMark, answers_of
@@ -29,6 +31,7 @@ Meant = str | Expression | tuple[Expression, ...]
 """A meaning: a quantity as text, a phrase, or trees that it may be."""
 
 _PROPOSALS = 6
+_CONSEQUENCE = 1.0  # seconds for the world of a mistake; without it only this is left out
 
 
 @dataclass(frozen=True)
@@ -180,6 +183,7 @@ def _marked(
     if error is not None:
         raise error
     judgement = judge(bench.solution, script, part, _meanings(letters or {}, solution.problem))
+    judgement = _with_consequence(judgement, solution, part)
     values = Values(bench.worlds, bench.question.unknown, judgement.letters)
     marks = marked(judgement, schemes(bench.solution, part), values)
     return Marking(
@@ -200,6 +204,32 @@ def _marked(
         ),
         tuple(_asks(judgement, bench.solution, part)),
     )
+
+
+def _with_consequence(judgement: Judgement, solution: Solution, part: str | None) -> Judgement:
+    """The judgement with the answers to which the first named mistake leads, where it has some."""
+    for place, line in enumerate(judgement.lines):
+        mistake = line.mistake
+        if mistake is None or mistake.kind != "misconception" or not mistake.variants:
+            continue
+        leads_to = _consequence(mistake.variants[0], solution, part)
+        told = replace(line, mistake=replace(mistake, leads_to=leads_to))
+        lines = (*judgement.lines[:place], told, *judgement.lines[place + 1 :])
+        return replace(judgement, lines=lines)
+    return judgement
+
+
+def _consequence(variant: str, solution: Solution, part: str | None) -> Mapping[str, str]:
+    """The answers of a part in the world of a variant, by item; none where it has no world."""
+    try:
+        world = altered_world(solution, alteration(variant), time_limit=_CONSEQUENCE)
+    except RestitutionError:
+        return {}
+    return {
+        item.text: item.altered.answers[0].display
+        for item in world.items
+        if item.part == part and item.altered.answers
+    }
 
 
 def _meanings(

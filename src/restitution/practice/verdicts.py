@@ -6,6 +6,7 @@ judged in the student's own world as well. The truth of a line never depends on 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
@@ -16,6 +17,7 @@ from restitution.errors import RestitutionError
 from restitution.explaining.misconceptions import VariantAt
 from restitution.expression.tree import Apply, Expression, Letter, Negate, Quantity
 from restitution.practice.agreement import agrees, difference
+from restitution.practice.arrays import UnvaluedError
 from restitution.practice.deduction import deduced_from
 from restitution.practice.entries import (
     Entry,
@@ -43,7 +45,9 @@ _NAMED = 10
 """So many mistakes are looked into; of more the first tell enough."""
 COARSE = "coarse"
 OTHER_ROOT = "other-root"
-IMPOSSIBLE = "impossible"
+IMPOSSIBLE_ANGLE = "A sine or a cosine is at most 1, so this cannot be."
+IMPOSSIBLE_COEFFICIENT = "A coefficient of restitution lies between 0 and 1, so this cannot be."
+_COEFFICIENT = re.compile(r"e(_\w+)?'*")
 
 
 class Naming(Protocol):
@@ -327,20 +331,36 @@ class Judge:
                 )
                 if grade is not None:
                     sources = sources_of(claim, self.entries)
-                    return JudgedLink("follows", claim, grade, sources, _impossible(claim))
+                    return JudgedLink("follows", claim, grade, sources, self._impossible(claim))
         relabelled = self._relabelled(line, link, self.students(), "follows")
         if relabelled is not None:
             return relabelled
         for claim in link.readings:
             entry = self._entry_of(line, link, claim)
             if (number := self._own_root(entry)) is not None:
-                return JudgedLink("follows", claim, "exact", (number,), _impossible(claim))
+                return JudgedLink("follows", claim, "exact", (number,), self._impossible(claim))
             if sum(each.wrong for each in self.entries) > _NAMED:
                 break
             places = deduced_from(entry, self.entries, self._base, self.question.given)
             if places:
                 numbers = tuple(self.entries[place].number for place in places)
-                return JudgedLink("follows", claim, "exact", numbers, _impossible(claim))
+                return JudgedLink("follows", claim, "exact", numbers, self._impossible(claim))
+        return None
+
+    def _impossible(self, claim: Claim) -> str | None:
+        """The remark on a coefficient, a sine or a cosine that cannot have its value."""
+        left = claim.left
+        if claim.sign != "=" or not is_numeric(claim.right):
+            return None
+        try:
+            value = self._base.scalar(claim.right)
+        except UnvaluedError:
+            return None
+        if isinstance(left, Apply) and left.function in ("sin", "cos"):
+            return IMPOSSIBLE_ANGLE if np.any(np.abs(value) > 1 + _OWN_ROUNDING) else None
+        if isinstance(left, Letter) and _COEFFICIENT.fullmatch(left.name):
+            outside = (value > 1 + _OWN_ROUNDING) | (value < -_OWN_ROUNDING)
+            return IMPOSSIBLE_COEFFICIENT if np.any(outside) else None
         return None
 
     def _own_root(self, entry: Entry) -> int | None:
@@ -529,8 +549,3 @@ def _is_impulse(tree: Expression, meanings: Meanings) -> bool:
     if isinstance(tree, Apply) and tree.function == "abs":
         return True
     return isinstance(tree, Quantity) and tree.kind == "impulse" and not tree.arguments
-
-
-def _impossible(claim: Claim) -> str | None:
-    """The remark on a coefficient, sine or cosine that cannot have its value."""
-    return None
