@@ -249,6 +249,8 @@ def _stands(variant: VariantAt, mended: Sequence[Correction]) -> bool:
         undone |= {"power"}
     if variant.mistake in _OF_FACTORS:
         undone |= {"factor"}
+    if variant.mistake == "restitution-inverted":
+        undone |= {"turned"}
     return all(correction.change in undone for correction in mended)
 
 
