@@ -9,8 +9,8 @@ import statistics
 import sys
 import time
 
-from restitution.practice.generate import practice_question
-from restitution.practice.topics import LEVELS, TOPICS
+from restitution.practice.questions.generate import practice_question
+from restitution.practice.questions.topics import LEVELS, TOPICS
 
 
 def main() -> None:

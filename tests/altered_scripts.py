@@ -28,8 +28,8 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.expression.writing import write_expression
-from restitution.practice.sampling import true_worlds
-from restitution.practice.world import World
+from restitution.practice.worlds.sampling import true_worlds
+from restitution.practice.worlds.world import World
 from restitution.problem import Impact
 
 POOL = "vwpqrszyabcdfhkntVWTHSKYZ"

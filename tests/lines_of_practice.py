@@ -10,9 +10,9 @@ from functools import lru_cache
 import restitution as r
 from restitution.expression import read_expression
 from restitution.expression.tree import Expression
-from restitution.practice.sampling import true_worlds
 from restitution.practice.script import Claim, Decimal
-from restitution.practice.world import World
+from restitution.practice.worlds.sampling import true_worlds
+from restitution.practice.worlds.world import World
 from restitution.solving.solution import Solution
 
 _SIGN = re.compile(r"<=|>=|=|<|>")

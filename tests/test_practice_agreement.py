@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from lines_of_practice import claim, meanings, world_of
 
-from restitution.practice.agreement import agrees
-from restitution.practice.arrays import UnvaluedError
 from restitution.practice.script import Claim
+from restitution.practice.worlds.agreement import agrees
+from restitution.practice.worlds.arrays import UnvaluedError
 
 WALL = """
 wall W: along i

@@ -11,10 +11,10 @@ from pathlib import Path
 import pytest
 
 import restitution
-from restitution.practice.declaring import letters_from_mapping
 from restitution.practice.judgement import Judgement
-from restitution.practice.judging import judge
-from restitution.practice.working import read_working
+from restitution.practice.judging.judging import judge
+from restitution.practice.letters.declaring import letters_from_mapping
+from restitution.practice.reading.working import read_working
 from restitution.solving.solution import Solution
 
 _FOLDER = Path(__file__).parent / "judged"

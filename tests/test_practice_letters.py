@@ -14,12 +14,10 @@ import restitution as r
 from restitution.errors import StatementError
 from restitution.expression import read_expression, write_expression
 from restitution.expression.tree import Expression
-from restitution.practice.agreement import agrees
-from restitution.practice.declaring import letters_from_mapping, letters_from_text
-from restitution.practice.interpretation import Interpretations
-from restitution.practice.letters import meanings_of
-from restitution.practice.letters_box import letters_box
-from restitution.practice.sampling import true_worlds
+from restitution.practice.letters.declaring import letters_from_mapping, letters_from_text
+from restitution.practice.letters.interpretation import Interpretations
+from restitution.practice.letters.letters import meanings_of
+from restitution.practice.letters.letters_box import letters_box
 from restitution.practice.script import (
     ANYWHERE,
     Claim,
@@ -30,6 +28,8 @@ from restitution.practice.script import (
     Script,
     ScriptLine,
 )
+from restitution.practice.worlds.agreement import agrees
+from restitution.practice.worlds.sampling import true_worlds
 from restitution.problem import Problem
 from restitution.solving.solution import Solution
 

@@ -7,7 +7,7 @@ from functools import cache
 import pytest
 
 import restitution
-from restitution.practice.scheme import schemes
+from restitution.practice.marking.scheme import schemes
 
 PAIR = """
 sphere A: mass 2, velocity 3i + 2j

@@ -11,13 +11,13 @@ import restitution
 from restitution.explaining.facts import events_of
 from restitution.explaining.misconceptions import variants_at
 from restitution.expression import read_expression
-from restitution.practice.agreement import agrees
-from restitution.practice.deduction import deduced_from
-from restitution.practice.entries import Entry
-from restitution.practice.sampling import true_worlds
+from restitution.practice.judging.deduction import deduced_from
+from restitution.practice.judging.entries import Entry
 from restitution.practice.script import Claim
-from restitution.practice.student import altered_world, student_world, world_of_lines
-from restitution.practice.world import World
+from restitution.practice.worlds.agreement import agrees
+from restitution.practice.worlds.sampling import true_worlds
+from restitution.practice.worlds.student import altered_world, student_world, world_of_lines
+from restitution.practice.worlds.world import World
 
 _STATEMENT = """
 sphere A: mass 4, velocity 5i + 2j

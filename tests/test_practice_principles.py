@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 from lines_of_practice import claim, meanings, world_of
 
-from restitution.practice.agreement import agrees
-from restitution.practice.principles import uses_of
 from restitution.practice.script import ANYWHERE, Scope
-from restitution.practice.world import World
+from restitution.practice.worlds.agreement import agrees
+from restitution.practice.worlds.principles import uses_of
+from restitution.practice.worlds.world import World
 
 LETTERS = """
 sphere A: mass 2m, velocity u at 30°

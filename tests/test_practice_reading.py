@@ -13,10 +13,10 @@ from hypothesis import strategies as st
 from restitution.expression import write_expression
 from restitution.expression.tree import Expression
 from restitution.language import parse
-from restitution.practice.claims import write_claim
-from restitution.practice.phrases import is_phrase, read_phrase
+from restitution.practice.reading.claims import write_claim
+from restitution.practice.reading.phrases import is_phrase, read_phrase
+from restitution.practice.reading.working import read_working
 from restitution.practice.script import Claim, ScriptLine
-from restitution.practice.working import read_working
 from restitution.problem import Problem
 
 SPHERES = """

@@ -7,9 +7,15 @@ from fractions import Fraction
 import pytest
 
 from restitution.expression import read_expression
-from restitution.practice.lines import read_as, text_of
+from restitution.practice.judging.slips import (
+    LIMIT,
+    corrections,
+    misreadings,
+    near_numbers,
+    read_as_datum,
+)
+from restitution.practice.reading.lines import read_as, text_of
 from restitution.practice.script import Claim
-from restitution.practice.slips import LIMIT, corrections, misreadings, near_numbers, read_as_datum
 
 
 def _claim(left: str, right: str) -> Claim:

@@ -17,12 +17,12 @@ from restitution.errors import RestitutionError
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Letter, Name, Number, Quantity
-from restitution.practice.agreement import agrees
-from restitution.practice.arrays import UnvaluedError
-from restitution.practice.sampling import true_worlds
 from restitution.practice.script import Claim, Scope
-from restitution.practice.timing import retimed
-from restitution.practice.world import World, stacked
+from restitution.practice.worlds.agreement import agrees
+from restitution.practice.worlds.arrays import UnvaluedError
+from restitution.practice.worlds.sampling import true_worlds
+from restitution.practice.worlds.timing import retimed
+from restitution.practice.worlds.world import World, stacked
 from restitution.problem import Compare, Show, Value
 from restitution.solving.numbers import FIELD
 from restitution.solving.part import Numbers

@@ -8,12 +8,12 @@ import pytest
 
 import restitution as r
 from restitution.errors import StatementError
-from restitution.practice import diagnosis, nice
-from restitution.practice.choosing import next_question, sureness
-from restitution.practice.dice import Dice
-from restitution.practice.generate import objection, practice_question
-from restitution.practice.recipes import RECIPES
-from restitution.practice.topics import LEVELS, TOPICS
+from restitution.practice.questions import diagnosis, nice
+from restitution.practice.questions.choosing import next_question, sureness
+from restitution.practice.questions.dice import Dice
+from restitution.practice.questions.generate import objection, practice_question
+from restitution.practice.questions.recipes import RECIPES
+from restitution.practice.questions.topics import LEVELS, TOPICS
 
 CELLS = [(topic.id, level) for topic in TOPICS for level in LEVELS]
 

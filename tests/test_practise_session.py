@@ -10,9 +10,9 @@ from commands import run
 import restitution as r
 from restitution.cli import practising
 from restitution.errors import StatementError, UnsupportedError
-from restitution.practice.generate import practice_question
-from restitution.practice.session import Conversation, State, Wanted, first_question
-from restitution.practice.varying import variant
+from restitution.practice.questions.generate import practice_question
+from restitution.practice.questions.session import Conversation, State, Wanted, first_question
+from restitution.practice.questions.varying import variant
 
 
 def talk(question, *lines):

@@ -7,7 +7,7 @@ from commands import run
 
 import restitution as r
 from restitution.export import mark_scheme as tables
-from restitution.practice.mark_scheme import mark_scheme
+from restitution.practice.marking.mark_scheme import mark_scheme
 from restitution.workings import explain
 
 STATEMENT = """title A ball & a cushion

@@ -38,8 +38,8 @@ if TYPE_CHECKING:
     from restitution.impact import impact
     from restitution.language import parse, read, to_statement
     from restitution.motion import Table, simulate
-    from restitution.practice.generate import PracticeQuestion, practice_question
-    from restitution.practice.marking import mark
+    from restitution.practice.marking.marking import mark
+    from restitution.practice.questions.generate import PracticeQuestion, practice_question
     from restitution.problem import Point, Problem, Sphere, Wall
     from restitution.solving import solve
     from restitution.vector import Vector
@@ -100,11 +100,11 @@ _NAMES_OF_MODULES = {
     "impact": ("impact",),
     "language": ("parse", "read", "to_statement"),
     "motion": ("Table", "simulate"),
-    "practice.marking": ("mark",),
+    "practice.marking.marking": ("mark",),
     "gas": ("Gas",),
     "batch.impacts": ("impacts",),
     "batch.ensemble": ("ensemble",),
-    "practice.generate": ("PracticeQuestion", "practice_question"),
+    "practice.questions.generate": ("PracticeQuestion", "practice_question"),
     "problem": ("Point", "Problem", "Sphere", "Wall"),
     "solving": ("solve",),
     "explaining.consequences": ("solve_as",),

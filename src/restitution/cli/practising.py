@@ -15,8 +15,8 @@ from restitution.cli.statuses import UNANSWERED, UNREADABLE
 from restitution.errors import RestitutionError, StatementError
 
 if TYPE_CHECKING:
-    from restitution.practice.generate import PracticeQuestion
-    from restitution.practice.session import Conversation, State, Wanted
+    from restitution.practice.questions.generate import PracticeQuestion
+    from restitution.practice.questions.session import Conversation, State, Wanted
 
 _SEEDS = 1_000_000  # of those that are taken where none is wanted
 
@@ -36,7 +36,7 @@ class Practising:
 
 def list_topics() -> None:
     """Write down the topics by group, with their ids."""
-    from restitution.practice.topics import TOPICS
+    from restitution.practice.questions.topics import TOPICS
 
     group = ""
     longest = max(len(topic.id) for topic in TOPICS)
@@ -67,7 +67,7 @@ def practise(asked: Practising) -> int:
 
 
 def _like(asked: Practising, file: str) -> int:
-    from restitution.practice.varying import variant
+    from restitution.practice.questions.varying import variant
 
     text = read(file)
     problem = parse(text)
@@ -83,7 +83,7 @@ def _seed(asked: Practising) -> int:
 
 
 def _chosen(asked: Practising, state: State) -> PracticeQuestion:
-    from restitution.practice.session import Wanted, first_question
+    from restitution.practice.questions.session import Wanted, first_question
 
     wanted = Wanted(asked.topic, asked.level, asked.seed, asked.mistake)
     return first_question(wanted, state, _today(), _seed(asked))
@@ -98,7 +98,7 @@ class _State:
     """The state of practice in the file that the user named; without one, for this time alone."""
 
     def __init__(self, file: str | None) -> None:
-        from restitution.practice.session import State
+        from restitution.practice.questions.session import State
 
         self.path = None if file is None else Path(file)
         self.state = State()
@@ -125,7 +125,7 @@ class _State:
 def _hold(asked: Practising, kept: _State) -> int:
     """Question after question, until the user ends it."""
     from restitution.cli.files import terminal_width
-    from restitution.practice.session import GUIDE, Conversation, another, chosen
+    from restitution.practice.questions.session import GUIDE, Conversation, another, chosen
 
     question = _chosen(asked, kept.state)
     width = min(terminal_width(), 80)
@@ -157,7 +157,7 @@ def _hold(asked: Practising, kept: _State) -> int:
 
 
 def _wanted(asked: Practising) -> Wanted:
-    from restitution.practice.session import Wanted
+    from restitution.practice.questions.session import Wanted
 
     return Wanted(asked.topic, asked.level, None, asked.mistake)
 
@@ -182,7 +182,7 @@ def _leave_open(kept: _State, question: PracticeQuestion) -> None:
 
 
 def _heading(question: PracticeQuestion) -> str:
-    from restitution.practice.topics import topic
+    from restitution.practice.questions.topics import topic
 
     title = topic(question.topic).title
     return f"--- {title}, level {question.level}, seed {question.seed} ---"

@@ -335,7 +335,7 @@ def _varied(job: Job) -> tuple[Problem, tuple[str, ...]]:
     if seed is None:
         return job.problem, ()
     from restitution.language import parse
-    from restitution.practice.varying import variant
+    from restitution.practice.questions.varying import variant
 
     made = variant(job.problem, seed)
     return parse(made.statement), made.notes

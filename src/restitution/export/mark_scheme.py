@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from html import escape
 
-from restitution.practice.mark_scheme import SchemeRow
+from restitution.practice.marking.mark_scheme import SchemeRow
 from restitution.render.layout import Words
 from restitution.render.typst import to_typst as equation
 from restitution.render.typst import words

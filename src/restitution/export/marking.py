@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any, Literal
 from restitution.errors import StatementError
 
 if TYPE_CHECKING:
-    from restitution.practice.answers import AnswerMark
-    from restitution.practice.marking import Marking
+    from restitution.practice.marking.answers import AnswerMark
+    from restitution.practice.marking.marking import Marking
     from restitution.solving.solution import Solution
 
 Form = Literal["text", "json", "html", "csv"]
@@ -45,7 +45,7 @@ def written(solution: Solution, task: Workings) -> str:
     Raises StatementError for letters or answers that cannot be read, and the error of a part that
     has no answer.
     """
-    from restitution.practice.answers import mark_answers
+    from restitution.practice.marking.answers import mark_answers
 
     if task.answers:
         return _of_answers(mark_answers(solution, task.answers, task.part), task.form)
@@ -66,7 +66,7 @@ def written(solution: Solution, task: Workings) -> str:
             + "\n"
             for name, marking in marked
         )
-    from restitution.practice.showing import document, to_text
+    from restitution.practice.marking.showing import document, to_text
 
     if task.form == "html":
         return document([marking for _, marking in marked])
@@ -85,7 +85,7 @@ def marking_of(
     hints: int | Mapping[str, int],
 ) -> Object:
     """The object of one part, or ``{"parts": [...]}`` where the working opens several."""
-    from restitution.practice.marking import mark, mark_parts
+    from restitution.practice.marking.marking import mark, mark_parts
 
     levels = hints if isinstance(hints, int) else dict(_levels(hints))
     for letter, meaning in letters.items():
@@ -131,7 +131,7 @@ def _levels(hints: Mapping[str, int]) -> Iterator[tuple[int | None, int]]:
 
 
 def _letters(text: str, solution: Solution) -> Mapping[str, Any]:
-    from restitution.practice.declaring import letters_from_text
+    from restitution.practice.letters.declaring import letters_from_text
 
     return letters_from_text(text, solution.problem)
 
@@ -139,7 +139,7 @@ def _letters(text: str, solution: Solution) -> Mapping[str, Any]:
 def _marked(
     solution: Solution, text: str, task: Workings, letters: Mapping[str, Any]
 ) -> Sequence[Marking]:
-    from restitution.practice.marking import mark, mark_parts
+    from restitution.practice.marking.marking import mark, mark_parts
 
     if task.part is not None:
         return (mark(solution, text, task.part, letters, hints=task.hints),)
@@ -156,6 +156,6 @@ def _require_part(solution: Solution, part: str) -> None:
 def _of_answers(answers: Sequence[AnswerMark], form: Form) -> str:
     if form == "json":
         return "".join(json.dumps(each.json(), ensure_ascii=False) + "\n" for each in answers)
-    from restitution.practice.showing import answer_line
+    from restitution.practice.marking.showing import answer_line
 
     return "".join(f"{answer_line(each)}\n" for each in answers)

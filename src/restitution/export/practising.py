@@ -8,10 +8,10 @@ from typing import Any
 from restitution.errors import StatementError
 from restitution.export.lab.reading import a_list, an_object
 from restitution.language import parse
-from restitution.practice.choosing import next_question, sureness
-from restitution.practice.generate import practice_question
-from restitution.practice.letters_box import letters_box
-from restitution.practice.topics import LEVELS, topic
+from restitution.practice.letters.letters_box import letters_box
+from restitution.practice.questions.choosing import next_question, sureness
+from restitution.practice.questions.generate import practice_question
+from restitution.practice.questions.topics import LEVELS, topic
 from restitution.solving import solve
 
 Object = dict[str, Any]

@@ -98,7 +98,7 @@ def _scheme(solution: Solution, form: Form, options: Options) -> str:
     if not options.scheme:
         return ""
     from restitution.export import mark_scheme as tables
-    from restitution.practice.mark_scheme import mark_scheme
+    from restitution.practice.marking.mark_scheme import mark_scheme
 
     rows = mark_scheme(solution, "fm1" if options.marks == "none" else options.marks)
     return tables.to_typst(rows) if form == "pdf" else tables.to_html(rows)

@@ -1,7 +1,6 @@
-"""Practice: mistakes as altered laws, free working read and judged line by line, marks, questions.
+"""Practice: a student's working read, judged and marked, and questions to practise.
 
-`working` reads what a student typed, `letters` knows what its letters mean, `world` is the story in
-doubles (the true one, a random one, the student's own), `principles` tells which law a line uses,
-`judging` gives each line its verdict, `mistakes` names what went wrong, `scheme` has the mark
-points of a part, `marking` awards them, `messages` puts it into words.
+A working is a `script` (`reading`), its letters mean quantities (`letters`), its lines are tried in
+the story in doubles (`worlds`), each has a verdict (`judging`, a `judgement`), and the points of a
+scheme find the lines that earn them (`marking`). `questions` makes practice questions.
 """

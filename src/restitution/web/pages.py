@@ -14,7 +14,7 @@ from starlette.responses import Response
 from starlette.routing import Route
 
 from restitution.examples.topics import TOPICS
-from restitution.practice.topics import TOPICS as PRACTICE
+from restitution.practice.questions.topics import TOPICS as PRACTICE
 from restitution.web.files import digest, files_of, imported, stored
 from restitution.web.guides import GUIDES, rendered
 from restitution.web.words import vocabulary

@@ -1,0 +1,1 @@
+"""Verdicts on lines, and the names of the mistakes that begin there."""

@@ -1,0 +1,332 @@
+"""A script judged: a verdict on each line, and the names of the mistakes that begin there.
+
+The lines are judged under the best meaning of the letters. One that is false there, and true or
+following under a meaning that explains the script nearly as well, is a question about a letter and
+not a mistake.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cached_property
+from itertools import islice
+from typing import Any
+
+import numpy as np
+
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Number,
+    children,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.practice.judgement import JudgedLine, Judgement, Mistake
+from restitution.practice.judging.naming import Names
+from restitution.practice.judging.slips import misreadings, read_as_datum
+from restitution.practice.judging.support import Wanted, wanted_of
+from restitution.practice.judging.verdicts import Judge, Question
+from restitution.practice.letters.interpretation import Interpretation, Interpretations
+from restitution.practice.letters.letters import meanings_of
+from restitution.practice.script import Link, Script, ScriptLine
+from restitution.practice.worlds.sampling import true_worlds
+from restitution.practice.worlds.world import World
+from restitution.problem import Compare, Given, Problem, trees
+from restitution.solving.solution import PartSolution, Solution
+
+_RIVALS = 8
+_MISREADINGS = 8
+
+
+def judge(
+    question: Problem | Solution,
+    script: Script,
+    part: str | None = None,
+    letters: Mapping[str, Expression | Sequence[Expression]] | None = None,
+) -> Judgement:
+    """The verdicts on the lines of a script that belong to a part.
+
+    ``letters`` are meanings that the student has declared or agreed to. Raises KeyError for a part
+    that is not there, and the error of a question that has no answer.
+    """
+    bench = bench_of(question, part)
+    own = script.of(part)
+    meanings = meanings_of(
+        own, bench.problem, bench.solution, part, dict(letters or {}), bench.worlds
+    )
+    if not bench.worlds:
+        return Judgement(tuple(JudgedLine(each, "remark") for each in own.lines), ())
+    with np.errstate(all="ignore"):
+        return _Sitting(bench, own, meanings).judgement()
+
+
+@dataclass(frozen=True, eq=False)
+class Bench:
+    """A part of a question with all that judging takes from it, made once."""
+
+    solution: Solution
+    solved: PartSolution
+
+    @property
+    def problem(self) -> Problem:
+        """The question."""
+        return self.solution.problem
+
+    @cached_property
+    def worlds(self) -> tuple[World, ...]:
+        """The true worlds, one for each admissible solution."""
+        return true_worlds(self.solution, self.solved)
+
+    @cached_property
+    def names(self) -> Names:
+        """Whoever names the mistakes."""
+        return Names(self.problem)
+
+    @cached_property
+    def question(self) -> Question:
+        """What the part prints and asks, and which letters are unknown in it."""
+        unknown = {
+            name
+            for branch in self.solved.branches
+            for name in (*branch.values, *branch.angles)
+            if any(name in world.letters for world in self.worlds)
+        }
+        return Question(self.wanted, frozenset(unknown), self.given)
+
+    @cached_property
+    def wanted(self) -> Wanted:
+        """What the part prints and asks for."""
+        return wanted_of(self.problem, self.solved.part)
+
+    @cached_property
+    def given(self) -> frozenset[str]:
+        """The letters that a fact about letters alone gives a value."""
+        names: set[str] = set()
+        for step, _, _ in self.problem.timeline(self.solved.part):
+            if isinstance(step, Given):
+                for relation in step.relations:
+                    if isinstance(relation, Compare) and "=" in relation.operators:
+                        sides = relation.operands
+                        inside = frozenset().union(*map(letters, sides))
+                        if len(inside) == 1 and not any(map(has_quantity, sides)):
+                            names |= inside
+        return frozenset(names)
+
+    @cached_property
+    def data(self) -> tuple[Fraction, ...]:
+        """The numbers of the statement."""
+        return tuple(dict.fromkeys(_numbers(trees(self.problem))))
+
+
+_BENCHES: dict[tuple[int, str | None], Bench] = {}
+_KEPT = 8
+
+
+def bench_of(question: Problem | Solution, part: str | None) -> Bench:
+    """The bench for a part; a few are kept, by the question as an object."""
+    key = id(question), part
+    known = _BENCHES.get(key)
+    if known is not None and question in (known.solution, known.problem):
+        return known
+    if isinstance(question, Problem):
+        from restitution.solving.solver import solve
+
+        solution = solve(question)
+    else:
+        solution = question
+    if part not in solution.parts:
+        raise KeyError(part)
+    bench = Bench(solution, solution.parts[part])
+    while len(_BENCHES) >= _KEPT:
+        del _BENCHES[next(iter(_BENCHES))]
+    _BENCHES[key] = bench
+    return bench
+
+
+def _numbers(found: Any) -> Iterator[Fraction]:
+    return (
+        node.value for tree in found for node in walk(tree) if isinstance(node, Number | Degrees)
+    )
+
+
+class _Sitting:
+    """One script before the bench."""
+
+    def __init__(self, bench: Bench, script: Script, meanings: Interpretations) -> None:
+        self.bench = bench
+        self.script = script
+        self.meanings = meanings
+
+    def judgement(self) -> Judgement:
+        judge_, lines = self._judged(self.script, self.meanings.best)
+        lines = self._with_crossed_out(lines)
+        asks = set(judge_.unknown)
+        if any(line.verdict == "false" for line in lines):
+            lines = self._misread(lines)
+            lines = self._asked(lines, asks)
+        return Judgement(lines, self.meanings.best.meanings, tuple(sorted(asks)))
+
+    def _judge(self, interpretation: Interpretation, *, names: bool = True) -> Judge:
+        table = {line.number: interpretation.trees(line.number) for line in self.script.lines}
+        return Judge(self.bench.worlds, table, self.bench.names, self.bench.question, names=names)
+
+    def _judged(
+        self, script: Script, interpretation: Interpretation, *, names: bool = True
+    ) -> tuple[Judge, tuple[JudgedLine, ...]]:
+        judge_ = self._judge(interpretation, names=names)
+        return judge_, judge_.judged(script)
+
+    # --- letters that are not certain -----------------------------------------------------------
+
+    def _asked(self, lines: tuple[JudgedLine, ...], asks: set[str]) -> tuple[JudgedLine, ...]:
+        """False lines that another meaning makes true are questions about a letter."""
+        for rival in self.meanings.rivals[:_RIVALS]:
+            if not any(line.verdict == "false" for line in lines):
+                break
+            doubtful = {line.line.number: self._doubtful(rival, line) for line in lines}
+            if not any(doubtful[each.line.number] for each in lines if each.verdict == "false"):
+                continue
+            _, others = self._judged(self.script, rival, names=False)
+            lines = tuple(
+                self._doubted(line, other, doubtful[line.line.number], asks)
+                for line, other in zip(lines, others, strict=True)
+            )
+        return lines
+
+    def _doubtful(self, rival: Interpretation, line: JudgedLine) -> tuple[str, ...]:
+        """The letters that mean something else in a rival, and were not declared."""
+        number = line.line.number
+        force = self.meanings.best.at(number)
+        return tuple(
+            name
+            for name in self.meanings.doubtful(rival, number)
+            if force[name].by not in ("declared", "agreed")
+        )
+
+    def _doubted(
+        self, line: JudgedLine, other: JudgedLine, doubtful: Sequence[str], asks: set[str]
+    ) -> JudgedLine:
+        inside = [name for name in doubtful if name in _names_in(line.line)]
+        if line.verdict != "false" or not inside or other.verdict not in ("true", "follows"):
+            return line
+        asks.update(inside)
+        return replace(line, verdict="asks", mistake=None, link=None)
+
+    # --- lines crossed out ----------------------------------------------------------------------
+
+    def _with_crossed_out(self, lines: tuple[JudgedLine, ...]) -> tuple[JudgedLine, ...]:
+        """Lines crossed out are judged where nothing below has their left side."""
+        kept = [
+            line.number
+            for place, line in enumerate(self.script.lines)
+            if line.kind == "crossed"
+            and line.links
+            and not _is_replaced(line, self.script.lines[place + 1 :])
+        ]
+        if not kept:
+            return lines
+        script = Script(
+            tuple(
+                replace(line, kind="relations") if line.number in kept else line
+                for line in self.script.lines
+            )
+        )
+        _, again = self._judged(script, self.meanings.best)
+        typed = [each.number for each in self.script.lines if each.kind == "relations"]
+        return tuple(
+            old if _is_withdrawn(old, new, typed) else replace(new, line=old.line)
+            for old, new in zip(lines, again, strict=True)
+        )
+
+    # --- misread data ---------------------------------------------------------------------------
+
+    def _misread(self, lines: tuple[JudgedLine, ...]) -> tuple[JudgedLine, ...]:
+        """If another datum makes all lines true, the first false line is a misread."""
+        first = next(line.line for line in lines if line.verdict == "false")
+        typed = [value for line in self.script.lines for value in _factors_in(line)]
+        pairs = misreadings(typed, self.bench.data)
+        near = set(_factors_in(first))
+        for value, datum in islice((each for each in pairs if each[0] in near), _MISREADINGS):
+            script = Script(tuple(_reread(line, value, datum) for line in self.script.lines))
+            if self._judge(self.meanings.best).is_true(script):
+                return tuple(_as_misread(lines, str(value)))
+        return lines
+
+
+def _factors_in(line: ScriptLine) -> Iterator[Fraction]:
+    """The numbers of a line, each once; exponents, 1 and 2 are none."""
+    found: dict[Fraction, None] = {}
+    for link in line.links:
+        for side in (link.readings[0].left, link.readings[0].right):
+            pending = [side]
+            while pending:
+                each = pending.pop()
+                if isinstance(each, Number | Degrees):
+                    found[each.value] = None
+                elif isinstance(each, Binary) and each.op == "^":
+                    pending.append(each.left)
+                else:
+                    pending.extend(children(each))
+    return (value for value in found if value not in (1, 2))
+
+
+def _as_misread(lines: Sequence[JudgedLine], at: str) -> Iterator[JudgedLine]:
+    first: int | None = None
+    for line in lines:
+        if line.verdict != "false":
+            yield line
+        elif first is None:
+            first = line.line.number
+            named = line.mistake
+            if named is not None and named.kind == "misconception":
+                also = ("misread", *((named.id,) if named.id else named.also))
+                yield replace(line, mistake=replace(named, id=None, also=also, sure=False))
+            else:
+                yield replace(line, mistake=Mistake("misread", "slip", at=at))
+        else:
+            yield replace(line, verdict="follows", sources=(first,), mistake=None, link=None)
+
+
+def _reread(line: ScriptLine, typed: Fraction, datum: Fraction) -> ScriptLine:
+    links = tuple(
+        replace(link, readings=tuple(read_as_datum(claim, typed, datum) for claim in link.readings))
+        for link in line.links
+    )
+    return replace(line, links=links)
+
+
+def _is_withdrawn(old: JudgedLine, new: JudgedLine, typed: Sequence[int]) -> bool:
+    """Whether a line was crossed out for being wrong, and the working went on."""
+    crossed = old.line.kind == "crossed" and new.verdict == "false"
+    return crossed and any(number > old.line.number for number in typed)
+
+
+def _is_replaced(line: ScriptLine, below: Sequence[ScriptLine]) -> bool:
+    """Whether a line below has the left side of one crossed out, or one of its letters."""
+    own, names = {_left(link) for link in line.links}, _names_in(line)
+    return any(
+        _left(link) in own or not names.isdisjoint(_names_in(each))
+        for each in below
+        if each.kind == "relations"
+        for link in each.links
+    )
+
+
+def _left(link: Link) -> Expression:
+    return link.readings[0].left
+
+
+def _names_in(line: ScriptLine) -> frozenset[str]:
+    return frozenset[str]().union(
+        *(
+            letters(side)
+            for link in line.links
+            for claim in link.readings
+            for side in (claim.left, claim.right, *claim.others)
+        )
+    )

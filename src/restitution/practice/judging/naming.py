@@ -1,0 +1,376 @@
+"""The name of a mistake: which altered law a false line is an instance of, or which slip it is.
+
+A misconception is named where random states single out one altered law, or, where numbers are put
+in already, where the line holds in one altered world and no slip explains it as well. In doubt a
+mistake has no name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from restitution.errors import RestitutionError
+from restitution.explaining.facts import events_of
+from restitution.explaining.misconceptions import MISCONCEPTIONS, ResultAt, VariantAt, variants_at
+from restitution.expression.evaluate import Angle
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Number,
+    Quantity,
+    walk,
+)
+from restitution.practice.judgement import Mistake, Use
+from restitution.practice.judging.entries import Entry, is_numeric, same_relation
+from restitution.practice.judging.slips import Correction, corrections
+from restitution.practice.letters.candidates import candidates
+from restitution.practice.reading.lines import text_of
+from restitution.practice.worlds.agreement import agrees, difference, numbers_of
+from restitution.practice.worlds.world import World
+from restitution.problem import Problem
+from restitution.vector import Vector
+
+if TYPE_CHECKING:
+    from restitution.practice.judging.verdicts import Judge
+
+# A sign that is turned undoes these, and so is no slip beside them.
+_OF_SIGNS = frozenset(
+    {"momentum-sign", "restitution-sign", "impulse-sign", "deflection-difference"}
+)
+_OF_SPEEDS = frozenset({"restitution-whole-speed", "speed-for-component", "impulse-of-speeds"})
+# Where a speed is the size of a component, these are what they are called.
+_PLAINER = frozenset({"momentum-sign", "restitution-sign", "impulse-sign", "restitution-inverted"})
+_OF_POWERS = frozenset({"square-not-taken", "energy-ratio-as-speed"})
+_OF_FACTORS = frozenset({"mass-omitted", "restitution-omitted", "energy-no-half", "across-changed"})
+_LAWS = frozenset({"momentum", "restitution", "unchanged", "impulse", "energy", "deflection"})
+_OF_ENERGY = frozenset({"energy", "speed", "fact", "fraction"})
+# Mistakes that are less usual than others of which a line may be an instance as well.
+_BEFORE: Mapping[str, set[str]] = {
+    "angle-from-normal": {"sine-cosine"},
+    "energy-conserved": {"restitution-omitted", "restitution-inverted"},
+    "energy-component-missing": {"energy-fraction-of-line"},
+    "speed-for-component": {"momentum-sign", "restitution-sign", "restitution-inverted"},
+    "restitution-whole-speed": {"restitution-sign", "restitution-inverted"},
+    "impulse-of-speeds": {"impulse-sign"},
+    "deflection-difference": {"deflection-is-after"},
+}
+_BEFORE_AT_A_WALL: Mapping[str, set[str]] = {"across-changed": {"restitution-parallel"}}
+_BEFORE_OF_SPHERES: Mapping[str, set[str]] = {"restitution-parallel": {"across-changed"}}
+_TRIED = 6
+_CLOSE, _TINY = 0.03, 1e-6
+NO_NAME = Mistake(None)
+Stated = frozenset[tuple[str, int | None]]
+
+
+@dataclass(frozen=True)
+class Explained:
+    """The altered laws that explain a false claim, and the slip that it may be instead.
+
+    ``at`` is the text that would have to be another, ``near`` the laws of the claim corrected.
+    """
+
+    variants: tuple[VariantAt, ...] = ()
+    slip: str | None = None
+    at: str | None = None
+    near: tuple[Use, ...] = ()
+
+
+class Names:
+    """Names the mistakes in the lines of one problem."""
+
+    def __init__(self, problem: Problem) -> None:
+        self.worlds: dict[Any, World | None] = {}
+        self.problem = problem
+        events = events_of(problem)
+        self.variants = tuple(each for event in events for each in variants_at(event, events))
+        self._familiar: dict[int, tuple[float, ...]] = {}
+
+    def explained(self, entry: Entry, judge: Judge) -> Explained:
+        """What explains a claim that is false."""
+        mended = tuple(_mending(entry, judge))
+        at = text_of(mended[0].part) if mended else None
+        variants = self._explaining(entry, judge, mended)
+        near = () if judge.uses_of_entry(entry) else _near(entry, judge, mended)
+        return Explained(variants, _slip(entry, judge, mended), at, near)
+
+    def named(self, found: Explained, stated: Stated, confirmed: frozenset[str]) -> Mistake:
+        """The mistake by its name.
+
+        Of several altered laws those stay that a line below is an instance of too (``confirmed``
+        are their ids), and those that contradict no law which is stated rightly.
+        """
+        variants = [each for each in found.variants if each.id in confirmed] or [
+            each for each in found.variants if not _contradicts(each, stated)
+        ]
+        variants.sort(key=lambda each: 0 if each.event.wall else len(each.laws))
+        ids = tuple(dict.fromkeys(each.id for each in variants))
+        families = tuple(dict.fromkeys(each.mistake for each in variants))
+        if not families:
+            return Mistake(found.slip, "slip", at=found.at) if found.slip else NO_NAME
+        wall = variants[0].event.wall
+        usual = {**_BEFORE, **(_BEFORE_AT_A_WALL if wall else _BEFORE_OF_SPHERES)}
+        likely = [each for each in families if not set(families) & usual.get(each, set())]
+        name = likely[0] if len(likely) == 1 else None
+        dull = _OF_SPEEDS if name in _PLAINER else frozenset()
+        also = tuple(each for each in families if each != name and each not in dull)
+        return Mistake(name, "misconception", ids, also, found.at, sure=not also)
+
+    # --- misconceptions -----------------------------------------------------------------------
+
+    def _explaining(
+        self, entry: Entry, judge: Judge, mended: Sequence[Correction]
+    ) -> tuple[VariantAt, ...]:
+        """The altered laws that explain a claim where no slip does."""
+        if entry.claim.sign != "=" or entry.claim.others:
+            return ()
+        altered = {use.altered for use in judge.uses_of_entry(entry)}
+        by_states = [each for each in self.variants if each.id in altered]
+        if by_states:
+            lawful = [each for each in mended if _is_law(each, entry, judge)]
+            return tuple(each for each in by_states if _stands(each, lawful))
+        if is_numeric(entry.claim.left) and is_numeric(entry.claim.right):
+            return ()
+        blocking = [each for each in mended if not self._is_familiar(each, entry, judge)]
+        found = list(self._results(entry, judge)) or list(self._worlds(entry, judge))
+        return tuple(dict.fromkeys(each for each in found if _stands(each, blocking)))
+
+    def _results(self, entry: Entry, judge: Judge) -> Iterator[VariantAt]:
+        """By a result: the claim gives a quantity the value that an altered definition gives it."""
+        for variant in self.variants:
+            for result in variant.results:
+                for world in (judge.base, *judge.students()):
+                    if _is_result(entry, result, world):
+                        yield variant
+
+    def _worlds(self, entry: Entry, judge: Judge) -> Iterator[VariantAt]:
+        """By altered worlds: the claim holds where one law is altered, and all else is right."""
+        energetic = _is_energetic(entry)
+        for variant in self.variants:
+            if not variant.laws or not variant.alteration.solvable:
+                continue
+            kinds = set(MISCONCEPTIONS[variant.mistake].kinds)
+            if not (kinds & _OF_ENERGY if energetic else kinds - _OF_ENERGY):
+                continue
+            if any((law.law, variant.event.number) in judge.stated() for law in variant.laws):
+                continue
+            if not _plausible(variant, judge.base):
+                continue
+            world = judge.altered(variant)
+            if world is not None and _holds(entry, world):
+                yield variant
+
+    def _is_familiar(self, correction: Correction, entry: Entry, judge: Judge) -> bool:
+        """Whether a figure would be changed in a number that is one of the story's own."""
+        if correction.change not in ("figure", "factor"):
+            return False
+        part = correction.part
+        if not isinstance(part, Number | Degrees):
+            return correction.change == "factor"
+        value = float(part.value)
+        if _in_datum(part, entry, numbers_of(self.problem)):
+            return True
+        return any(abs(value - each) <= 0.005 * abs(each) for each in self._values(judge))
+
+    def _values(self, judge: Judge) -> tuple[float, ...]:
+        """The numbers of the story: those of the statement, and its quantities."""
+        world = judge.base
+        if world.solution not in self._familiar:
+            found = [float(value) for value in numbers_of(self.problem)]
+            for candidate in candidates(self.problem, world.part):
+                found += _numbers_in(world, candidate.quantity)
+            self._familiar[world.solution] = tuple(dict.fromkeys(each for each in found if each))
+        return self._familiar[world.solution]
+
+
+def _numbers_in(world: World, tree: Expression) -> Iterator[float]:
+    """The size of a quantity that is the same in all samples; of an angle in degrees too."""
+    try:
+        value = world.value(tree)
+    except RestitutionError:
+        return
+    if isinstance(value, Vector):
+        return
+    angular = isinstance(value, Angle)
+    numbers = np.abs(world.spread(value.measure() if isinstance(value, Angle) else value))
+    if np.ptp(numbers) < 1e-9 * (1 + numbers[0]):
+        yield float(np.degrees(numbers[0]) if angular else numbers[0])
+
+
+def _in_datum(part: Expression, entry: Entry, data: Collection[Fraction]) -> bool:
+    """Whether a number stands above or below the line of a fraction of the statement."""
+    for side in (entry.claim.left, entry.claim.right):
+        for each in walk(side):
+            match each:
+                case Binary("/", Number(above) as a, Number(below) as b):
+                    if part in (a, b) and below and above / below in data:
+                        return True
+    return False
+
+
+def _contradicts(variant: VariantAt, stated: Stated) -> bool:
+    """Whether a law that a variant replaces is stated rightly."""
+    return any((law.law, variant.event.number) in stated for law in variant.laws)
+
+
+def _near(entry: Entry, judge: Judge, mended: Sequence[Correction]) -> tuple[Use, ...]:
+    """The laws of a claim with the first correction that makes it an instance of one."""
+    found: tuple[Use, ...] = ()
+    for correction in mended[:_TRIED]:
+        uses = judge.uses_of_entry(replace(entry, claim=correction.claim, wrong=False, right=True))
+        if uses and uses[0].principle in _LAWS:
+            return uses
+        found = found or uses
+    return found
+
+
+def _is_law(correction: Correction, entry: Entry, judge: Judge) -> bool:
+    """Whether a corrected claim is an instance of a law, and not true by its numbers alone."""
+    whole = correction.part in (entry.claim.left, entry.claim.right)
+    if correction.change != "sign" or whole:
+        return False
+    mended = Entry(entry.number, correction.claim, entry.meanings, entry.scope, entry.decimals)
+    return any(use.principle in _LAWS for use in judge.uses_of_entry(mended))
+
+
+def _stands(variant: VariantAt, mended: Sequence[Correction]) -> bool:
+    """Whether no slip explains a line as well as an altered law does."""
+    undone = {"radians"} if variant.mistake == "sine-cosine" else set()
+    if variant.mistake in _OF_SIGNS | _OF_SPEEDS:
+        undone |= {"sign"}
+    if variant.mistake in _OF_POWERS:
+        undone |= {"power"}
+    if variant.mistake in _OF_FACTORS:
+        undone |= {"factor"}
+    if variant.mistake == "restitution-inverted":
+        undone |= {"turned"}
+    return all(correction.change in undone for correction in mended)
+
+
+def _plausible(variant: VariantAt, world: World) -> bool:
+    """Whether the signs that a variant puts in by hand are those of the components."""
+    return all(_not_negative(sense, world) for sense in variant.senses)
+
+
+def _is_energetic(entry: Entry) -> bool:
+    """Whether a claim speaks of energies, or of squares of speeds."""
+    for side in (entry.claim.left, entry.claim.right):
+        for each in walk(side):
+            if isinstance(each, Binary) and each.op == "^" and isinstance(each.left, Letter):
+                return True
+            meant = entry.meanings.get(each.name) if isinstance(each, Letter) else each
+            if isinstance(meant, Quantity) and "energy" in meant.kind:
+                return True
+            if isinstance(each, Binary) and each.op == "^" and not isinstance(each.left, Apply):
+                return True
+    return False
+
+
+def _not_negative(tree: Expression, world: World) -> bool:
+    try:
+        return bool(np.all(world.scalar(tree) >= -1e-9))
+    except RestitutionError:
+        return False
+
+
+def _holds(entry: Entry, world: World) -> bool:
+    """Whether a claim holds in a world, exactly or to three figures."""
+    try:
+        grade = agrees(entry.claim, world, entry.meanings, entry.decimals, entry.scope)
+    except RestitutionError:
+        return False
+    return grade in ("exact", "rounded")
+
+
+def _is_result(entry: Entry, result: ResultAt, world: World) -> bool:
+    """Whether a claim gives a quantity the value that an altered definition gives it."""
+    if not _is_quantity(entry, result.quantity, world) or not _gives(entry, result.value, world):
+        return False
+    return result.sense is None or _not_negative(result.sense, world)
+
+
+def _is_quantity(entry: Entry, quantity: Expression, world: World) -> bool:
+    """Whether the left side of a claim names a quantity."""
+    left = entry.claim.left
+    if not isinstance(left, Letter | Quantity):
+        return False
+    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+    return (
+        isinstance(meant, Quantity)
+        and isinstance(quantity, Quantity)
+        and (meant.kind == quantity.kind)
+        and _same_value(meant, quantity, entry, world)
+    )
+
+
+def _same_value(one: Expression, other: Expression, entry: Entry, world: World) -> bool:
+    try:
+        a = world.scalar(one, entry.meanings, scope=entry.scope)
+        b = world.scalar(other, entry.meanings, scope=entry.scope)
+    except RestitutionError:
+        return False
+    return bool(np.allclose(a, b, rtol=1e-9, atol=1e-12))
+
+
+def _gives(entry: Entry, value: Expression, world: World) -> bool:
+    """Whether the right side of a claim has the value of a tree."""
+    claim = type(entry.claim)(value, "=", entry.claim.right)
+    return _holds(Entry(entry.number, claim, entry.meanings, entry.scope, entry.decimals), world)
+
+
+# --- slips ------------------------------------------------------------------------------------
+
+
+def _mending(entry: Entry, judge: Judge) -> Iterator[Correction]:
+    """The corrections at one place with which a claim is true, or follows."""
+    if entry.claim.others:
+        return
+    worlds = (judge.base, *judge.students())
+    for correction in corrections(entry.claim):
+        mended = Entry(entry.number, correction.claim, entry.meanings, entry.scope, entry.decimals)
+        if any(_is_near(mended, world) and _holds(mended, world) for world in worlds):
+            yield correction
+
+
+def _is_near(entry: Entry, world: World) -> bool:
+    """Whether the sides of a claim differ by so little that rounding may be all of it."""
+    try:
+        apart, size = difference(entry.claim, world, entry.meanings, entry.scope)
+    except RestitutionError:
+        return False
+    return entry.claim.sign != "=" or bool(np.all(np.abs(apart) <= _CLOSE * size + _TINY))
+
+
+def _slip(entry: Entry, judge: Judge, mended: Sequence[Correction]) -> str | None:
+    """The slip that a false claim is, where only one kind of slip explains it."""
+    changes = {each.change for each in mended}
+    claim = entry.claim
+    if claim.sign != "=":
+        return None
+    if "radians" in changes:
+        return "calculator"
+    if any(_stands_above(each, judge.entries) for each in mended):
+        return "copied"
+    if is_numeric(claim.left) and is_numeric(claim.right):
+        return "sign" if changes == {"sign"} else "arithmetic"
+    if "sign" in changes:
+        return "sign"
+    if changes & {"power", "turned"}:
+        return "algebra"
+    if changes and changes <= {"figure", "factor"}:
+        return "arithmetic" if entry.is_value else "algebra"
+    return None
+
+
+def _stands_above(correction: Correction, entries: Iterable[Entry]) -> bool:
+    """Whether the corrected claim is one of the lines above, or has a long side of one."""
+    if correction.change not in ("sign", "figure", "letter"):
+        return False
+    return any(same_relation(correction.claim, entry.claim) for entry in entries)

@@ -1,0 +1,132 @@
+"""Whether what a part prints or asks for is carried by the lines above it.
+
+A printed relation that is written down without lines from which it follows is not a mistake, and
+not shown either.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from restitution.errors import RestitutionError
+from restitution.expression.tree import Expression, walk
+from restitution.practice.judging.deduction import deduced_from
+from restitution.practice.judging.entries import Entry, is_numeric
+from restitution.practice.script import Claim
+from restitution.practice.worlds.agreement import agrees, difference
+from restitution.practice.worlds.student import scattered_world, world_of_lines
+from restitution.practice.worlds.world import World
+from restitution.problem import Compare, Part, Problem, Show, Value
+
+# What has so many parts more than the printed side is a line on the way to it.
+_LONGER = 3
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What a part prints, as claims, and what it asks for, each after so many events."""
+
+    printed: tuple[tuple[Claim, int], ...] = ()
+    asked: tuple[tuple[Expression, int], ...] = ()
+
+
+def wanted_of(problem: Problem, part: Part) -> Wanted:
+    """The relations to be shown and the values to be found in a part."""
+    printed: list[tuple[Claim, int]] = []
+    asked: list[tuple[Expression, int]] = []
+    for item, now in problem.asked(part):
+        if isinstance(item, Show) and item.subject is None and isinstance(item.relation, Compare):
+            sides = item.relation.operands
+            signs = item.relation.operators
+            for left, sign, right in zip(sides, signs, sides[1:], strict=False):
+                printed.append((Claim(left, sign, right), now))
+        elif isinstance(item, Value):
+            asked.append((item.expression, now))
+    return Wanted(tuple(printed), tuple(asked))
+
+
+def _differs(entry: Entry, other: Entry) -> bool:
+    """Whether an earlier line gives what a claim is about another value, and a wrong one."""
+    return other.is_value and not other.right and other.claim.left == entry.claim.left
+
+
+class Support:
+    """Tells of the lines of one script whether they are carried by those above."""
+
+    def __init__(
+        self, base: World, wanted: Wanted, unknown: frozenset[str], data: frozenset[str]
+    ) -> None:
+        self.base = base
+        self.wanted = wanted
+        self.unknown = unknown
+        self.data = data
+        self.scattered = scattered_world(base, unknown)
+
+    def is_missing(
+        self, entry: Entry, entries: Sequence[Entry], students: Sequence[World] = ()
+    ) -> bool:
+        """Whether a true claim is what is printed or asked, and no line above carries it."""
+        wrong = any(each.wrong for each in entries)
+        if not self.is_printed(entry) and not (
+            self.is_asked(entry) and any(_differs(entry, each) for each in entries)
+        ):
+            return False
+        right = [each for each in entries if each.right]
+        if any(self._holds(entry, world) for world in students if wrong):
+            return False
+        if deduced_from(entry, right, self.base, self.data):
+            return False
+        world = world_of_lines(self.base, right, self.unknown)
+        return world is None or not self._holds(entry, world)
+
+    def is_printed(self, entry: Entry) -> bool:
+        """Whether a claim is a relation that the part prints."""
+        return any(self._same(entry, claim, now) for claim, now in self.wanted.printed)
+
+    def is_asked(self, entry: Entry) -> bool:
+        """Whether a claim gives a quantity that the part asks for its value."""
+        if entry.claim.sign != "=" or not is_numeric(entry.claim.right):
+            return False
+        return any(
+            self._equal(entry, entry.claim.left, tree, now) for tree, now in self.wanted.asked
+        )
+
+    def _same(self, entry: Entry, claim: Claim, now: int) -> bool:
+        own = entry.claim
+        if own.sign == claim.sign and self._both(entry, (own.left, own.right), claim, now):
+            return True
+        turned = {"=": "=", "<": ">", ">": "<", "<=": ">=", ">=": "<=", "!=": "!="}[claim.sign]
+        return own.sign == turned and self._both(entry, (own.right, own.left), claim, now)
+
+    def _both(
+        self, entry: Entry, sides: tuple[Expression, Expression], claim: Claim, now: int
+    ) -> bool:
+        return self._equal(entry, sides[0], claim.left, now) and self._equal(
+            entry, sides[1], claim.right, now
+        )
+
+    def _equal(self, entry: Entry, own: Expression, other: Expression, now: int) -> bool:
+        """Whether two trees have one value whatever happens, and the first is as short."""
+        if sum(1 for _ in walk(own)) > sum(1 for _ in walk(other)) + _LONGER:
+            return False
+        world = self.scattered
+        try:
+            a = world.scalar(own, entry.meanings, scope=entry.scope)
+            b = world.scalar(other, now=now, degrees=False)
+        except RestitutionError:
+            return False
+        return bool(np.allclose(a, b, rtol=1e-9, atol=1e-12))
+
+    def _holds(self, entry: Entry, world: World) -> bool:
+        try:
+            if agrees(entry.claim, world, entry.meanings, entry.decimals, entry.scope) is not None:
+                return True
+            if entry.claim.sign != "=":
+                return False
+            apart, size = difference(entry.claim, world, entry.meanings, entry.scope)
+        except RestitutionError:
+            return False
+        return bool(np.all(np.abs(apart) <= 1e-6 * (size + 1e-6)))

@@ -1,0 +1,551 @@
+"""The lines of a script judged one after another, under one meaning of its letters.
+
+A line is true if one reading of it holds in one admissible solution. After a first false line it is
+judged in the student's own world as well. The truth of a line never depends on the lines above.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Protocol
+
+import numpy as np
+
+from restitution.errors import RestitutionError
+from restitution.explaining.misconceptions import VariantAt
+from restitution.expression.tree import Apply, Expression, Letter, Negate, Quantity
+from restitution.practice.judgement import Accuracy, JudgedLine, Mistake, Use, Verdict
+from restitution.practice.judging.deduction import deduced_from
+from restitution.practice.judging.entries import (
+    Entry,
+    Meanings,
+    is_numeric,
+    is_root_of,
+    sources_of,
+)
+from restitution.practice.judging.naming import Explained, Stated
+from restitution.practice.judging.support import Support, Wanted
+from restitution.practice.letters.options import staged
+from restitution.practice.reading.lines import read_as
+from restitution.practice.reading.phrases import is_phrase, read_phrase
+from restitution.practice.script import Claim, Link, Script, ScriptLine
+from restitution.practice.worlds.agreement import agrees, difference
+from restitution.practice.worlds.arrays import UnvaluedError
+from restitution.practice.worlds.principles import uses_of
+from restitution.practice.worlds.student import altered_world, student_world
+from restitution.practice.worlds.world import World
+
+_WORST: tuple[Verdict, ...] = ("false", "unread", "asks", "unsupported", "follows", "true")
+_GRADES: tuple[Accuracy, ...] = ("coarse", "rounded", "exact")
+# How far a student's own rounding to three figures may move his values.
+_OWN_ROUNDING = 0.006
+_NAMED = 10
+"""So many mistakes are looked into; of more the first tell enough."""
+COARSE = "coarse"
+OTHER_ROOT = "other-root"
+IMPOSSIBLE_ANGLE = "A sine or a cosine is at most 1, so this cannot be."
+IMPOSSIBLE_COEFFICIENT = "A coefficient of restitution lies between 0 and 1, so this cannot be."
+_COEFFICIENT = re.compile(r"e(_\w+)?'*")
+
+
+class Naming(Protocol):
+    """Whoever gives a mistake its name."""
+
+    worlds: dict[Any, World | None]
+
+    def explained(self, entry: Entry, judge: Judge) -> Explained:
+        """What explains a claim that is false."""
+
+    def named(self, found: Explained, stated: Stated, confirmed: frozenset[str]) -> Mistake:
+        """The mistake by its name."""
+
+
+@dataclass(frozen=True)
+class Question:
+    """What a part prints and asks, the letters that it has to find, and those that it gives."""
+
+    wanted: Wanted
+    unknown: frozenset[str] = frozenset()
+    given: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True)
+class JudgedLink:
+    """A link with its verdict: the reading that decided, and what is said of it."""
+
+    verdict: Verdict
+    claim: Claim
+    accuracy: Accuracy | None = None
+    sources: tuple[int, ...] = ()
+    remark: str | None = None
+    letters: frozenset[str] = frozenset()
+
+
+class Judge:
+    """Judges a script under one meaning of its letters.
+
+    ``worlds`` are those of the admissible solutions, ``meanings`` those of the letters in each
+    line, by its number.
+    """
+
+    def __init__(
+        self,
+        worlds: Sequence[World],
+        meanings: Mapping[int, Meanings],
+        naming: Naming,
+        question: Question,
+        *,
+        names: bool = True,
+    ) -> None:
+        self._names = names
+        self._explained: dict[int, Explained] = {}
+        self._confirmed: dict[int, set[str]] = {}
+        self.worlds = tuple(worlds)
+        self.naming = naming
+        self.question = question
+        self.entries: list[Entry] = []
+        self.unknown: set[str] = set()
+        self._meanings = meanings
+        self._own: tuple[int, tuple[World, ...]] = (-1, ())
+        self._base = self.worlds[0]
+        self._stated: set[tuple[str, int | None]] = set()
+        self._phrases: dict[str, tuple[Expression, ...]] = {}
+        self._known_uses: dict[Any, tuple[Use, ...]] = {}
+
+    # --- a script -----------------------------------------------------------------------------
+
+    def judged(self, script: Script) -> tuple[JudgedLine, ...]:
+        """Every line with its verdict."""
+        self._base = self._likeliest(script)
+        question = self.question
+        self._support = Support(self._base, question.wanted, question.unknown, question.given)
+        lines = [self._judged(line) for line in script.lines]
+        return tuple(self._named(line) for line in lines)
+
+    def _named(self, line: JudgedLine) -> JudgedLine:
+        """A false line with the name of its mistake, in the light of all lines."""
+        if line.verdict != "false":
+            return line
+        found = self._explained.get(line.line.number)
+        if found is None:
+            return replace(line, mistake=Mistake(None))
+        confirmed = frozenset(self._confirmed.get(line.line.number, ()))
+        mistake = self.naming.named(found, self.stated(), confirmed)
+        return replace(line, mistake=mistake, uses=line.uses or found.near)
+
+    def is_true(self, script: Script) -> bool:
+        """Whether every relation of a script holds in one of the solutions."""
+        return all(
+            self._holds(link, line, self.worlds) is not None
+            for line in script.lines
+            if line.kind not in ("remark", "heading", "crossed", "unread")
+            for link in line.links
+        )
+
+    def meanings(self, number: int) -> Meanings:
+        """What letters and phrases mean in a line."""
+        return self._meanings.get(number, {})
+
+    @property
+    def base(self) -> World:
+        """The solution in which most lines are true."""
+        return self._base
+
+    @property
+    def wrong(self) -> bool:
+        """Whether a line so far is false."""
+        return any(entry.wrong for entry in self.entries)
+
+    def _likeliest(self, script: Script) -> World:
+        if len(self.worlds) == 1:
+            return self.worlds[0]
+        links = [(line, link) for line in script.lines for link in line.links]
+        return max(
+            self.worlds,
+            key=lambda world: sum(
+                self._holds(link, line, (world,)) is not None for line, link in links
+            ),
+        )
+
+    def _judged(self, line: ScriptLine) -> JudgedLine:
+        if line.kind == "unread":
+            return JudgedLine(line, "unread")
+        if line.kind in ("remark", "heading", "crossed") or not line.links:
+            return JudgedLine(line, "remark")
+        links = self._links(line)
+        verdict = next(each for each in _WORST if any(link.verdict == each for link in links))
+        place = next(k for k, link in enumerate(links) if link.verdict == verdict)
+        worst = links[place]
+        if verdict == "false" and self._names and len(self._explained) < _NAMED:
+            entry = self._entry(line, line.links[place], worst)
+            self._explain(line.number, self.naming.explained(entry, self))
+        for name in worst.letters:
+            self.unknown.add(name)
+        accuracies = [link.accuracy for link in links if link.accuracy is not None]
+        uses = self._uses(line, links)
+        if verdict == "true":
+            self._stated |= {(use.principle, use.event) for use in uses if use.altered is None}
+        self._remember(line, links)
+        return JudgedLine(
+            line,
+            verdict,
+            accuracy=next((each for each in _GRADES if each in accuracies), None)
+            if verdict in ("true", "follows")
+            else None,
+            uses=uses,
+            read_as=read_as(tuple(link.claim for link in links)),
+            link=place if verdict == "false" else None,
+            sources=tuple(dict.fromkeys(n for link in links for n in link.sources)),
+            remark=next((link.remark for link in links if link.remark), None),
+        )
+
+    def _explain(self, number: int, found: Explained) -> None:
+        """Keep what explains a false line; altered laws of which two lines are instances stand."""
+        for other, earlier in self._explained.items():
+            same = {each.id for each in earlier.variants} & {each.id for each in found.variants}
+            for line in (other, number) if same else ():
+                self._confirmed.setdefault(line, set()).update(same)
+        self._explained[number] = found
+
+    # --- a link -------------------------------------------------------------------------------
+
+    def _links(self, line: ScriptLine) -> list[JudgedLink]:
+        return [self._link(line, link) for link in line.links]
+
+    def _link(self, line: ScriptLine, link: Link) -> JudgedLink:
+        held = self._holds(link, line, self.worlds)
+        if held is not None:
+            accuracy, claim = held
+            remark = COARSE if accuracy == "coarse" else None
+            verdict: Verdict = "true"
+            if len(line.links) == 1 and self._support.is_missing(
+                self._entry_of(line, link, claim),
+                self.entries,
+                self.students() if self.wrong else (),
+            ):
+                verdict = "unsupported"
+            return JudgedLink(verdict, claim, accuracy, remark=remark)
+        return (
+            self._root(line, link)
+            or self._relabelled(line, link, self.worlds, "true")
+            or self._following(line, link)
+            or self._refused(line, link)
+        )
+
+    def _relabelled(
+        self, line: ScriptLine, link: Link, worlds: Sequence[World], verdict: Verdict
+    ) -> JudgedLink | None:
+        """A label that names its quantity at another moment, or in the other sense."""
+        for claim in link.readings:
+            if not isinstance(claim.left, Letter) or not is_phrase(claim.left.name):
+                continue
+            for meant in self._meanings_of(claim.left.name):
+                for each in (meant, Negate(meant)) if _is_signed(meant) else (meant,):
+                    other = replace(claim, left=each)
+                    grade = next(
+                        (g for w in worlds if (g := self.accuracy(other, w, line, link))), None
+                    )
+                    if grade is not None:
+                        sources = sources_of(claim, self.entries) if verdict == "follows" else ()
+                        return JudgedLink(verdict, other, grade, sources)
+        return None
+
+    def _meanings_of(self, phrase: str) -> tuple[Expression, ...]:
+        """The quantities that a phrase may name, at every stage where it tells none."""
+        if phrase not in self._phrases:
+            world = self._base
+            stages = range(len(world.events) + 1)
+            trees = read_phrase(phrase, world.problem)
+            found = [
+                staged(tree, world.problem, world.part, now)
+                for tree in trees
+                if _kind(tree) == _kind(trees[0])
+                for now in stages
+            ]
+            self._phrases[phrase] = tuple(dict.fromkeys(found))
+        return self._phrases[phrase]
+
+    def _holds(
+        self, link: Link, line: ScriptLine, worlds: Iterable[World]
+    ) -> tuple[Accuracy, Claim] | None:
+        """How exactly the best reading of a link holds in one of some worlds, and that reading."""
+        best: tuple[Accuracy, Claim] | None = None
+        for world in worlds:
+            for claim in link.readings:
+                grade = self.accuracy(claim, world, line, link)
+                if grade == "exact":
+                    return grade, claim
+                if grade is not None and (best is None or best[0] == "coarse"):
+                    best = grade, claim
+        return best
+
+    def accuracy(self, claim: Claim, world: World, line: ScriptLine, link: Link) -> Accuracy | None:
+        """How exactly a claim holds in a world; None where it does not, or has no value there."""
+        meanings = self.meanings(line.number)
+        for each in (claim, *_of_sizes(claim, meanings)):
+            try:
+                grade = agrees(each, world, meanings, link.decimals, line.scope)
+            except RestitutionError:
+                continue
+            if grade is not None:
+                return grade
+        return None
+
+    def _root(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A value that is another root of the student's own equation, beside the right one."""
+        for claim in link.readings:
+            single = [
+                replace(claim, right=right, others=()) for right in (claim.right, *claim.others)
+            ]
+            entries = [e for e in reversed(self.entries) if e.right]
+            for entry in entries:
+                roots = [is_root_of(each, entry) for each in single]
+                if all(r is not None and self._valid(r, entry) for r in roots):
+                    right = any(
+                        self.accuracy(each, w, line, link) for each in single for w in self.worlds
+                    )
+                    if right or any(
+                        same_left(e.claim, claim) and e.right and e.is_value for e in entries
+                    ):
+                        return JudgedLink("true", claim, "exact", remark=OTHER_ROOT)
+        return None
+
+    def _valid(self, claim: Claim, entry: Entry) -> bool:
+        try:
+            return any(
+                agrees(claim, world, entry.meanings, entry.decimals, entry.scope)
+                for world in self.worlds
+            )
+        except RestitutionError:
+            return False
+
+    def _following(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        if not self.wrong and not any(entry.coarse for entry in self.entries):
+            return None
+        for claim in link.readings:
+            for world in self.students():
+                grade = self.accuracy(claim, world, line, link) or self._loosely(
+                    claim, world, line, link
+                )
+                if grade is not None:
+                    sources = sources_of(claim, self.entries)
+                    return JudgedLink("follows", claim, grade, sources, self._impossible(claim))
+        relabelled = self._relabelled(line, link, self.students(), "follows")
+        if relabelled is not None:
+            return relabelled
+        for claim in link.readings:
+            entry = self._entry_of(line, link, claim)
+            if (number := self._own_root(entry)) is not None:
+                return JudgedLink("follows", claim, "exact", (number,), self._impossible(claim))
+            if sum(each.wrong for each in self.entries) > _NAMED:
+                break
+            places = deduced_from(entry, self.entries, self._base, self.question.given)
+            if places:
+                numbers = tuple(self.entries[place].number for place in places)
+                return JudgedLink("follows", claim, "exact", numbers, self._impossible(claim))
+        return None
+
+    def _impossible(self, claim: Claim) -> str | None:
+        """The remark on a coefficient, a sine or a cosine that cannot have its value."""
+        left = claim.left
+        if claim.sign != "=" or not is_numeric(claim.right):
+            return None
+        try:
+            value = self._base.scalar(claim.right)
+        except UnvaluedError:
+            return None
+        if isinstance(left, Apply) and left.function in ("sin", "cos"):
+            return IMPOSSIBLE_ANGLE if np.any(np.abs(value) > 1 + _OWN_ROUNDING) else None
+        if isinstance(left, Letter) and _COEFFICIENT.fullmatch(left.name):
+            outside = (value > 1 + _OWN_ROUNDING) | (value < -_OWN_ROUNDING)
+            return IMPOSSIBLE_COEFFICIENT if np.any(outside) else None
+        return None
+
+    def _own_root(self, entry: Entry) -> int | None:
+        """The line that is not true and of which a value is a root."""
+        for other in reversed(self.entries):
+            root = None if other.right else is_root_of(entry.claim, other)
+            if root is not None and self._valid(root, other):
+                return other.number
+        return None
+
+    def _loosely(self, claim: Claim, world: World, line: ScriptLine, link: Link) -> Accuracy | None:
+        """Whether a claim holds within what the student's own rounding may have moved."""
+        rounded = any(entry.decimals for entry in self.entries)
+        if claim.sign != "=" or not (link.decimals or rounded):
+            return None
+        try:
+            apart, size = difference(claim, world, self.meanings(line.number), line.scope)
+        except RestitutionError:
+            return None
+        close = np.all(np.abs(apart) <= _OWN_ROUNDING * size)
+        return "rounded" if close and np.all(size > 0) else None
+
+    def _refused(self, line: ScriptLine, link: Link) -> JudgedLink:
+        """A link that neither holds nor follows: false, or not to be decided."""
+        missing: set[str] = set()
+        fault: str | None = None
+        for claim in link.readings:
+            try:
+                agrees(claim, self._base, self.meanings(line.number), link.decimals, line.scope)
+            except RestitutionError as error:
+                letter = getattr(error, "letter", None)
+                if letter is None:
+                    fault = fault or str(error)
+                else:
+                    missing.add(letter)
+            else:
+                if not missing:
+                    return JudgedLink("false", claim)
+        first = link.readings[0]
+        if missing:
+            return JudgedLink("asks", first, letters=frozenset(missing))
+        return JudgedLink("unread", first, remark=fault)
+
+    # --- the student's own values -------------------------------------------------------------
+
+    def students(self) -> tuple[World, ...]:
+        """The worlds in which the lines so far hold, as far as they can hold together."""
+        if self._own[0] != len(self.entries):
+            self._own = len(self.entries), tuple(self._worlds_of_student())
+        return self._own[1]
+
+    def _worlds_of_student(self) -> Iterator[World]:
+        for latest in (True, False):
+            world = student_world(
+                self._base,
+                self.entries,
+                self.question.unknown,
+                latest=latest,
+                broken=self._broken(),
+            )
+            if world is not None:
+                yield world
+
+    def _broken(self) -> frozenset[tuple[str, int | None]]:
+        """The laws in whose place the student has an altered one."""
+        return frozenset(
+            (use.principle, use.event)
+            for entry in self.entries
+            if entry.wrong
+            for use in self.uses_of_entry(entry)
+            if use.altered is not None
+        )
+
+    def altered(self, variant: VariantAt) -> World | None:
+        """The world of an altered law, all else being right."""
+        key = variant.id, variant.event.number, self._base.solution
+        if key not in self.naming.worlds:
+            self.naming.worlds[key] = altered_world(self._base, variant, self.question.unknown)
+        return self.naming.worlds[key]
+
+    def stated(self) -> frozenset[tuple[str, int | None]]:
+        """The laws that a line above states rightly, each with its event."""
+        return frozenset(self._stated)
+
+    def _remember(self, line: ScriptLine, links: Sequence[JudgedLink]) -> None:
+        start: Expression | None = None
+        last: Expression | None = None
+        first = len(self.entries)
+        for link, judged in zip(line.links, links, strict=True):
+            claim = judged.claim
+            if start is None or claim.left != last:
+                start, first = claim.left, len(self.entries)
+            last = claim.right
+            if judged.verdict not in ("true", "follows", "false", "unsupported"):
+                continue
+            if not is_numeric(claim.left) or not is_numeric(claim.right):
+                self.entries.append(self._entry(line, link, judged))
+            elif judged.verdict == "false" and not is_numeric(start):
+                # A chain that ends in another number gives that number to what it begins with.
+                del self.entries[first:]
+                whole = replace(judged, claim=replace(claim, left=start))
+                self.entries.append(self._entry(line, link, whole))
+
+    def _entry(self, line: ScriptLine, link: Link, judged: JudgedLink) -> Entry:
+        entry = self._entry_of(line, link, judged.claim)
+        return replace(
+            entry,
+            right=judged.verdict in ("true", "unsupported"),
+            wrong=judged.verdict == "false",
+            coarse=judged.accuracy == "coarse",
+        )
+
+    def _entry_of(self, line: ScriptLine, link: Link, claim: Claim) -> Entry:
+        meanings = self.meanings(line.number)
+        return Entry(line.number, claim, meanings, line.scope, link.decimals)
+
+    # --- laws ---------------------------------------------------------------------------------
+
+    def _uses(self, line: ScriptLine, links: Sequence[JudgedLink]) -> tuple[Use, ...]:
+        found: dict[Use, None] = {}
+        for link, judged in zip(line.links, links, strict=True):
+            if judged.verdict in ("true", "follows", "false", "unsupported"):
+                entry = self._entry(line, link, judged)
+                found.update(dict.fromkeys(self.uses_of_entry(entry)))
+        if len(found) > 1:
+            found.pop(Use("arithmetic"), None)
+        return tuple(found)
+
+    def uses_of_entry(self, entry: Entry) -> tuple[Use, ...]:
+        """The laws of which an entry is an instance; altered ones where it is false."""
+        key = entry.claim, entry.number, entry.wrong
+        if key not in self._known_uses:
+            self._known_uses[key] = self._found_uses(entry)
+        return self._known_uses[key]
+
+    def _found_uses(self, entry: Entry) -> tuple[Use, ...]:
+        students = () if entry.right or entry.wrong else self.students()
+        for world in (self._base, *students):
+            try:
+                uses = uses_of(
+                    entry.claim,
+                    world,
+                    entry.meanings,
+                    entry.decimals,
+                    entry.scope,
+                    altered=not entry.right,
+                )
+            except RestitutionError:
+                continue
+            if uses:
+                return uses
+        return ()
+
+
+def same_left(one: Claim, other: Claim) -> bool:
+    """Whether two claims are about the same letter or quantity."""
+    return one.left == other.left
+
+
+def _kind(tree: Expression) -> object:
+    """What kind of quantity a tree is, its sign aside."""
+    if isinstance(tree, Negate):
+        return _kind(tree.operand)
+    return tree.kind if isinstance(tree, Quantity) else type(tree)
+
+
+def _is_signed(tree: Expression) -> bool:
+    """Whether a quantity has a sense that may be turned."""
+    return isinstance(tree, Quantity) and tree.kind in ("along", "across")
+
+
+def _of_sizes(claim: Claim, meanings: Meanings) -> Iterator[Claim]:
+    """A claim about a size with its other side turned: momenta subtracted in the other order."""
+    if claim.sign != "=" or claim.others:
+        return
+    if _is_impulse(claim.left, meanings):
+        yield replace(claim, right=Negate(claim.right))
+    elif _is_impulse(claim.right, meanings):
+        yield replace(claim, left=Negate(claim.left))
+
+
+def _is_impulse(tree: Expression, meanings: Meanings) -> bool:
+    """Whether a side is the size of an impulse."""
+    if isinstance(tree, Letter):
+        tree = meanings.get(tree.name, tree)
+    if isinstance(tree, Apply) and tree.function == "abs":
+        return True
+    return isinstance(tree, Quantity) and tree.kind == "impulse" and not tree.arguments

@@ -1,0 +1,1 @@
+"""What the letters and phrases of a script mean: declared, usual, or found by search."""

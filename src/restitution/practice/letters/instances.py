@@ -1,0 +1,208 @@
+"""For which meanings of its letters a line is an instance of an altered law or result."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from restitution.explaining.facts import events_of
+from restitution.explaining.misconceptions import variants_at
+from restitution.expression.evaluate import Angle, Value
+from restitution.expression.quantities import Nature
+from restitution.expression.tree import Apply, Letter, Negate
+from restitution.practice.letters.inference import Item, Slot, shaped, stacked
+from restitution.practice.letters.trial import Tester, everywhere
+from restitution.practice.worlds.arrays import Array, angle
+from restitution.practice.worlds.states import States, states
+from restitution.practice.worlds.world import World
+from restitution.vector import Vector
+
+# A line that breaks a known law explains a meaning nearly as well as a true one.
+_SHARE = 0.7
+# So many options of a letter are tried, the most usual ones, and so many numbers at once.
+_WAYS, _OPTIONS, _ROOM = 200, 14, 2_000_000
+_USUAL = 0.35
+_CLOSE = 1e-9
+_RESULTS = frozenset(("impulse", "energy", "deflection"))
+
+Ways = Mapping[tuple[int, ...], float]
+
+
+class Instances:
+    """Lines tried on altered laws: in random states under one, or with the value of a result."""
+
+    def __init__(self, world: World) -> None:
+        self.true = Tester(world)
+        self.states: States = states(world, altered=True)
+        self.tester = Tester(self.states.world)
+        blocks = self.states.blocks
+        self.altered = np.array([block.variant is not None for block in blocks], dtype=bool)
+        self.valid = np.array([block.valid for block in blocks], dtype=bool)
+        self.known: dict[Any, Ways] = {}
+        self.values: dict[Any, list[tuple[int, Value]]] = {}
+
+    def ways(self, item: Item, slots: Sequence[Slot]) -> Ways:
+        """The options of the slots of an item, in their order, for which it breaks a known law.
+
+        Each comes with what share of a true item it is worth.
+        """
+        used = sorted(set(item.slots.values()))
+        key = item.readings, item.line, tuple(id(slots[s].options) for s in used)
+        if key not in self.known:
+            self.known[key] = self._ways(item, slots, used)
+        return self.known[key]
+
+    def _ways(self, item: Item, slots: Sequence[Slot], used: Sequence[int]) -> Ways:
+        if len(used) > 3 or item.readings[0].sign != "=":
+            return {}
+        found: dict[tuple[int, ...], float] = {}
+        for natures in product(*(list(slots[s].values) for s in used)):
+            chosen = dict(zip(used, natures, strict=True))
+            found.update(dict.fromkeys(self._of_law(item, slots, chosen), _SHARE))
+            for result in (s for s in used if _stands_alone(item, s)):
+                ways = self._of_result(item, slots, chosen, result)
+                found.update(dict.fromkeys(ways, _SHARE))
+        return found
+
+    # --- laws ---------------------------------------------------------------------------------
+
+    def _of_law(
+        self, item: Item, slots: Sequence[Slot], chosen: Mapping[int, Nature]
+    ) -> list[tuple[int, ...]]:
+        """The options for which an item holds in all states of an altered law."""
+        places = [_usual(slots[s], nature) for s, nature in chosen.items()]
+        if not self.altered.any() or not self._fits(places, self.tester):
+            return []
+        values = {
+            s: shaped(slots[s].values_of(self.tester, own), None, len(chosen), axis)
+            for axis, (s, own) in enumerate(zip(chosen, places, strict=True))
+        }
+        total = np.zeros([len(each) for each in places], dtype=bool)
+        for held in self._held(item, values, self.tester, total.shape):
+            blocks = held.reshape(*total.shape, -1, self.states.rows)[..., 1:, :]
+            instance = np.all(blocks | ~self.valid, axis=-1) & (self.valid.sum(axis=-1) >= 3)
+            total |= np.any(instance & self.altered, axis=-1)
+        return _chosen(total, places)
+
+    def _fits(self, places: Sequence[Sequence[int]], tester: Tester) -> bool:
+        size = int(np.prod([len(each) for each in places]))
+        return 0 < size * tester.world.samples <= _ROOM
+
+    def _held(
+        self, item: Item, values: Mapping[int, Value], tester: Tester, shape: tuple[int, ...]
+    ) -> list[Array]:
+        """Where the readings of an item hold, for every option and sample."""
+        put = {name: values[s] for name, s in item.slots.items()}
+        found = [
+            tester.holds(reading, put, item.decimals, item.frame) for reading in item.readings[:3]
+        ]
+        whole = (*shape, tester.world.samples)
+        return [np.broadcast_to(held, whole) for held in found if held is not None]
+
+    # --- results ------------------------------------------------------------------------------
+
+    def _of_result(
+        self, item: Item, slots: Sequence[Slot], chosen: Mapping[int, Nature], result: int
+    ) -> list[tuple[int, ...]]:
+        """The options for which an item is true of an altered impulse, energy or deflection."""
+        places: list[Sequence[int]] = []
+        values: dict[int, Value] = {}
+        for axis, (s, nature) in enumerate(chosen.items()):
+            if s == result:
+                pairs = self._altered_values(slots[s], nature)
+                own = [place for place, _ in pairs]
+            else:
+                own = _usual(slots[s], nature)
+                pairs = []
+            if not own:
+                return []
+            value = stacked(self.true, pairs) if pairs else slots[s].values_of(self.true, own)
+            values[s] = shaped(value, None, len(chosen), axis)
+            places.append(own)
+        if not self._fits(places, self.true):
+            return []
+        total = np.zeros([len(each) for each in places], dtype=bool)
+        for held in self._held(item, values, self.true, total.shape):
+            total |= everywhere(held)
+        return _chosen(total, places)
+
+    def _altered_values(self, slot: Slot, nature: Nature) -> list[tuple[int, Value]]:
+        """The options of a slot that are results, each with the values that mistakes give it."""
+        key = id(slot.options), nature
+        if key not in self.values:
+            places = [p for p in slot.values[nature][0] if slot.options[p].kind in _RESULTS]
+            self.values[key] = [
+                (place, value) for place in places for value in self._mistaken(slot, place)
+            ]
+        return self.values[key]
+
+    def _mistaken(self, slot: Slot, place: int) -> Iterator[Value]:
+        own = self.true.value(slot.options[place].quantity, {})
+        if own is None or isinstance(own, Vector):
+            return
+        for true, value in self.results:
+            if isinstance(true, Angle) or isinstance(own, Angle):
+                if isinstance(own, Angle) and _same(own, true):
+                    yield value
+            elif _same(own, true) or _same(-own, true):
+                # A student's size may come out with either sign.
+                yield value
+                yield -value
+
+    @cached_property
+    def results(self) -> Sequence[tuple[Value, Value]]:
+        """True values of results in the world, each with one that a mistake gives it."""
+        world = self.true.world
+        events = events_of(world.problem)
+        found: list[tuple[Value, Value]] = []
+        for event in events[: len(world.events)]:
+            for variant in variants_at(event, events):
+                for result in variant.results:
+                    true, value = (self.true.value(x, {}) for x in (result.quantity, result.value))
+                    if true is None or value is None or isinstance(true, Vector):
+                        continue
+                    if isinstance(true, Angle) and not isinstance(value, Angle | Vector):
+                        value = angle(value)
+                    if isinstance(true, Angle) == isinstance(value, Angle):
+                        found.append((true, value))
+        return found
+
+
+def _stands_alone(item: Item, slot: int) -> bool:
+    """Whether a letter, or its size, is one side of an item."""
+    names = {name for name, s in item.slots.items() if s == slot}
+    for claim in item.readings:
+        for side in (claim.left, claim.right):
+            inner = side.operand if isinstance(side, Negate) else side
+            inner = inner.argument if isinstance(inner, Apply) else inner
+            if isinstance(inner, Letter) and inner.name in names:
+                return True
+    return False
+
+
+def _usual(slot: Slot, nature: Nature) -> list[int]:
+    """The most usual options of a slot of one nature."""
+    return [
+        place
+        for place in slot.values[nature][0]
+        if slot.options[place].cost <= _USUAL and slot.options[place].kind != "definition"
+    ][:_OPTIONS]
+
+
+def _chosen(total: Array, places: Sequence[Sequence[int]]) -> list[tuple[int, ...]]:
+    return [
+        tuple(own[k] for own, k in zip(places, way, strict=True))
+        for way in np.argwhere(total)[:200]
+    ]
+
+
+def _same(one: Value, other: Value) -> bool:
+    """Whether two scalars, or two angles, are equal at all samples."""
+    if isinstance(one, Angle) != isinstance(other, Angle):
+        return False
+    a, b = (x.measure() if isinstance(x, Angle) else x for x in (one, other))
+    return bool(np.all(np.abs(a - b) <= _CLOSE * (1 + np.abs(a))))

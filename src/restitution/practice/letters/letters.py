@@ -1,0 +1,466 @@
+"""What the letters and phrases of a script mean, and which of them have to be asked.
+
+In order: letters of the statement; what the student declares; what a letter usually means; and
+what makes most lines true (`inference`). A letter has one meaning in a scope. A new declaration or
+a heading opens one, and outside it the meaning holds on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cached_property
+from itertools import pairwise
+from typing import Any
+
+from restitution.expression.evaluate import Angle
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    letters,
+)
+from restitution.practice.judgement import By, Meaning
+from restitution.practice.letters.candidates import Candidate, kinds_of, suffix
+from restitution.practice.letters.dependence import Dependence, Relation
+from restitution.practice.letters.inference import (
+    Item,
+    Slot,
+    State,
+    linear_pair,
+    search,
+    slot_of,
+)
+from restitution.practice.letters.interpretation import FixedLetter, Interpretation, Interpretations
+from restitution.practice.letters.options import Usage, elsewhen, of_trees, options, scaled, usual
+from restitution.practice.letters.surroundings import (
+    DeclaredLetter,
+    Surroundings,
+    all_fixed,
+    declarations,
+    letters_of,
+)
+from restitution.practice.letters.trial import Frame, inside_angles
+from restitution.practice.letters.wordings import words_of
+from restitution.practice.reading.angles import is_angle
+from restitution.practice.script import ANYWHERE, Claim, Link, Scope, Script, ScriptLine
+from restitution.practice.worlds.arrays import is_bare
+from restitution.practice.worlds.sampling import true_worlds
+from restitution.practice.worlds.world import World
+from restitution.problem import Problem
+from restitution.solving.solution import Solution
+from restitution.vector import Vector
+
+# Meanings that explain a script nearly as well as the best are kept.
+NEARLY = 0.7
+_RIVALS = 24
+_INEQUALITY = 0.25
+_HEADING, _BREAK, _ALONE = 0.2, 0.5, 1.05
+# What it costs that a letter means nothing which its first line may define.
+_UNKNOWN = 0.2
+# What a line tells that follows from those above or contradicts them, and one of momentum, which
+# tells the sense of its letters as well.
+_WORTH = {"new": 1.0, "follows": 0.3, "contradicts": 0.6}
+_MOMENTUM = 1.8
+_PLACES = 5
+_LAST = 10**6
+_VELOCITIES = frozenset("vVwW")
+
+
+def meanings_of(
+    script: Script,
+    problem: Problem,
+    solution: Solution,
+    part: str | None = None,
+    declared: Mapping[str, Expression | Sequence[Expression]] | None = None,
+    worlds: Sequence[World] | None = None,
+) -> Interpretations:
+    """What every letter and phrase of a script means: the best interpretation and its rivals.
+
+    ``declared`` are meanings from the letters box, as trees or, where words may mean several, as
+    sequences of trees. ``worlds`` are the true worlds of the part, which are made where they are
+    not given. Raises KeyError for a part that is not there.
+    """
+    own = script.of(part)
+    fixed = all_fixed(own, letters_of(problem, solution.parts[part].part))
+    if worlds is None or fixed:
+        worlds = true_worlds(solution, part, fixed)
+    found: list[Interpretation] = []
+    for world in worlds[:4]:
+        surroundings = Surroundings(problem, solution.parts[part].part, world)
+        found += _interpretations(own, surroundings, declared or {})
+    if not found:
+        return Interpretations(Interpretation())
+    found.sort(key=lambda each: -each.score)
+    best = found[0]
+    rivals = [each for each in found[1:] if each.score >= best.score - NEARLY]
+    return Interpretations(best, tuple(_distinct(best, rivals))[:_RIVALS])
+
+
+def _distinct(best: Interpretation, rivals: Iterable[Interpretation]) -> Iterator[Interpretation]:
+    seen = {_signature(best)}
+    for each in rivals:
+        if _signature(each) not in seen:
+            seen.add(_signature(each))
+            yield each
+
+
+def _signature(each: Interpretation) -> Any:
+    return frozenset((m.letter, m.quantity, m.since) for m in each.meanings)
+
+
+# --- one world ------------------------------------------------------------------------------------
+
+
+def _interpretations(
+    script: Script, around: Surroundings, declared: Mapping[str, Any]
+) -> list[Interpretation]:
+    search_ = _Search(script, around, *declarations(script, around, declared))
+    found = search_.interpretations(())
+    if search_.headings:
+        found += search_.interpretations(search_.headings)
+    else:
+        found += search_.reused()
+    found.sort(key=lambda each: -each.score)
+    return [each for each in found if each.score >= found[0].score - NEARLY]
+
+
+@dataclass(frozen=True)
+class _Break:
+    """Letters may have another meaning from a line on.
+
+    ``cost`` is what that costs, ``alone`` where only one line says so.
+    """
+
+    line: int
+    cost: float
+    alone: float
+
+
+class _Search:
+    """The interpretations of a script in one world."""
+
+    def __init__(
+        self,
+        script: Script,
+        around: Surroundings,
+        declared: Sequence[DeclaredLetter],
+        fixed: Sequence[FixedLetter],
+    ) -> None:
+        self.lines = [line for line in script.lines if line.kind in ("relations", "declaration")]
+        self.around = around
+        self.declared = declared
+        self.fixed = tuple(fixed)
+        self.angular = self._angular()
+        self.slots: dict[Any, Slot | None] = {}
+        self.items: dict[int, list[tuple[Link, frozenset[str]]]] = {}
+        self.certain = {
+            each.letter: each for each in declared if len(each.trees) == 1 and not each.since
+        }
+        for line in self.lines:
+            links = [(link, self._open(link, line.number)) for link in line.links]
+            self.items[line.number] = [(link, names) for link, names in links if names]
+        self.directions = around.directions(self.lines)
+        self.failing: set[int] = set()
+        self.relations: dict[Any, Relation] = {}
+        self.told: set[str] = set()
+        self.definitions = dict(self._definitions())
+
+    # --- letters of the lines
+
+    def _angular(self) -> frozenset[str]:
+        """The letters that stand inside a trigonometric function, or are equated with an angle."""
+        claims = [
+            claim for line in self.lines for link in line.links for claim in link.readings[:1]
+        ]
+        found = frozenset[str]().union(
+            *(inside_angles(side) for claim in claims for side in (claim.left, claim.right))
+        )
+        for claim in claims:
+            known = found | self.around.world.angles
+            for one, other in ((claim.left, claim.right), (claim.right, claim.left)):
+                angle = is_angle(other, known) and letters(other) <= known
+                if isinstance(one, Letter) and angle:
+                    found |= {one.name}
+        return found
+
+    def meanings(self, number: int) -> dict[str, Expression]:
+        """The trees of letters whose declaration is certain, in a line."""
+        force: dict[str, Expression] = {}
+        for each in sorted(self.declared, key=lambda each: each.since):
+            if each.since <= number and len(each.trees) == 1:
+                force[each.letter] = each.trees[0]
+        return force
+
+    def _open(self, link: Link, number: int) -> frozenset[str]:
+        """The letters of a link whose meaning is not certain, those inside meanings included."""
+        force = self.meanings(number)
+        names: set[str] = set()
+        for claim in link.readings:
+            for side in (claim.left, claim.right, *claim.others):
+                names |= letters(side)
+        pending, seen = list(names), set[str]()
+        while pending:
+            name = pending.pop()
+            if name not in seen:
+                seen.add(name)
+                pending.extend(letters(force[name]) if name in force else ())
+        return frozenset(seen - force.keys() - self.around.letters)
+
+    def _definitions(self) -> Iterator[tuple[str, tuple[int, Expression]]]:
+        """Letters whose first line gives them a known value."""
+        seen: set[str] = set()
+        for line in self.lines:
+            for link, names in self.items[line.number]:
+                fresh = names - seen
+                seen |= names
+                if len(names) == 1 and fresh and not any(" " in name for name in names):
+                    (name,) = names
+                    self.told.add(name)
+                    for claim in link.readings[:1]:
+                        tree = _defining(claim, name)
+                        if tree is not None:
+                            yield name, (line.number, tree)
+
+    # --- slots
+
+    def _slot(self, name: str, line: ScriptLine, segment: int) -> Slot | None:
+        scope = line.scope
+        key = (name, segment, scope if segment or " " in name else ANYWHERE)
+        if key not in self.slots and segment and scope == ANYWHERE:
+            first = self._slot(name, line, 0)
+            self.slots[key] = None if first is None else replace(first, segment=segment)
+        elif key not in self.slots:
+            self.slots[key] = slot_of(
+                name, self._options(name, line, segment), self.around.tester, segment
+            )
+        return self.slots[key]
+
+    def _options(self, name: str, line: ScriptLine, segment: int) -> list[Candidate]:
+        around, scope = self.around, line.scope
+        named = [each for each in self.declared if each.letter == name]
+        if named:
+            latest = [each for each in named if each.since <= line.number] or named
+            return list(of_trees(latest[-1].trees))
+        phrase = around.phrase(name)
+        if phrase:
+            own = [around.staged(tree, scope) for tree in phrase]
+            every = [*of_trees(own), *elsewhen(name, own, len(around.events))]
+            return [*every, *scaled(every, self.directions)]
+        usage = Usage(name, name in self.angular, scope, name in self.told)
+        chosen = list(options(usage, around.candidates, around.problem))
+        chosen += list(scaled(chosen, self.directions))
+        if name in self.definitions and self.usual(name, scope) is None:
+            _, tree = self.definitions[name]
+            value = around.tester.value(tree, {}, Frame(None, self.meanings(line.number)))
+            if value is not None:
+                if name in self.angular and not isinstance(value, Angle) and is_bare(tree):
+                    tree = Binary("*", tree, Degrees(Fraction(1)))
+                start = around.of_the_start(value)
+                if not start and self._is_velocity(name):
+                    return chosen
+                chosen.append(Candidate(tree, "definition", "scalar", start=start))
+        return chosen
+
+    def _is_velocity(self, name: str) -> bool:
+        """Whether a letter is one for velocities, and a vector by its first line: v = 3i + 2j."""
+        if name not in self.definitions or name.partition("_")[0] not in _VELOCITIES:
+            return False
+        number, tree = self.definitions[name]
+        value = self.around.tester.value(tree, {}, Frame(None, self.meanings(number)))
+        return isinstance(value, Vector) and not self.around.of_the_start(value)
+
+    def usual(self, name: str, scope: Scope) -> Candidate | None:
+        """What a letter or phrase means where no line tells."""
+        phrase = self.around.phrase(name)
+        if phrase:
+            trees_ = [self.around.staged(tree, scope) for tree in phrase[:1]]
+            return next(of_trees(trees_))
+        if self._is_velocity(name):
+            moving = [each for each in self.around.candidates if each.kind == "velocity"]
+            after = [each for each in moving if each.event and scope.event in (None, each.event)]
+            own = [each for each in after if each.body == suffix(name)]
+            return own[-1] if own else after[0] if len(after) == 1 else None
+        usage = Usage(name, name in self.angular, scope)
+        return usual(usage, self.around.candidates, self.around.problem, self.around.events)
+
+    # --- searching
+
+    def interpretations(self, breaks: Sequence[_Break]) -> list[Interpretation]:
+        """The best interpretations where letters may change their meaning at some lines."""
+        places: dict[tuple[str, int], int] = {}
+        slots: list[Slot] = []
+        firsts: list[tuple[str, ScriptLine]] = []
+        items: list[Item] = []
+        for line in self.lines:
+            segment = sum(each.line <= line.number for each in breaks)
+            for link, names in self.items[line.number]:
+                used: dict[str, int] = {}
+                for name in sorted(names):
+                    if (name, segment) not in places:
+                        slot = self._slot(name, line, segment)
+                        if slot is None:
+                            break
+                        places[name, segment] = len(slots)
+                        slots.append(slot)
+                        firsts.append((name, line))
+                    used[name] = places[name, segment]
+                else:
+                    items.append(self._item(link, line, used))
+        items = self._weighed(items)
+        states = search(items, slots, self.around.tester, self.around.broken)
+        found = []
+        for state in states[: 2 * _RIVALS]:
+            lines = {item.line for k, item in enumerate(items) if k in state.satisfied}
+            whole = self._interpretation(state, slots, firsts)
+            found.append(replace(whole, score=whole.score - self._cost(whole, breaks, lines)))
+        if found:
+            best = max(range(len(found)), key=lambda k: found[k].score)
+            held = states[best].satisfied
+            self.failing = {item.line for k, item in enumerate(items) if k not in held}
+        return found
+
+    def _cost(self, whole: Interpretation, breaks: Sequence[_Break], lines: Iterable[int]) -> float:
+        """What it costs that letters change their meanings, less where several lines say so."""
+        changed = [m.since for m in whole.meanings if m.since and m.by == "inferred"]
+        cost = 0.0
+        ends = [*(each.line for each in breaks[1:]), _LAST]
+        for each, end in zip(breaks, ends, strict=False):
+            if any(since >= each.line for since in changed):
+                several = sum(each.line <= number < end for number in lines) > 1
+                cost += each.cost if several else each.alone
+        return cost
+
+    def _item(self, link: Link, line: ScriptLine, used: Mapping[str, int]) -> Item:
+        frame = Frame(self.around.world.now(line.scope), self.meanings(line.number))
+        count = max(1, len(self.items[line.number]))
+        weight = (1.0 if link.readings[0].sign == "=" else _INEQUALITY) / count**0.5
+        pair = linear_pair(link.readings[0], sorted(used), self.around.tester, frame)
+        return Item(line.number, link.readings, used, weight, link.decimals, frame, pair)
+
+    def _weighed(self, items: Sequence[Item]) -> list[Item]:
+        """The items with what each is worth, less where it follows from those above.
+
+        What a line is worth does not change with the scopes that its letters are given.
+        """
+        dependence = Dependence(self.around.tester, self.angular)
+        weighed: list[Item] = []
+        for item in items:
+            key = item.line, item.readings
+            if key not in self.relations:
+                names = {name: f"{name} 0" for name in item.slots}
+                self.relations[key] = dependence.relation(item.readings[0], names, item.frame)
+            relation = self.relations[key]
+            factor = _WORTH[relation]
+            if relation == "new" and _is_momentum(item):
+                factor = _MOMENTUM
+            fresh = relation == "new"
+            weighed.append(replace(item, weight=item.weight * factor, fresh=fresh))
+        return weighed
+
+    def _interpretation(
+        self,
+        state: State,
+        slots: Sequence[Slot],
+        firsts: Sequence[tuple[str, ScriptLine]],
+    ) -> Interpretation:
+        meanings = [
+            Meaning(
+                each.letter,
+                each.trees[0],
+                each.words or self._words(each.trees[0]),
+                "declared",
+                each.scope,
+                each.since,
+            )
+            for each in self.declared
+            if len(each.trees) == 1
+        ]
+        unknown: set[str] = set()
+        score = state.score
+        for option, slot, (name, line) in zip(state.options, slots, firsts, strict=True):
+            since = line.number if slot.segment else 0
+            chosen = slot.options[option] if option >= 0 else self.usual(name, line.scope)
+            if chosen is None:
+                unknown.add(name)
+                score -= _UNKNOWN if name in self.definitions else 0.0
+                continue
+            by = self._by(name, chosen, option, line.scope)
+            meanings.append(
+                Meaning(name, chosen.quantity, self._words(chosen.quantity), by, line.scope, since)
+            )
+        known = {meaning.letter for meaning in meanings}
+        return Interpretation(tuple(meanings), score, frozenset(unknown - known), self.fixed)
+
+    def _by(self, name: str, chosen: Candidate, option: int, scope: Scope) -> By:
+        if any(each.letter == name for each in self.declared):
+            return "declared"
+        if option < 0 or self.around.phrase(name):
+            return "default"
+        if chosen.kind == "definition":
+            return "declared"
+        known = self.usual(name, scope)
+        return "default" if known is not None and known.quantity == chosen.quantity else "inferred"
+
+    def _words(self, tree: Expression) -> str:
+        return words_of(tree, self.around.problem)
+
+    @cached_property
+    def headings(self) -> tuple[_Break, ...]:
+        """Where a heading opens a scope."""
+        return tuple(
+            _Break(below.number, _HEADING, _HEADING)
+            for above, below in pairwise(self.lines)
+            if above.scope != below.scope
+        )
+
+    def reused(self) -> list[Interpretation]:
+        """The interpretations where letters come again with another meaning, at one line or two."""
+        found: list[Interpretation] = []
+        breaks: tuple[_Break, ...] = ()
+        for _ in range(2):
+            if not self.failing or len(self.around.events) < 2:
+                break
+            tried: list[tuple[float, _Break, set[int]]] = []
+            for number in self._places()[:_PLACES]:
+                if all(number != each.line for each in breaks):
+                    one = _Break(number, _BREAK, _ALONE)
+                    new = self.interpretations(sorted((*breaks, one), key=lambda b: b.line))
+                    found += new
+                    score = max((each.score for each in new), default=0.0)
+                    tried.append((score, one, set(self.failing)))
+            if not tried:
+                break
+            _, one, self.failing = max(tried, key=lambda each: each[0])
+            breaks = (*breaks, one)
+        return found
+
+    def _places(self) -> list[int]:
+        """The lines, the failing first, at which letters from above come again."""
+        seen: set[str] = set()
+        places: list[int] = []
+        for line in self.lines:
+            names = {name for _, each in self.items[line.number] for name in each}
+            if names & seen:
+                places.append(line.number)
+            seen |= names
+        return sorted(places, key=lambda number: (number not in self.failing, number))
+
+
+def _is_momentum(item: Item) -> bool:
+    """Whether an item looks like an equation of momentum: its sense is that of the letters."""
+    if item.pair is None or not item.pair.sign:
+        return False
+    return all(kinds_of(name, False)[0] == "component" for name in item.pair.names)
+
+
+def _defining(claim: Claim, name: str) -> Expression | None:
+    """The value that a claim gives a letter: ``n = (-3i + 4j)/5``."""
+    if claim.sign != "=" or claim.others:
+        return None
+    for one, other in ((claim.left, claim.right), (claim.right, claim.left)):
+        if isinstance(one, Letter) and one.name == name and name not in letters(other):
+            return other
+    return None

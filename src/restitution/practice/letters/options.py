@@ -1,0 +1,320 @@
+"""The candidates of one letter or phrase: by its look, by where it stands, by its suffix."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from restitution.expression.quantities import KINDS
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Name,
+    Negate,
+    Pair,
+    Quantity,
+    Stage,
+    Unit,
+    walk,
+)
+from restitution.practice.letters.candidates import (
+    Candidate,
+    Kind,
+    earlier,
+    kinds_of,
+    suffix,
+)
+from restitution.practice.script import ANYWHERE, Scope
+from restitution.problem import Event, Impact, Kick, Part, Problem
+
+# Of another kind than the look of a letter tells: only where numbers cannot agree by chance.
+_ODD, _RARE, _STRANGE = 0.15, 0.5, 0.6
+
+
+@dataclass(frozen=True)
+class Usage:
+    """How a letter is used: inside a trigonometric function, and under which heading.
+
+    ``defined`` tells that its first line gives it, or a function of it, a known value.
+    """
+
+    letter: str
+    in_angle: bool = False
+    scope: Scope = ANYWHERE
+    defined: bool = False
+
+
+def options(usage: Usage, candidates: Iterable[Candidate], problem: Problem) -> Iterator[Candidate]:
+    """The candidates of a letter, with what each costs for it."""
+    kinds = kinds_of(usage.letter, usage.in_angle)
+    for each in candidates:
+        if barred(usage, each):
+            continue
+        strange = each.kind not in kinds
+        if strange and (usage.in_angle or not each.varies):
+            continue
+        extra = _by_suffix(usage.letter, each, problem)
+        if extra is None:
+            continue
+        place = kinds.index(each.kind) * 0.05 if len(kinds) > 2 and not strange else 0.0
+        place += _STRANGE if strange else 0.0
+        extra += place + _by_scope(usage.scope, each) + _by_axis(usage.letter, each)
+        yield replace(each, cost=min(1.0, each.cost + extra))
+
+
+def barred(usage: Usage, candidate: Candidate) -> bool:
+    """Whether a letter cannot mean a known quantity of the start.
+
+    Only u, u_A and angles may that have a known value from their first line.
+    """
+    if not candidate.start or earlier(usage.letter):
+        return False
+    return candidate.kind != "angle" or not usage.defined
+
+
+def _by_scope(scope: Scope, candidate: Candidate) -> float:
+    cost = 0.0
+    if scope.event is not None and candidate.event not in (None, scope.event):
+        cost += _ODD
+    if scope.body is not None and candidate.body not in (None, scope.body):
+        cost += _ODD
+    return cost
+
+
+def _by_axis(letter: str, candidate: Candidate) -> float:
+    """As components, x and y are components along i and j before anything else."""
+    axes = {"x": "i", "y": "j"}
+    if letter not in axes or candidate.kind != "component":
+        return 0.0
+    return 0.0 if candidate.axis == Unit(axes[letter]) else 0.1  # type: ignore[arg-type]
+
+
+def _by_suffix(letter: str, candidate: Candidate, problem: Problem) -> float | None:
+    """What a suffix adds to the cost of a candidate; None where it contradicts it."""
+    below = suffix(letter)
+    cost = 0.0
+    if earlier(letter):
+        cost = 0.0 if candidate.start else _ODD
+    spheres = [sphere.name for sphere in problem.spheres]
+    for name in sorted(spheres, key=len, reverse=True):
+        if below.startswith(name):
+            if candidate.body not in (None, name):
+                return None
+            below = below[len(name) :]
+            break
+    if below[:1] in ("x", "y", "i", "j"):
+        return cost + _axis_cost(below[0], candidate)
+    if below.isdigit():
+        return cost + _number_cost(int(below), candidate, spheres)
+    return cost
+
+
+def _axis_cost(axis: str, candidate: Candidate) -> float:
+    wanted = Unit("i" if axis in "xi" else "j")
+    return 0.0 if candidate.axis == wanted else _RARE
+
+
+def _number_cost(number: int, candidate: Candidate, spheres: Sequence[str]) -> float:
+    """v_1 is of the first sphere, or after the first event."""
+    of_sphere = number <= len(spheres) and candidate.body == spheres[number - 1]
+    return 0.0 if of_sphere or candidate.event == number else _ODD
+
+
+# --- what a letter usually means ------------------------------------------------------------------
+
+
+def usual(
+    usage: Usage, candidates: Sequence[Candidate], problem: Problem, events: Sequence[Event]
+) -> Candidate | None:
+    """What a letter means where nothing else is known of it: v_A, u_A, e, m; else None."""
+    letter, below = usage.letter, suffix(usage.letter)
+    base = letter.partition("_")[0].rstrip("'")
+    impacts = [n for n, event in enumerate(events, 1) if isinstance(event, Impact)]
+    match base:
+        case "e" | "epsilon":
+            number = int(below) if below.isdigit() else usage.scope.event or impacts[-1:]
+            number = number[0] if isinstance(number, list) and number else number
+            if len(impacts) == 1 or below.isdigit() or usage.scope.event:
+                return _first(candidates, "coefficient", None, number)
+        case "I" | "J" if not below:
+            struck = [n for n, event in enumerate(events, 1) if isinstance(event, Impact | Kick)]
+            only = struck[0] if len(struck) == 1 else usage.scope.event
+            return _first(candidates, "impulse", None, only) if only else None
+        case "m" | "M":
+            return _mass(candidates, below, problem)
+        case "v" | "u" | "V" | "U" if any(sphere.name == below for sphere in problem.spheres):
+            return _usual_velocity(candidates, base in "uU", below, usage.scope)
+    return None
+
+
+def _first(
+    candidates: Iterable[Candidate], kind: Kind, body: str | None, event: object
+) -> Candidate | None:
+    alike = [each for each in candidates if each.kind == kind and each.body == body]
+    return next((each for each in alike if each.event == event or event is None), None)
+
+
+def _mass(candidates: Iterable[Candidate], below: str, problem: Problem) -> Candidate | None:
+    spheres = [sphere.name for sphere in problem.spheres]
+    if below in spheres:
+        return _first(candidates, "mass", below, None)
+    if below.isdigit() and 0 < int(below) <= len(spheres):
+        return _first(candidates, "mass", spheres[int(below) - 1], None)
+    open_ = [sphere.name for sphere in problem.spheres if sphere.mass is None]
+    return _first(candidates, "mass", open_[0], None) if len(open_) == 1 and not below else None
+
+
+def _usual_velocity(
+    candidates: Iterable[Candidate], before: bool, body: str, scope: Scope
+) -> Candidate | None:
+    """The component along the line of centres of the latest event, or of that of the heading."""
+    own = [each for each in candidates if each.kind == "component" and each.body == body]
+    if before:
+        return next((each for each in own if each.event == 0), None)
+    later = [each for each in own if each.event]
+    wanted = [each for each in later if each.event == scope.event] or later
+    last = max((each.event or 0 for each in wanted), default=0)
+    return next((each for each in wanted if each.event == last), None)
+
+
+# --- trees of phrases and declarations ------------------------------------------------------------
+
+
+def of_trees(trees: Iterable[Expression], sensed: bool = True) -> Iterator[Candidate]:
+    """Candidates of trees in the order given, the most natural first."""
+    for place, tree in enumerate(trees):
+        candidate = _of_tree(tree, min(0.05 * place, 0.5))
+        yield candidate if sensed else replace(candidate, kind="definition")
+
+
+def scaled(
+    candidates: Iterable[Candidate], directions: Sequence[Expression]
+) -> Iterator[Candidate]:
+    """Components and relative velocities times the size of a direction that is no unit vector.
+
+    ``(5i + 2j).(2i - j)`` is one: in a ratio, the factor goes.
+    """
+    for each in candidates if directions else ():
+        if each.nature == "scalar" and _is_component(each.quantity):
+            for direction in directions[:3]:
+                quantity = Binary("*", Apply("abs", direction), each.quantity)
+                yield replace(each, quantity=quantity, cost=min(1.0, each.cost + _RARE))
+
+
+def _is_component(tree: Expression) -> bool:
+    inner = tree.operand if isinstance(tree, Negate) else tree
+    if not isinstance(inner, Quantity) or inner.kind != "along":
+        return False
+    axis = inner.arguments[1]
+    return isinstance(axis, Quantity) and axis.kind == "line_of_centres"
+
+
+_MOMENTS = frozenset(
+    ["after", "before", "final", "initial", "initially", "finally", "original", "new", "start"]
+)
+
+
+def elsewhen(words: str, trees: Iterable[Expression], last: int) -> Iterator[Candidate]:
+    """Candidates of trees at other stages, for words that name no moment."""
+    if _MOMENTS & set(words.split()):
+        return
+    for tree in trees:
+        for stage in range(last + 1):
+            moved = _moved(tree, stage)
+            if moved != tree:
+                yield replace(_of_tree(moved, 0.5), cost=0.6)
+
+
+def _moved(tree: Expression, stage: int) -> Expression:
+    """A tree in which velocities, speeds and energies are those after another event."""
+    match tree:
+        case Quantity("velocity" | "speed" | "energy" as kind, arguments):
+            return Quantity(kind, arguments, stage)
+        case Quantity(kind, arguments, own):
+            return Quantity(kind, tuple(_moved(each, stage) for each in arguments), own)
+        case Binary(op, left, right) if not (isinstance(left, Quantity) and left.kind == "energy"):
+            return Binary(op, _moved(left, stage), _moved(right, stage))
+        case Apply(function, argument):
+            return Apply(function, _moved(argument, stage))
+        case Negate(operand):
+            return Negate(_moved(operand, stage))
+    return tree
+
+
+def _of_tree(tree: Expression, cost: float) -> Candidate:
+    inner = tree.operand if isinstance(tree, Negate) else tree
+    kind: Kind = "definition"
+    body = next((n.name for n in walk(inner) if isinstance(n, Name)), None)
+    event = next(
+        (n.stage for n in walk(inner) if isinstance(n, Quantity) and isinstance(n.stage, int)), None
+    )
+    axis = None
+    nature = "scalar"
+    if isinstance(inner, Quantity):
+        kind = _KIND_OF_QUANTITY.get(inner.kind, "definition")
+        nature = KINDS[inner.kind].nature_of(inner.arguments)
+        axis = inner.arguments[1] if kind == "component" else None
+    return Candidate(tree, kind, nature, body, event, axis, False, cost)  # type: ignore[arg-type]
+
+
+_KIND_OF_QUANTITY: dict[str, Kind] = {
+    "along": "component",
+    "across": "component",
+    "speed": "speed",
+    "velocity": "velocity",
+    "angle": "angle",
+    "direction": "angle",
+    "deflection": "deflection",
+    "impulse": "impulse",
+    "energy": "energy",
+    "energy_lost": "energy",
+    "total_energy_lost": "energy",
+    "mass": "mass",
+    "restitution": "coefficient",
+    "time": "time",
+    "distance": "distance",
+    "line_of_centres": "direction",
+}
+
+
+def staged(tree: Expression, problem: Problem, part: Part | None, now: int) -> Expression:
+    """A tree in which every quantity tells the number of its event, after ``now`` events."""
+    events = [step for step, _, _ in problem.timeline(part) if isinstance(step, Event)]
+    return _staged(tree, events, now)
+
+
+def _staged(tree: Expression, events: Sequence[Event], now: int) -> Expression:
+    match tree:
+        case Quantity(kind, arguments):
+            inside = tuple(_staged(each, events, now) for each in arguments)
+            return Quantity(kind, inside, _stage(tree, events, now), place=tree.place)
+        case Binary(op, left, right):
+            return Binary(op, _staged(left, events, now), _staged(right, events, now))
+        case Apply(function, argument):
+            return Apply(function, _staged(argument, events, now))
+        case Negate(operand):
+            return Negate(_staged(operand, events, now))
+        case Pair(x, y):
+            return Pair(_staged(x, events, now), _staged(y, events, now))
+    return tree
+
+
+def _stage(tree: Quantity, events: Sequence[Event], now: int) -> Stage:
+    record = KINDS.get(tree.kind)
+    if record is None or not record.staged or not (tree.stage is None or tree.stage == "before"):
+        return tree.stage
+    body = (
+        tree.arguments[0].name if tree.arguments and isinstance(tree.arguments[0], Name) else None
+    )
+    own = [
+        n
+        for n, event in enumerate(events[:now], 1)
+        if body is None
+        or body in ((event.first, event.second) if isinstance(event, Impact) else (event.body,))
+    ]
+    if tree.stage == "before":
+        return own[-1] - 1 if own else 0
+    if record.of_an_event:
+        return own[-1] if own else tree.stage
+    return now

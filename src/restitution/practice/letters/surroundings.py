@@ -1,0 +1,227 @@
+"""A part in one of its worlds, with all that a letter may mean there, and what is declared."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from restitution.expression.evaluate import Angle, Value
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Negate,
+    Number,
+    Quantity,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.practice.letters.candidates import Candidate, before_event, candidates
+from restitution.practice.letters.inference import Item, Slot, same_size
+from restitution.practice.letters.instances import Instances
+from restitution.practice.letters.interpretation import FixedLetter
+from restitution.practice.letters.options import staged
+from restitution.practice.letters.trial import Tester
+from restitution.practice.reading.phrases import is_phrase, read_phrase
+from restitution.practice.script import ANYWHERE, Scope, Script, ScriptLine
+from restitution.practice.worlds.world import World
+from restitution.problem import Event, Impact, Let, Part, Problem, trees
+from restitution.vector import Vector
+
+
+@dataclass(frozen=True, eq=False)
+class Surroundings:
+    """A part in one of its worlds, with all that a letter may mean there."""
+
+    problem: Problem
+    part: Part
+    world: World
+    _phrases: dict[str, tuple[Expression, ...]] = field(default_factory=dict, init=False)
+
+    @cached_property
+    def tester(self) -> Tester:
+        """Tries claims in this world."""
+        return Tester(self.world)
+
+    @cached_property
+    def instances(self) -> Instances:
+        """Tells which lines break a known law."""
+        return Instances(self.world)
+
+    def broken(self, item: Item, slots: Sequence[Slot]) -> Mapping[tuple[int, ...], float]:
+        """The options for which an item breaks a known law, with what it is worth then."""
+        return self.instances.ways(item, slots)
+
+    @cached_property
+    def candidates(self) -> tuple[Candidate, ...]:
+        """Every quantity that a letter may mean."""
+        every = candidates(self.problem, self.part)
+        return tuple(
+            replace(each, unchanged=self._is_unchanged(each), varies=self._varies(each))
+            for each in every
+        )
+
+    def _varies(self, candidate: Candidate) -> bool:
+        """Whether a scalar depends on the letters of the statement."""
+        value = self.tester.value(candidate.quantity, {})
+        if value is None or isinstance(value, Vector | Angle):
+            return False
+        spread = self.world.spread(value)
+        return bool(np.all(np.isfinite(spread)) and np.ptp(spread) > 1e-6 * np.max(np.abs(spread)))
+
+    def _is_unchanged(self, candidate: Candidate) -> bool:
+        """Whether a component after an event is what it was before it."""
+        if candidate.kind != "component" or not candidate.event:
+            return False
+        after = self.tester.value(candidate.quantity, {})
+        before = self.tester.value(before_event(candidate.quantity), {})
+        return after is not None and before is not None and same_size(after, before)
+
+    @cached_property
+    def events(self) -> tuple[Event, ...]:
+        """The events of the story."""
+        return self.world.events
+
+    @cached_property
+    def letters(self) -> frozenset[str]:
+        """The letters of the statement and its lets."""
+        return letters_of(self.problem, self.part)
+
+    def of_the_start(self, value: Value) -> bool:
+        """Whether a value is, up to sign, that of a quantity known from the start."""
+        known = (self.tester.value(each.quantity, {}) for each in self.candidates if each.start)
+        return any(same_size(value, each) for each in known if each is not None)
+
+    def directions(self, lines: Iterable[ScriptLine]) -> tuple[Expression, ...]:
+        """Vectors in scalar products of a script that are no unit vectors, such as 3i + 4j."""
+        sizes: dict[float, Expression] = {}
+        for line in lines:
+            for link in line.links:
+                for tree in walk(link.readings[0].right):
+                    if isinstance(tree, Quantity) and tree.kind == "dot":
+                        for each in tree.arguments:
+                            sizes.setdefault(self._size(each), each)
+        return tuple(each for size, each in sizes.items() if size not in (0.0, 1.0))
+
+    def _size(self, tree: Expression) -> float:
+        """The size of a vector of numbers; 0 of anything else."""
+        value = None if letters(tree) or has_quantity(tree) else self.tester.value(tree, {})
+        return round(float(np.hypot(*value)), 9) if isinstance(value, Vector) else 0.0
+
+    def phrase(self, words: str) -> tuple[Expression, ...]:
+        """The quantities that a phrase may name; none for a letter."""
+        if words not in self._phrases:
+            self._phrases[words] = read_phrase(words, self.problem) if is_phrase(words) else ()
+        return self._phrases[words]
+
+    def staged(self, tree: Expression, scope: Scope) -> Expression:
+        """A tree in which every quantity tells the number of its event."""
+        return staged(tree, self.problem, self.part, self.world.now(scope))
+
+
+def letters_of(problem: Problem, part: Part | None = None) -> frozenset[str]:
+    """The letters that a statement gives a meaning, e of an impact without a number among them."""
+    names: set[str] = set()
+    for tree in trees(problem):
+        names |= letters(tree)
+    for step, _, _ in problem.timeline(part):
+        if isinstance(step, Let):
+            names.add(step.letter)
+        elif isinstance(step, Impact) and step.e is None:
+            names.add("e")
+    return frozenset(names)
+
+
+# --- declarations ---------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class DeclaredLetter:
+    """A letter that is declared: its possible trees, and the line from which they hold."""
+
+    letter: str
+    trees: tuple[Expression, ...]
+    words: str
+    since: int
+    scope: Scope = ANYWHERE
+
+
+def declarations(
+    script: Script, around: Surroundings, declared: Mapping[str, Any]
+) -> tuple[list[DeclaredLetter], list[FixedLetter]]:
+    """What is declared in the box and in lines; letters of the statement that are fixed."""
+    found: list[DeclaredLetter] = []
+    fixed: list[FixedLetter] = []
+    for letter, trees_ in declared.items():
+        each = trees_ if isinstance(trees_, tuple | list) else (trees_,)
+        whole = tuple(around.staged(tree, ANYWHERE) for tree in each)
+        if whole:
+            found.append(DeclaredLetter(letter, whole, "", 0))
+    for line in script.lines:
+        for one in line.declarations:
+            if one.letter in around.letters:
+                fixed += _fixed(one.letter, one.meanings, line, script, around)
+                continue
+            whole = tuple(around.staged(tree, line.scope) for tree in one.meanings)
+            if whole:
+                first = all(one.letter != known.letter for known in found)
+                since = 0 if first else line.number
+                found.append(DeclaredLetter(one.letter, whole, one.words, since, line.scope))
+    return found, fixed
+
+
+def _fixed(
+    letter: str,
+    meanings: Sequence[Expression],
+    line: ScriptLine,
+    script: Script,
+    around: Surroundings,
+) -> Iterator[FixedLetter]:
+    """``take u = 5``, until a line carries the letter again."""
+    value = rational_value(meanings[0]) if meanings else None
+    if value is None:
+        return
+    again = [
+        each.number
+        for each in script.lines
+        if each.number > line.number and letter in _letters_in(each)
+    ]
+    yield FixedLetter(letter, value, line.number, again[0] - 1 if again else None)
+
+
+def rational_value(tree: Expression) -> Fraction | None:
+    """The value of a number as typed: 5, -2, 1/3; None for any other tree."""
+    match tree:
+        case Number(value) | Degrees(value):
+            return value
+        case Negate(operand):
+            inner = rational_value(operand)
+            return None if inner is None else -inner
+        case Binary("/", left, right):
+            above, below = rational_value(left), rational_value(right)
+            return above / below if above is not None and below else None
+    return None
+
+
+def _letters_in(line: ScriptLine) -> frozenset[str]:
+    claims = [claim for link in line.links for claim in link.readings[:1]]
+    return frozenset[str]().union(
+        *(letters(side) for claim in claims for side in (claim.left, claim.right))
+    )
+
+
+def all_fixed(script: Script, statement: frozenset[str]) -> dict[str, Fraction]:
+    """The letters of the statement that a script fixes, each with its first value."""
+    fixed: dict[str, Fraction] = {}
+    for line in script.lines:
+        for each in line.declarations:
+            value = rational_value(each.meanings[0]) if each.meanings else None
+            if each.letter in statement and value is not None:
+                fixed.setdefault(each.letter, value)
+    return fixed

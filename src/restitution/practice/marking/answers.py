@@ -1,0 +1,184 @@
+"""Answers alone: a value given for what is asked, right or as if a mistake had been made."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from restitution.errors import StatementError
+from restitution.expression.tree import Expression, Letter
+from restitution.practice.judgement import Accuracy, JudgedLine, Judgement
+from restitution.practice.judging.judging import Bench, bench_of
+from restitution.practice.marking.values import Values
+from restitution.practice.reading.lines import text_of
+from restitution.practice.reading.working import read_working
+from restitution.practice.script import Claim, Link
+from restitution.practice.worlds.agreement import agrees
+from restitution.practice.worlds.arrays import UnvaluedError
+from restitution.practice.worlds.student import altered_world
+from restitution.practice.worlds.world import World
+from restitution.problem import Problem, Value
+from restitution.solving.solution import ItemResult, PartSolution, Solution
+from restitution.solving.solver import solve
+
+_GRADES: tuple[Accuracy, ...] = ("exact", "rounded", "coarse")
+_LONGEST = 200
+
+
+@dataclass(frozen=True)
+class AnswerMark:
+    """The value that a student gives for an item.
+
+    ``accuracy`` tells how exactly it is right, None where it is not. ``as_if`` names the mistakes
+    that lead to it, none where it is right.
+    """
+
+    item: str
+    value: str
+    right: bool
+    accuracy: Accuracy | None = None
+    as_if: tuple[str, ...] = ()
+    part: str | None = None
+
+    def json(self) -> dict[str, Any]:
+        """As plain data; ``as_if`` is one name, a list where several lead to it, or null."""
+        names: str | list[str] | None = list(self.as_if) or None
+        if names is not None and len(names) == 1:
+            names = names[0]
+        return {
+            "item": self.item,
+            "value": self.value,
+            "right": self.right,
+            "accuracy": self.accuracy,
+            "as_if": names,
+        }
+
+
+def answers_of(
+    solved: PartSolution, judgement: Judgement, values: Values, bench: Bench
+) -> Iterator[AnswerMark]:
+    """The last value that a working gives for each item of its part."""
+    for item in solved.items:
+        if not isinstance(item.item, Value):
+            continue
+        last = _last(item.item.expression, judgement.lines, values)
+        if last is None:
+            continue
+        line, value = last
+        right = line.verdict in ("true", "unsupported")
+        names: tuple[str, ...] = ()
+        if not right:
+            link = replace(line.line.links[-1], readings=(Claim(value, "=", value),))
+            names = tuple(_leading(item.item.expression, value, link, bench))
+        yield AnswerMark(item.text, text_of(value), right, line.accuracy, names, solved.part.label)
+
+
+def mark_answers(
+    question: Problem | Solution, answers: Sequence[str], part: str | None = None
+) -> tuple[AnswerMark, ...]:
+    """Answers typed as ``speed(P) = 4.51``, one for each item that is answered.
+
+    Raises StatementError for what is no answer to an item that is asked, and the error of a
+    question that has no answer.
+    """
+    solution = question if isinstance(question, Solution) else solve(question)
+    benches = [bench_of(solution, label) for label in solution.parts if part in (None, label)]
+    return tuple(_marked(answer, benches) for answer in answers)
+
+
+def _marked(answer: str, benches: Sequence[Bench]) -> AnswerMark:
+    asked, sign, value = answer.partition("=")
+    if not sign or not value.strip() or len(answer) > _LONGEST:
+        raise StatementError(
+            f"the answer {answer[:60]!r} is no equation: an answer is such as speed(P) = 4.51"
+        )
+    for bench in reversed(benches):
+        for item in bench.solved.items:
+            if isinstance(item.item, Value) and _plain(item.text) == _plain(asked):
+                return _judged(item, item.item.expression, value.strip(), bench)
+    known = [each.text for bench in benches for each in bench.solved.items]
+    raise StatementError(f"{asked.strip()!r} is not asked; asked: {', '.join(known) or 'nothing'}")
+
+
+def _plain(text: str) -> str:
+    return "".join(text.split()).casefold()
+
+
+def _judged(item: ItemResult, asked: Expression, typed: str, bench: Bench) -> AnswerMark:
+    if item.error is not None:
+        raise item.error
+    link = _read(typed, bench.problem)
+    grade = _grade(asked, link, bench.worlds)
+    names = () if grade is not None else tuple(_leading(asked, None, link, bench))
+    return AnswerMark(item.text, typed, grade is not None, grade, names, bench.solved.part.label)
+
+
+def _read(typed: str, problem: Problem) -> Link:
+    """The value of an answer, in every sensible reading, as the right side of a claim."""
+    (line,) = read_working([f"x = {typed}"], problem).lines or (None,)
+    if line is None or not line.links:
+        fault = "" if line is None or line.fault is None else f": {line.fault}"
+        raise StatementError(f"the value {typed!r} cannot be read{fault}")
+    return line.links[-1]
+
+
+def _grade(asked: Expression, link: Link, worlds: Sequence[World]) -> Accuracy | None:
+    """How exactly a value is right in one of the worlds; None where it is in none."""
+    grades = [
+        grade
+        for world in worlds
+        for claim in link.readings
+        for right in (claim.right, *claim.others)
+        if (grade := _agrees(Claim(asked, "=", right), link, world)) is not None
+    ]
+    return min(grades, key=_GRADES.index, default=None)
+
+
+def _agrees(claim: Claim, link: Link, world: World) -> Accuracy | None:
+    try:
+        return agrees(claim, world, {}, link.decimals)
+    except UnvaluedError:
+        return None
+
+
+def _leading(
+    asked: Expression, value: Expression | None, link: Link, bench: Bench
+) -> Iterator[str]:
+    """The mistakes in whose world an item has the value of a link."""
+    if value is not None and isinstance(value, Letter):
+        return
+    seen: set[str] = set()
+    for variant in bench.names.variants:
+        if variant.mistake in seen:
+            continue
+        for base in bench.worlds:
+            if variant.laws and variant.alteration.solvable:
+                world = altered_world(base, variant)
+                claims = [Claim(asked, "=", claim.right) for claim in link.readings]
+                hit = world is not None and any(_agrees(c, link, world) for c in claims)
+            else:
+                hit = any(
+                    result.quantity == asked
+                    and any(
+                        _agrees(Claim(result.value, "=", claim.right), link, base)
+                        for claim in link.readings
+                    )
+                    for result in variant.results
+                )
+            if hit:
+                seen.add(variant.mistake)
+                yield variant.mistake
+                break
+
+
+def _last(
+    asked: Expression, lines: Sequence[JudgedLine], values: Values
+) -> tuple[JudgedLine, Expression] | None:
+    for line in reversed(lines):
+        if line.verdict in ("remark", "unread"):
+            continue
+        value = values.value_of(asked, line)
+        if value is not None:
+            return line, value
+    return None

@@ -1,0 +1,185 @@
+"""The mark scheme of a question, as it is published: mark, for what, and notes.
+
+It is made of the data that mark: the points of the usual way, and the table of misconceptions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from restitution.errors import RestitutionError
+from restitution.explaining.consequences import altered_world, applying
+from restitution.explaining.marks import Style
+from restitution.explaining.misconceptions import MISCONCEPTIONS
+from restitution.practice.marking.scheme import MarkPoint, schemes
+from restitution.render.layout import Layout
+from restitution.render.text import to_text
+from restitution.solving.solution import Solution
+from restitution.work import limited
+from restitution.workings import explain
+from restitution.workings.steps import PartExplanation, Row, Words
+
+_MOST_WRONG = 4
+_SECONDS = 2.5
+
+
+@dataclass(frozen=True)
+class SchemeRow:
+    """The marks of one line: ``("M1", "A1")``, what they are for, the line itself, and notes."""
+
+    part: str | None
+    marks: tuple[str, ...]
+    purpose: str
+    line: Words
+    notes: tuple[str, ...]
+
+    @property
+    def working(self) -> str:
+        """The line as text."""
+        return "".join(
+            each if isinstance(each, str) else to_text(each) for each in self.line
+        ).strip()
+
+
+def mark_scheme(solution: Solution, style: Style = "fm1") -> tuple[SchemeRow, ...]:
+    """The mark scheme of a solved question, line by line."""
+    wrong = _wrong_answers(solution)
+    rows: list[SchemeRow] = []
+    for part in explain(solution, marks=style).parts:
+        points = list(schemes(solution, part.label, style)[0].points)
+        for marks, line in _beside(part, points):
+            own, points = points[: len(marks)], points[len(marks) :]
+            rows.append(_row(part.label, own, line, solution, wrong))
+    return tuple(rows)
+
+
+def _beside(
+    part: PartExplanation, points: Sequence[MarkPoint]
+) -> Iterator[tuple[Sequence[str], Words]]:
+    """The marks of each line with the line; without lines where the working has other marks."""
+    lines = [each for each in _lines(part) if each[0]]
+    if [mark for marks, _ in lines for mark in marks] == [point.kind for point in points]:
+        yield from lines
+        return
+    for point in points:
+        yield [point.kind], ()
+
+
+def _lines(part: PartExplanation) -> Iterator[tuple[list[str], Words]]:
+    for step in part.steps:
+        if step.mark:
+            yield step.mark.split(), step.words
+        for row in step.rows:
+            yield row.mark.split(), _words(row)
+
+
+def _words(row: Row) -> Words:
+    """A line of mathematics with its signs."""
+    pieces: list[str | Layout] = [each for each in row.operands[:1] if each is not None]
+    for sign, operand in zip(row.signs, row.operands[1:], strict=False):
+        pieces.append(f" {sign} ")
+        if operand is not None:
+            pieces.append(operand)
+    return tuple(pieces)
+
+
+def _row(
+    part: str | None,
+    points: Sequence[MarkPoint],
+    line: Words,
+    solution: Solution,
+    wrong: dict[tuple[str | None, int], list[str]],
+) -> SchemeRow:
+    purposes = list(dict.fromkeys(point.purpose for point in points))
+    notes = dict.fromkeys(note for point in points for note in _notes(part, point, solution, wrong))
+    purpose = "; ".join(purposes)
+    return SchemeRow(
+        part,
+        tuple(point.kind for point in points),
+        purpose[:1].upper() + purpose[1:],
+        line,
+        tuple(notes),
+    )
+
+
+def _notes(
+    part: str | None,
+    point: MarkPoint,
+    solution: Solution,
+    wrong: dict[tuple[str | None, int], list[str]],
+) -> Iterator[str]:
+    if point.kind.endswith("*"):
+        yield "Printed result: every method before it, and no false line."
+    elif point.follows:
+        yield "Follows through from earlier values."
+    elif point.kind.startswith("DM"):
+        yield "Depends on the methods before it."
+    if point.letter == "M":
+        yield from _condoned(point, solution)
+    if point.letter == "B" and point.principle == "unchanged":
+        yield "May be implied by a later line, or stand on the diagram."
+    if point.item is not None:
+        usual = wrong.get((part, point.item), [])
+        if usual:
+            yield f"Usual wrong answers: {'; '.join(usual)}."
+
+
+def _condoned(point: MarkPoint, solution: Solution) -> Iterator[str]:
+    """Mistakes that keep the method, and mistakes that lose it."""
+    here = [
+        MISCONCEPTIONS[name]
+        for name in applying(solution.problem)
+        if point.principle in MISCONCEPTIONS[name].kinds
+    ]
+    keeps = [each.title for each in here if (each.mark_of(point.principle) or "").startswith("M1")]
+    loses = [each.title for each in here if (each.mark_of(point.principle) or "") == "M0"]
+    if keeps:
+        yield f"Condone, M1 A0: {_listed(keeps)}."
+    if loses:
+        yield f"M0: {_listed(loses)}."
+
+
+def _listed(titles: Sequence[str]) -> str:
+    return "; ".join(title[:1].lower() + title[1:] for title in titles)
+
+
+def _wrong_answers(solution: Solution) -> dict[tuple[str | None, int], list[str]]:
+    """Answers to which mistakes lead, with their names, by part and place of the item."""
+    usual: dict[tuple[str | None, int], list[str]] = {}
+    try:
+        with limited(_SECONDS):
+            for name in applying(solution.problem):
+                _add(usual, solution, name)
+    except RestitutionError:
+        pass  # the scheme stands without more of them
+    return usual
+
+
+def _add(usual: dict[tuple[str | None, int], list[str]], solution: Solution, name: str) -> None:
+    seen: set[tuple[str | None, int]] = set()
+    for variant in MISCONCEPTIONS[name].variants:
+        if not variant.solvable:
+            continue
+        try:
+            world = altered_world(solution, variant)
+        except RestitutionError:
+            continue
+        for part, solved in solution.parts.items():
+            for place, item in enumerate(solved.items):
+                changed = next((each for each in world.items if each.true is item), None)
+                told = usual.setdefault((part, place), [])
+                if (
+                    changed is None
+                    or (part, place) in seen
+                    or not changed.altered.answers
+                    or len(told) >= _MOST_WRONG
+                    or item.kind not in ("value", "vector")
+                ):
+                    continue
+                seen.add((part, place))
+                shown = changed.altered.display.split(" = ")
+                display = shown[-1] if changed.altered.answers[0].angle else shown[0]
+                if all(not each.startswith(f"{display} (") for each in told):
+                    title = MISCONCEPTIONS[name].title
+                    told.append(f"{display} ({title[:1].lower() + title[1:]})")

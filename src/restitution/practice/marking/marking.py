@@ -1,0 +1,296 @@
+"""A working marked: its lines with verdicts, its marks point by point, and what is said of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from restitution.errors import RestitutionError, StatementError
+from restitution.explaining.consequences import altered_world
+from restitution.explaining.misconceptions import alteration
+from restitution.expression.tree import Expression
+from restitution.expression.writing import write_expression
+from restitution.practice.judgement import JudgedLine, Judgement, Meaning
+from restitution.practice.judging.judging import bench_of, judge
+from restitution.practice.letters.declaring import letters_from_mapping
+from restitution.practice.letters.letters_box import letters_box
+from restitution.practice.marking.answers import AnswerMark, answers_of
+from restitution.practice.marking.messages import LEVELS, Message, messages_of
+from restitution.practice.marking.points import Marks, PointMark, marked
+from restitution.practice.marking.scheme import schemes
+from restitution.practice.marking.values import Values
+from restitution.practice.reading.working import read_working
+from restitution.practice.script import Script
+from restitution.problem import Problem
+from restitution.solving.solution import Solution
+from restitution.solving.solver import solve
+
+Object = dict[str, Any]
+Meant = str | Expression | tuple[Expression, ...]
+"""A meaning: a quantity as text, a phrase, or trees that it may be."""
+
+_PROPOSALS = 6
+_CONSEQUENCE = 1.0  # seconds for the world of a mistake; without it only this is left out
+
+
+@dataclass(frozen=True)
+class Ask:
+    """A letter of which the meaning has to be known, with meanings that would do."""
+
+    letter: str
+    text: str
+    proposals: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True, repr=False)
+class Marking:
+    """A working of one part, marked.
+
+    ``lines`` have their verdicts, ``letters`` are their meanings, ``answers`` the values given for
+    what is asked, ``marks`` the points. It shows itself in a terminal and in Jupyter.
+    """
+
+    part: str | None
+    lines: tuple[JudgedLine, ...]
+    letters: tuple[Meaning, ...]
+    answers: tuple[AnswerMark, ...]
+    marks: Marks
+    messages: tuple[Message, ...]
+    asks: tuple[Ask, ...] = ()
+    error: str | None = None
+
+    @property
+    def mistakes(self) -> tuple[str, ...]:
+        """The names of the mistakes that begin in its lines, in their order."""
+        names = (line.mistake.id for line in self.lines if line.mistake is not None)
+        return tuple(name for name in names if name is not None)
+
+    def json(self) -> Object:
+        """The marking as plain data; every line has all its keys."""
+        return {
+            "part": self.part,
+            "letters": [
+                {
+                    "letter": each.letter,
+                    "meaning": write_expression(each.quantity),
+                    "words": each.words,
+                    "by": each.by,
+                }
+                for each in self.letters
+            ],
+            "lines": [_line(each) for each in self.lines],
+            "answers": [each.json() for each in self.answers],
+            "marks": {
+                "earned": self.marks.earned,
+                "lost": self.marks.lost,
+                "open": self.marks.open,
+                "of": self.marks.of,
+                "points": [_point(each) for each in self.marks.points],
+            },
+            "messages": [vars(each) for each in self.messages],
+            "asks": [
+                {
+                    "letter": each.letter,
+                    "text": each.text,
+                    "proposals": [{"meaning": m, "words": w} for m, w in each.proposals],
+                }
+                for each in self.asks
+            ],
+            "error": self.error,
+        }
+
+    def __str__(self) -> str:
+        from restitution.practice.marking.showing import to_text
+
+        return to_text(self)
+
+    __repr__ = __str__
+
+    def _repr_html_(self) -> str:
+        from restitution.practice.marking.showing import to_html
+
+        return to_html(self)
+
+
+def mark(
+    question: Problem | Solution,
+    working: str | Sequence[str],
+    part: str | None = None,
+    letters: Mapping[str, Meant] | None = None,
+    *,
+    hints: int | Mapping[int | None, int] = 0,
+) -> Marking:
+    """A student's working of one part, marked line by line and point by point.
+
+    ``working`` is text, a step a line. ``part`` is the label of the part; left out, it is the part
+    that the working opens, or the first. ``letters`` maps a letter to a quantity of the statement
+    language (``along(velocity(A), i)``) or to a phrase (``component of A along i after``).
+    ``hints`` is the level of messages, 0 to 4, for all lines or by line (None: for the next step).
+
+    Raises KeyError for a part that is not there, StatementError for a meaning that cannot be read,
+    and the error of a question that has no answer.
+    """
+    solution = question if isinstance(question, Solution) else solve(question)
+    script = read_working(working, solution.problem)
+    labels = _labels(solution)
+    if part is None and None not in labels:
+        opened = [line.part for line in script.lines if line.part in labels]
+        part = opened[0] if opened else labels[0]
+    return _marked(solution, script, part, letters, hints)
+
+
+def mark_parts(
+    question: Problem | Solution,
+    working: str | Sequence[str],
+    letters: Mapping[str, Meant] | None = None,
+    *,
+    hints: int | Mapping[int | None, int] = 0,
+) -> tuple[Marking, ...]:
+    """The same for every part that a working opens, in the order of the question.
+
+    A working that opens none is one of the first part.
+    """
+    solution = question if isinstance(question, Solution) else solve(question)
+    script = read_working(working, solution.problem)
+    opened = {line.part for line in script.lines}
+    labels = [label for label in _labels(solution) if label in opened] or _labels(solution)[:1]
+    return tuple(_marked(solution, script, label, letters, hints) for label in labels)
+
+
+def _labels(solution: Solution) -> list[str | None]:
+    return list(solution.parts)
+
+
+def _marked(
+    solution: Solution,
+    script: Script,
+    part: str | None,
+    letters: Mapping[str, Meant] | None,
+    hints: int | Mapping[int | None, int],
+) -> Marking:
+    if part not in solution.parts:
+        known = ", ".join(str(label) for label in _labels(solution) if label is not None)
+        raise KeyError(f"there is no part {part!r}; {f'parts: {known}' if known else 'no parts'}")
+    levels, usual = ({}, hints) if isinstance(hints, int) else (dict(hints), 0)
+    for level in (usual, *levels.values()):
+        if level not in LEVELS:
+            raise StatementError(f"hints have the levels 0 to 4, not {level}")
+    bench = bench_of(solution, part)
+    solved = bench.solved
+    without = [item.error for item in solved.items if item.error is not None]
+    error = solved.error or (without[0] if len(without) == len(solved.items) > 0 else None)
+    if error is not None:
+        raise error
+    judgement = judge(bench.solution, script, part, _meanings(letters or {}, solution.problem))
+    judgement = _with_consequence(judgement, solution, part)
+    values = Values(bench.worlds, bench.question.unknown, judgement.letters)
+    marks = marked(judgement, schemes(bench.solution, part), values)
+    return Marking(
+        part,
+        judgement.lines,
+        judgement.letters,
+        tuple(answers_of(solved, judgement, values, bench)),
+        marks,
+        tuple(
+            messages_of(
+                judgement.lines,
+                marks.points,
+                values,
+                levels,
+                usual,
+                solution.problem,
+            )
+        ),
+        tuple(_asks(judgement, bench.solution, part)),
+    )
+
+
+def _with_consequence(judgement: Judgement, solution: Solution, part: str | None) -> Judgement:
+    """The judgement with the answers to which the first named mistake leads, where it has some."""
+    for place, line in enumerate(judgement.lines):
+        mistake = line.mistake
+        if mistake is None or mistake.kind != "misconception" or not mistake.variants:
+            continue
+        leads_to = _consequence(mistake.variants[0], solution, part)
+        told = replace(line, mistake=replace(mistake, leads_to=leads_to))
+        lines = (*judgement.lines[:place], told, *judgement.lines[place + 1 :])
+        return replace(judgement, lines=lines)
+    return judgement
+
+
+def _consequence(variant: str, solution: Solution, part: str | None) -> Mapping[str, str]:
+    """The answers of a part in the world of a variant, by item; none where it has no world."""
+    try:
+        world = altered_world(solution, alteration(variant), time_limit=_CONSEQUENCE)
+    except RestitutionError:
+        return {}
+    return {
+        item.text: item.altered.answers[0].display
+        for item in world.items
+        if item.part == part and item.altered.answers
+    }
+
+
+def _meanings(
+    letters: Mapping[str, Meant], problem: Problem
+) -> Mapping[str, Expression | Sequence[Expression]]:
+    texts = {name: meant for name, meant in letters.items() if not isinstance(meant, tuple)}
+    trees = {name: meant for name, meant in letters.items() if isinstance(meant, tuple)}
+    return {**letters_from_mapping(texts, problem), **trees}
+
+
+def _asks(judgement: Judgement, solution: Solution, part: str | None) -> list[Ask]:
+    if not judgement.asks:
+        return []
+    known = {write_expression(meaning.quantity) for meaning in judgement.letters}
+    rows = [
+        (row.meaning, row.words)
+        for row in letters_box(solution.problem, solution, part)
+        if row.meaning not in known
+    ]
+    return [
+        Ask(letter, f"What is {letter} here?", tuple(rows[:_PROPOSALS]))
+        for letter in judgement.asks
+    ]
+
+
+# --- plain data -----------------------------------------------------------------------------------
+
+
+def _line(line: JudgedLine) -> Object:
+    use = next(iter(line.uses), None)
+    mistake = line.mistake
+    return {
+        "n": line.line.number,
+        "text": line.line.text,
+        "read_as": line.read_as,
+        "verdict": line.verdict,
+        "accuracy": line.accuracy,
+        "principle": None if use is None else use.principle,
+        "event": None if use is None else use.event,
+        "link": line.link,
+        "from": list(line.sources),
+        "mistake": None
+        if mistake is None
+        else {
+            "id": mistake.id,
+            "variants": list(mistake.variants),
+            "also": list(mistake.also),
+            "kind": mistake.kind,
+            "at": mistake.at,
+            "sure": mistake.sure,
+            "leads_to": dict(mistake.leads_to or {}),
+        },
+    }
+
+
+def _point(mark: PointMark) -> Object:
+    return {
+        "id": mark.point.id,
+        "kind": mark.point.kind,
+        "for": mark.point.purpose,
+        "state": mark.state,
+        "line": mark.line,
+        "why": mark.why,
+    }

@@ -1,0 +1,302 @@
+"""What is said of a line: short, about the line and not the person, one thing at a time.
+
+Levels: 0 says nothing, 1 names the principle, 2 asks a question, 3 names the mistake and what it
+leads to, 4 gives the line itself. A true line gets no words unless it wants some.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from restitution.explaining.misconceptions import MISCONCEPTIONS, SLIPS
+from restitution.explaining.trees import exchanged
+from restitution.expression.tree import Expression, Letter, Quantity, walk
+from restitution.practice.judgement import JudgedLine, Use
+from restitution.practice.letters.wordings import words_of
+from restitution.practice.marking.points import PointMark
+from restitution.practice.marking.scheme import MarkPoint
+from restitution.practice.marking.values import Values
+from restitution.practice.reading.lines import text_of
+from restitution.problem import Problem
+
+LEVELS = (0, 1, 2, 3, 4)
+
+_PRINCIPLES: Mapping[str, str] = {
+    "momentum": "conservation of momentum along the line of centres",
+    "restitution": "Newton's experimental law",
+    "unchanged": "the component that the impact does not change",
+    "impulse": "the impulse as a change of momentum",
+    "energy": "kinetic energy",
+    "angle": "an angle between directions",
+    "direction": "a direction of motion",
+    "deflection": "the angle of deflection",
+    "speed": "a speed from its components",
+    "velocity": "a velocity from its components",
+    "fact": "what the question gives",
+    "arithmetic": "arithmetic",
+}
+
+_MISFITS: Mapping[str, str] = {
+    "momentum": "One term does not fit.",
+    "restitution": "One term, or the place of e, does not fit.",
+    "unchanged": "The two sides are not the same component.",
+    "impulse": "The difference does not fit.",
+    "energy": "One term does not fit.",
+    "deflection": "The angles are not put together as the path turns.",
+    "arithmetic": "The two sides do not agree.",
+}
+
+_QUESTIONS: Mapping[str, str] = {
+    "deflection-is-after": "Between which two directions is the angle of deflection?",
+    "deflection-difference": "Which way did it move before, and which way after? Draw both "
+    "arrows from one point.",
+    "restitution-parallel": "In which direction does the wall, or the other sphere, push?",
+    "restitution-whole-speed": "Which component of the velocity does the impulse change?",
+    "restitution-inverted": "Which is larger, the speed of approach or that of separation? On "
+    "which side does e stand?",
+    "restitution-omitted": "What does e do in this impact?",
+    "momentum-sign": "Which way is each sphere moving? What does that do to the signs?",
+    "restitution-sign": "Which way does each sphere move along the line? Is the speed of "
+    "approach a sum or a difference?",
+    "impulse-sign": "Does the component keep its direction? What does that do to the change?",
+    "speed-for-component": "Which component of the velocity lies along the line of centres?",
+    "sine-cosine": "Which side of the triangle lies beside the angle?",
+    "angle-from-normal": "From which line is the angle measured?",
+    "across-exchanged": "Is there a force across the line of centres?",
+    "across-changed": "Is there a force in this direction? The surfaces are smooth.",
+    "mass-omitted": "What is momentum the product of?",
+    "masses-exchanged": "Whose mass goes with which velocity?",
+    "energy-of-difference": "Is the square of a difference the difference of the squares?",
+    "energy-one-sphere": "Whose kinetic energy changes?",
+    "energy-fraction-of-line": "A fraction of which energy is asked for?",
+    "energy-component-missing": "Which components does the kinetic energy need?",
+    "energy-ratio-as-speed": "How does kinetic energy depend on the speed?",
+    "energy-conserved": "Is kinetic energy conserved when e is less than 1?",
+    "energy-no-half": "What is the formula of kinetic energy?",
+    "square-not-taken": "Is every term squared that has to be?",
+    "impulse-of-speeds": "Is the change of a velocity the change of its size?",
+    "second-wall-angle": "What angle does the path make with this wall?",
+    "rounding-early": "How many figures does this value have?",
+    "sign": "Check the signs, one after the other.",
+    "arithmetic": "Work this out once more.",
+    "algebra": "Compare this line with the one above, term by term.",
+    "misread": "Read the numbers of the question once more.",
+    "calculator": "Is the calculator set to degrees?",
+    "root": "A square has two roots. Which of them is meant?",
+    "copied": "Compare this line with the one that it was copied from.",
+}
+
+
+@dataclass(frozen=True)
+class Message:
+    """Words on a line, at a level of hints; ``line`` None is a hint for the whole."""
+
+    line: int | None
+    level: int
+    text: str
+
+
+@dataclass(frozen=True)
+class _Words:
+    """How quantities are said: by the student's letters, others in words."""
+
+    values: Values
+    problem: Problem
+
+    def put(self, side: Expression) -> Expression:
+        names: dict[Expression, Expression] = {}
+        for each in walk(side):
+            if isinstance(each, Quantity) and not _is_inside(each, side):
+                words = Letter(words_of(each, self.problem))
+                names[each] = self.values.letter_of(each) or words
+        return exchanged(side, names)
+
+
+def _is_inside(quantity: Quantity, tree: Expression) -> bool:
+    """Whether a quantity stands only within others: the velocity of which a component is taken."""
+    return any(
+        isinstance(each, Quantity) and each != quantity and quantity in walk(each)
+        for each in walk(tree)
+    )
+
+
+def messages_of(
+    lines: Sequence[JudgedLine],
+    points: Sequence[PointMark],
+    values: Values,
+    levels: Mapping[int | None, int],
+    usual: int,
+    problem: Problem,
+) -> Iterator[Message]:
+    """The messages on a working: ``levels`` by line, and the ``usual`` one for all others."""
+    accused: int | None = None
+    words = _Words(values, problem)
+    roots = _roots(lines)
+    for line in lines:
+        number = line.line.number
+        level = levels.get(number, usual)
+        if level == 0:
+            continue
+        text = _of_line(line, points, words, level, roots)
+        if text:
+            yield Message(number, level, text)
+        if line.verdict == "false" and accused is None:
+            accused = number
+    level = levels.get(None, usual)
+    if level and accused is None and lines:
+        text = _next_step(points, words, level)
+        if text:
+            yield Message(None, level, text)
+
+
+def _roots(lines: Sequence[JudgedLine]) -> Mapping[int, frozenset[int]]:
+    """The numbers of the false lines on which each line rests."""
+    roots: dict[int, frozenset[int]] = {}
+    for line in lines:
+        number = line.line.number
+        under = (roots.get(source, frozenset[int]()) for source in line.sources)
+        own = {number} if line.verdict == "false" else set[int]()
+        roots[number] = frozenset(own).union(*under)
+    return roots
+
+
+def _of_line(
+    line: JudgedLine,
+    points: Sequence[PointMark],
+    letters: _Words,
+    level: int,
+    roots: Mapping[int, frozenset[int]],
+) -> str | None:
+    match line.verdict:
+        case "true":
+            return _of_true(line)
+        case "follows":
+            return _following(sorted(roots[line.line.number]))
+        case "unread":
+            where = "" if line.line.column is None else f", column {line.line.column}"
+            return f"This could not be read{where}: {line.line.fault or 'a relation is expected'}."
+        case "unsupported":
+            return "This does not follow from your lines above."
+        case "false":
+            return _of_mistake(line, points, letters, level)
+    return None
+
+
+def _of_true(line: JudgedLine) -> str | None:
+    if line.accuracy == "coarse":
+        return "True, but keep more figures until the end."
+    return line.remark if line.remark and " " in line.remark else None
+
+
+def _following(mistakes: Sequence[int]) -> str:
+    if not mistakes:
+        return "Right, with your values."
+    where = " and ".join(str(number) for number in mistakes)
+    is_in = "mistakes are in lines" if len(mistakes) > 1 else "mistake is in line"
+    return f"Right, with your values. The {is_in} {where}."
+
+
+def _of_mistake(line: JudgedLine, points: Sequence[PointMark], letters: _Words, level: int) -> str:
+    principle = _principle(line)
+    if level == 1:
+        if principle is None:
+            return "This does not hold, and does not follow from the lines above."
+        misfit = _MISFITS.get(principle, "It does not fit.")
+        return f"This is {_PRINCIPLES[principle]}. {misfit}"
+    mistake = line.mistake
+    name = mistake.id if mistake is not None else None
+    if level == 2:
+        default = "Which law is this, and what does each term stand for?"
+        return _QUESTIONS.get(name or "", default)
+    if level == 3 and mistake is not None:
+        return _named(line) or "It is not clear which mistake this is; compare each term."
+    right = _right_line(line, points, letters)
+    if right is None:
+        return _named(line) or "Compare each term with the diagram."
+    return f"The line is {right}."
+
+
+def _principle(line: JudgedLine) -> str | None:
+    return next((use.principle for use in line.uses if use.principle in _PRINCIPLES), None)
+
+
+def _named(line: JudgedLine) -> str | None:
+    """The name of a mistake, and what it leads to."""
+    mistake = line.mistake
+    if mistake is None:
+        return None
+    if mistake.id is None and mistake.also:
+        titles = [_title(name) for name in mistake.also]
+        return f"Either {' or '.join(titles)}."
+    named = MISCONCEPTIONS.get(mistake.id or "")
+    slip = SLIPS.get(mistake.id or "")
+    if named is None and slip is None:
+        return None
+    text = named.sentence if named is not None else slip.sentence if slip is not None else ""
+    if mistake.at:
+        text += f" Look at {mistake.at}."
+    if mistake.leads_to:
+        values = ", ".join(f"{what} = {value}" for what, value in mistake.leads_to.items())
+        text += f" It leads to {values}."
+    if named is not None:
+        text += f" {named.consequence}"
+    return text
+
+
+def _title(name: str) -> str:
+    record = MISCONCEPTIONS.get(name) or SLIPS.get(name)
+    title = record.title if record is not None else name
+    return title[0].lower() + title[1:]
+
+
+def _right_line(line: JudgedLine, points: Sequence[PointMark], letters: _Words) -> str | None:
+    """The line of the scheme for the principle of a line, in the student's letters."""
+    use = next(iter(line.uses), None)
+    if use is None:
+        return None
+    point = next((each.point for each in points if _serves(each.point, use)), None)
+    return None if point is None else _written(point, letters)
+
+
+def _serves(point: MarkPoint, use: Use) -> bool:
+    return (
+        point.principle == use.principle
+        and point.link is not None
+        and use.event in (None, point.event)
+    )
+
+
+def _written(point: MarkPoint, words: _Words) -> str | None:
+    """The line of a point, with the student's letters for their quantities, others in words."""
+    if point.link is None:
+        return None
+    left, right = (words.put(side) for side in (point.link.left, point.link.right))
+    sides = (left, right)
+    if any(" " in each.name for side in sides for each in _letters_in(side) if each is not side):
+        return None  # words in the middle of a formula are no line
+    sign = {"<=": "≤", ">=": "≥", "!=": "≠"}.get(point.link.sign, point.link.sign)
+    return f"{text_of(left)} {sign} {text_of(right)}"
+
+
+def _letters_in(tree: Expression) -> Iterator[Letter]:
+    return (each for each in walk(tree) if isinstance(each, Letter))
+
+
+def _next_step(points: Sequence[PointMark], letters: _Words, level: int) -> str | None:
+    """First the principle that is missing, then its equation."""
+    missing = next(
+        (
+            each.point
+            for each in points
+            if each.state != "earned" and each.point.letter in "MB" and each.line is None
+        ),
+        None,
+    )
+    if missing is None or missing.principle not in _PRINCIPLES:
+        return None
+    if level >= LEVELS[-1]:
+        written = _written(missing, letters)
+        if written is not None:
+            return f"The next line is {written}."
+    return f"You have not used {_PRINCIPLES[missing.principle]} yet."

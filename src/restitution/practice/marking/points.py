@@ -1,0 +1,514 @@
+"""Marks for a working: which points of a scheme its lines earn, as an examiner gives them.
+
+Each point of a scheme looks for the line that earns it. A method is a line that uses its principle,
+a mistake in it having its own rule (`explaining.misconceptions`); accuracy is a true line beside a
+method, or a value reached; a value that cannot be had without a method earns that as well.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from restitution.explaining.misconceptions import MISCONCEPTIONS
+from restitution.practice.judgement import JudgedLine, Judgement, Use
+from restitution.practice.marking.scheme import MarkPoint, Scheme
+from restitution.practice.marking.values import Values
+
+State = Literal["earned", "lost", "open"]
+
+_FIGURES = 3
+_SOUND = ("true", "follows")
+_UNSOUND = ("false", "unsupported", "follows")
+_UNSURE = ("asks", "unread")
+
+
+@dataclass(frozen=True)
+class PointMark:
+    """A point with its state, the line that decided, and why, in one clause.
+
+    ``implied`` tells that it was earned by a later value that cannot be had without it.
+    """
+
+    point: MarkPoint
+    state: State
+    line: int | None = None
+    why: str = ""
+    implied: bool = False
+
+
+@dataclass(frozen=True)
+class Marks:
+    """The points of the scheme by which a working has most."""
+
+    scheme: Scheme
+    points: tuple[PointMark, ...]
+
+    def count(self, state: State) -> int:
+        """How many points are in a state."""
+        return sum(each.state == state for each in self.points)
+
+    @property
+    def earned(self) -> int:
+        return self.count("earned")
+
+    @property
+    def lost(self) -> int:
+        return self.count("lost")
+
+    @property
+    def open(self) -> int:
+        return self.count("open")
+
+    @property
+    def of(self) -> int:
+        return len(self.points)
+
+
+def marked(judgement: Judgement, schemes: Sequence[Scheme], values: Values) -> Marks:
+    """The marks of a judged working, by the scheme that gives most.
+
+    ``values`` knows what the sides of lines are worth, and which of them name what is asked.
+    """
+    tried = [_Examiner(judgement, scheme, values).marks() for scheme in schemes]
+    return max(tried, key=lambda marks: (marks.earned / max(marks.of, 1), marks.open))
+
+
+class _Examiner:
+    """One working marked by one scheme."""
+
+    def __init__(self, judgement: Judgement, scheme: Scheme, values: Values) -> None:
+        self.lines = judgement.lines
+        self.scheme = scheme
+        self.values = values
+        self.states: dict[str, PointMark] = {}
+
+    def marks(self) -> Marks:
+        for point in self.scheme.points:
+            self.states[point.id] = self._first(point)
+        self._solve()
+        self._imply()
+        self._complete()
+        self._keep()
+        self._require()
+        points = [self.states[point.id] for point in self.scheme.points]
+        points = self._misread(points)
+        points = self._too_coarse(points)
+        return Marks(self.scheme, tuple(points))
+
+    # --- each point by itself -------------------------------------------------------------------
+
+    def _first(self, point: MarkPoint) -> PointMark:
+        if point.letter == "M":
+            return self._method(point)
+        if point.equation:
+            return self._equation(point)
+        if point.letter == "B" and point.item is None:
+            return self._independent(point)
+        return self._value(point)
+
+    def _method(self, point: MarkPoint) -> PointMark:
+        """A line that uses the principle; one with a mistake has the rule of that mistake."""
+        lost: PointMark | None = None
+        for line, use in self._uses(point):
+            if use.altered is None and line.verdict in _SOUND:
+                if line.verdict == "true" or lost is None:
+                    return self._earned(point, line, "")
+                continue
+            earns, why = self._with_mistake(line, use)
+            if earns:
+                return self._earned(point, line, why)
+            lost = lost or PointMark(point, "lost", line.line.number, why)
+        by_value = self._by_value(point)
+        if by_value is not None:
+            return self._earned(point, by_value, "")
+        if lost is None and point.principle in ("solve", "condition", "method", "inequality"):
+            line_of_value = self._elimination()
+            if line_of_value is not None:
+                return self._earned(point, line_of_value, "")
+        return lost or self._missing(point)
+
+    def _by_value(self, point: MarkPoint) -> JudgedLine | None:
+        """A line that gives what a method is for, from true values or the student's own."""
+        if point.principle not in _OF_VALUES or point.shown:
+            return None
+        return next(
+            (
+                line
+                for line in self.lines
+                if line.verdict in _SOUND and self.values.matches(point, line) is not None
+            ),
+            None,
+        )
+
+    def _equation(self, point: MarkPoint) -> PointMark:
+        """The equation itself, correct."""
+        lost: PointMark | None = None
+        for line, use in self._uses(point):
+            altered = use.altered is not None
+            if line.verdict == "true" or (line.verdict == "follows" and point.follows):
+                if not altered and (lost is None or line.verdict == "true"):
+                    return self._earned(point, line, "")
+            elif line.verdict == "follows" and not altered and lost is None:
+                # Newton's law with the sense that his momentum gives his letters.
+                if point.principle == "restitution":
+                    return self._earned(point, line, "consistent with the line of momentum")
+                why = "follows from an earlier slip"
+                lost = PointMark(point, "lost", line.line.number, why)
+            lost = lost or PointMark(point, "lost", line.line.number, self._reason(line))
+        return lost or self._missing(point)
+
+    def _independent(self, point: MarkPoint) -> PointMark:
+        """A component that stays, or one read off: as a line, or used in one."""
+        lost: PointMark | None = None
+        for line, use in self._uses(point):
+            sound = line.verdict in _SOUND and use.altered is None
+            if sound and (lost is None or line.verdict == "true"):
+                return self._earned(point, line, "")
+            lost = lost or PointMark(point, "lost", line.line.number, self._reason(line))
+        value = self._value(point)
+        if value.state == "earned" or lost is not None:
+            return value if value.state == "earned" else lost or value
+        used = next((line for line in self.lines if self.values.carries(point, line)), None)
+        return value if used is None else self._earned(point, used, "used here")
+
+    def _value(self, point: MarkPoint) -> PointMark:
+        """A value: true, or his own where the point follows through; the last one given counts."""
+        last: PointMark | None = None
+        for place, line in enumerate(self.lines, 1):
+            match = self.values.matches(point, line) or self.values.completes(
+                point, self.lines[:place]
+            )
+            if match is None:
+                continue
+            if line.verdict == "true" and match == "true":
+                last = self._earned(point, line, "")
+            elif line.verdict == "follows" and match != "true":
+                state: State = "earned" if point.follows else "lost"
+                last = PointMark(point, state, line.line.number, "follows from an earlier slip")
+            elif line.verdict == "false":
+                if last is not None and last.state == "earned":
+                    continue  # what is wrong behind a right answer loses nothing
+                last = PointMark(point, "lost", line.line.number, self._reason(line))
+            elif line.verdict == "unsupported":
+                why = "does not follow from the lines above"
+                if last is None or last.state != "earned":
+                    state = "lost" if point.shown else "earned"
+                    last = PointMark(point, state, line.line.number, why if point.shown else "")
+        return last or self._missing(point)
+
+    def _elimination(self) -> JudgedLine | None:
+        """A line in which one unknown is left."""
+        return next(
+            (line for line in self.lines if line.verdict in _SOUND and self.values.is_solved(line)),
+            None,
+        )
+
+    # --- what a line uses -----------------------------------------------------------------------
+
+    def _uses(self, point: MarkPoint) -> Iterator[tuple[JudgedLine, Use]]:
+        """The lines that use a point's principle, those that hold first."""
+        for sound in (True, False):
+            for line in self.lines:
+                if (line.verdict in _SOUND) is not sound or line.verdict == "unsupported":
+                    continue
+                use = self._use(line, point)
+                if use is not None:
+                    yield line, use
+
+    def _use(self, line: JudgedLine, point: MarkPoint) -> Use | None:
+        """The use of the point's principle in a line, at its event and for its bodies."""
+        names = _NAMES.get(point.principle, (point.principle,))
+        implied = line.verdict == "true" and not self.values.is_solved(line)
+        for place, use in enumerate(_fitting(line)):
+            if use.principle not in names:
+                continue
+            if place and use.altered is None and use.principle in _LAWS and not implied:
+                continue  # a bare value states no law
+            if point.event is not None and use.event not in (None, point.event):
+                continue
+            own = point.principle in ("unchanged", "impulse", "speed", "angle", "deflection")
+            if own and use.bodies and point.bodies and not set(use.bodies) & set(point.bodies):
+                continue
+            return use
+        return None
+
+    def _with_mistake(self, line: JudgedLine, use: Use) -> tuple[bool, str]:
+        """Whether a false line of a principle keeps its method, and why."""
+        mistake = line.mistake
+        name = (use.altered or "").partition("/")[0] or (mistake.id if mistake else None)
+        named = MISCONCEPTIONS.get(name or "")
+        if named is not None:
+            rule = named.mark_of(use.principle) or "M0"
+            kept = rule.startswith("M1")
+            return kept, f"{named.title[0].lower()}{named.title[1:]}" + (
+                "; the method stands" if kept else ""
+            )
+        if mistake is not None and mistake.kind == "slip":
+            return True, "all terms are there; a slip keeps the method"
+        return False, "not an instance of the law"
+
+    def _reason(self, line: JudgedLine) -> str:
+        mistake = line.mistake
+        if mistake is None or mistake.id is None:
+            return "not true"
+        named = MISCONCEPTIONS.get(mistake.id)
+        if named is not None:
+            return f"{named.title[0].lower()}{named.title[1:]}"
+        return f"a slip ({mistake.id})"
+
+    # --- the whole ------------------------------------------------------------------------------
+
+    def _solve(self) -> None:
+        """A true value of either unknown is the value for which an elimination is made."""
+        for point in self.scheme.points:
+            own = self.states[point.id]
+            between = point.letter == "A" and point.principle == "solve" and point.item is None
+            if own.state != "lost" or own.line is not None or not between or point.equation:
+                continue
+            taken = {
+                each.line
+                for each in self.states.values()
+                if each.state == "earned" and each.point.letter == "A"
+            }
+            line = next(
+                (
+                    each
+                    for each in self.lines
+                    if each.verdict == "true"
+                    and each.line.number not in taken
+                    and self.values.is_solved(each)
+                ),
+                None,
+            )
+            if line is not None:
+                self.states[point.id] = self._earned(point, line, "")
+
+    def _complete(self) -> None:
+        """Right answers to all that is asked, above no mistake, earn what they could do without."""
+        points = self.scheme.points
+        answers = [self.states[point.id] for point in points if point.item is not None]
+        broken = any(line.verdict in (*_UNSOUND, *_UNSURE) for line in self.lines)
+        if broken or not answers or any(point.shown for point in points):
+            return
+        if any(each.state != "earned" for each in answers):
+            return
+        last = max(each.line or 0 for each in answers)
+        for point in points:
+            if self.states[point.id].state != "earned":
+                self.states[point.id] = PointMark(
+                    point, "earned", last, "all that is asked is right without it", implied=True
+                )
+
+    def _imply(self) -> None:
+        """A true value earns what it cannot be had without; not where the result is printed."""
+        printed = {name for each in self.scheme.points if each.shown for name in each.above}
+        for point in reversed(self.scheme.points):
+            own = self.states[point.id]
+            if own.state != "earned" or own.line is None or point.shown:
+                continue
+            line = self._line(own.line)
+            if line is None or line.verdict not in ("true", "unsupported", "remark"):
+                continue
+            if self._is_broken(own.line, ("false",)):
+                continue
+            if point.letter == "M" and not own.implied and point.principle != "solve":
+                continue
+            if point.letter == "B":
+                continue
+            for name in point.above:
+                state = self.states[name]
+                if state.state == "earned" or state.point.shown or name in printed:
+                    continue
+                if state.line is not None and self._is_wrong(state.line):
+                    continue
+                why = f"line {own.line} cannot be had without it"
+                self.states[name] = replace(
+                    state, state="earned", line=own.line, why=why, implied=True
+                )
+
+    def _keep(self) -> None:
+        """A slip in the line of an answer keeps the method that this line alone shows."""
+        for point in self.scheme.points:
+            own = self.states[point.id]
+            line = self._line(own.line)
+            if point.letter == "M" or own.state != "lost" or line is None:
+                continue
+            slip = line.mistake is not None and line.mistake.kind == "slip"
+            if line.verdict != "false" or not slip or len(line.line.links) < 2:
+                continue
+            for name in point.depends:
+                state = self.states[name]
+                if state.state == "lost" and state.line is None:
+                    why = "a slip keeps the method"
+                    self.states[name] = PointMark(state.point, "earned", own.line, why)
+
+    def _is_wrong(self, number: int) -> bool:
+        line = self._line(number)
+        return line is not None and line.verdict == "false"
+
+    def _require(self) -> None:
+        """No accuracy without its method, and no dependent method without those it depends on."""
+        for point in self.scheme.points:
+            own = self.states[point.id]
+            if own.state != "earned":
+                continue
+            needed = [self.states[name] for name in point.depends]
+            if point.shown:
+                needed = [
+                    self.states[name]
+                    for name in point.above
+                    if self.states[name].point.letter == "M"
+                ]
+            missing = next((each for each in needed if each.state == "lost"), None)
+            if missing is not None:
+                why = f"{missing.point.kind} for {missing.point.purpose} is not earned"
+                self.states[point.id] = replace(own, state="lost", why=why)
+            elif any(each.state == "open" for each in needed):
+                self.states[point.id] = replace(
+                    own, state="open", why="rests on a point still open"
+                )
+            elif point.shown and self._is_broken(own.line, _UNSOUND):
+                why = "a line above it is not true"
+                self.states[point.id] = replace(own, state="lost", why=why)
+            elif point.shown and self._is_leap(own, needed):
+                why = "a step is missing between the equations and the result"
+                self.states[point.id] = replace(own, state="lost", why=why)
+
+    def _is_leap(self, result: PointMark, methods: Sequence[PointMark]) -> bool:
+        """Whether no step stands between the equations and the printed result."""
+        line = self._line(result.line)
+        if line is None or len(line.line.links) > 1:
+            return False
+        laws = [each.line for each in methods if each.point.principle in _LAWS and each.line]
+        last = max(laws, default=0)
+        return not any(
+            last < each.line.number < line.line.number and each.verdict == "true"
+            for each in self.lines
+        )
+
+    def _is_broken(self, number: int | None, verdicts: Sequence[str]) -> bool:
+        """Whether a line with one of the verdicts stands above a line."""
+        return any(
+            line.verdict in verdicts
+            for line in self.lines
+            if number is None or line.line.number < number
+        )
+
+    def _misread(self, points: list[PointMark]) -> list[PointMark]:
+        """A misread datum: what follows from it is earned, and two A or B are taken away."""
+        first = next(
+            (
+                line
+                for line in self.lines
+                if line.mistake is not None and line.mistake.id == "misread"
+            ),
+            None,
+        )
+        if first is None:
+            return points
+        through = _Examiner(
+            Judgement(tuple(_as_true(line) for line in self.lines), ()), self.scheme, self.values
+        )
+        through.values = self.values.of_his_own()
+        own = {each.point.id: each for each in through.marks().points}
+        taken = 0
+        marks: list[PointMark] = []
+        for each in points:
+            after = own[each.point.id]
+            if after.state == "earned" and each.point.letter in "AB" and taken < 2:
+                taken += 1
+                after = replace(
+                    after, state="lost", why="a misread: the first two of these are lost"
+                )
+            marks.append(after)
+        return marks
+
+    def _too_coarse(self, points: list[PointMark]) -> list[PointMark]:
+        """Answers that are right and given too coarsely cost one mark, once."""
+        for place, each in enumerate(points):
+            if each.state != "earned" or each.point.item is None or each.implied:
+                continue
+            line = self._line(each.line)
+            if line is None or line.accuracy != "coarse" or _ends_fine(line):
+                continue
+            if not self._is_exact_above(each):
+                why = "given too coarsely"
+                return [*points[:place], replace(each, state="lost", why=why), *points[place + 1 :]]
+        return points
+
+    def _is_exact_above(self, mark: PointMark) -> bool:
+        """Whether a finer form of the same value stands in a line."""
+        return any(
+            line.verdict == "true"
+            and line.accuracy in ("exact", "rounded")
+            and self.values.matches(mark.point, line) == "true"
+            for line in self.lines
+        )
+
+    # --- states ---------------------------------------------------------------------------------
+
+    def _earned(self, point: MarkPoint, line: JudgedLine, why: str) -> PointMark:
+        return PointMark(point, "earned", line.line.number, why)
+
+    def _missing(self, point: MarkPoint) -> PointMark:
+        """Lost; open where a line that cannot be judged may be the one."""
+        unsure = next((line for line in self.lines if line.verdict in _UNSURE), None)
+        if unsure is None:
+            return PointMark(point, "lost", None, "not seen")
+        return PointMark(point, "open", unsure.line.number, "a line could not be judged")
+
+    def _line(self, number: int | None) -> JudgedLine | None:
+        return next((each for each in self.lines if each.line.number == number), None)
+
+
+_LAWS = ("momentum", "restitution", "unchanged")
+
+# Methods that a value of what they are for shows.
+_OF_VALUES = (
+    "speed",
+    "angle",
+    "energy",
+    "impulse",
+    "deflection",
+    "velocity",
+    "scalar-product",
+    "place",
+)
+
+# The words of verdicts for the principle of a point, where they are several.
+_NAMES: Mapping[str, tuple[str, ...]] = {
+    "momentum": ("momentum", "impulse"),
+    "velocity": ("velocity", "component"),
+    "speed": ("speed", "energy"),
+    "angle": ("angle", "direction"),
+    "scalar-product": ("scalar-product", "angle", "deflection"),
+    "fact": ("fact", "energy", "angle", "deflection", "speed"),
+    "solve": ("solve", "value"),
+}
+
+
+def _ends_fine(line: JudgedLine) -> bool:
+    """Whether the last decimal of a line, that of its answer, has figures enough."""
+    decimals = line.line.links[-1].decimals if line.line.links else ()
+    last = max(decimals, key=lambda each: each.column, default=None)
+    return last is not None and last.figures >= _FIGURES
+
+
+def _fitting(line: JudgedLine) -> tuple[Use, ...]:
+    """The uses of a line; of a named mistake those that are an instance of it."""
+    mistake = line.mistake
+    if mistake is None or mistake.kind != "misconception":
+        return line.uses
+    names = (mistake.id, *mistake.also)
+    named = tuple(use for use in line.uses if (use.altered or "").partition("/")[0] in names)
+    return named or line.uses
+
+
+def _as_true(line: JudgedLine) -> JudgedLine:
+    if line.verdict in ("follows", "false") and (
+        line.verdict == "follows" or (line.mistake is not None and line.mistake.id == "misread")
+    ):
+        return replace(line, verdict="true", mistake=None)
+    return line

@@ -1,0 +1,123 @@
+"""Markings shown: in a terminal, as HTML, answers on a line."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from html import escape
+from textwrap import wrap
+from typing import TYPE_CHECKING
+
+from restitution.explaining.misconceptions import MISCONCEPTIONS
+
+if TYPE_CHECKING:
+    from restitution.practice.marking.answers import AnswerMark
+    from restitution.practice.marking.marking import Marking
+    from restitution.practice.marking.points import Marks
+
+SIGNS: Mapping[str, str] = {
+    "true": "✓",
+    "follows": "→",
+    "false": "✗",
+    "asks": "?",
+    "unread": "…",
+    "remark": " ",
+    "unsupported": "!",
+}
+"""The sign of each verdict: a shape, so that no colour is needed."""
+
+_STATES = {"earned": "✓", "lost": "✗", "open": "?"}
+_WIDTH = 80
+
+
+def to_text(marking: Marking, width: int = _WIDTH) -> str:
+    """A marking for a terminal, ``width`` characters wide."""
+    rows: list[str] = [] if marking.part is None else [f"({marking.part})"]
+    said: dict[int | None, list[str]] = {}
+    for message in marking.messages:
+        said.setdefault(message.line, []).append(message.text)
+    margin = len(str(max((line.line.number for line in marking.lines), default=1)))
+    for line in marking.lines:
+        number = line.line.number
+        start = f"{number:>{margin}} {SIGNS[line.verdict]} "
+        rows += _wrapped(line.line.text.strip(), start, width)
+        for text in said.get(number, ()):
+            rows += _wrapped(text, " " * len(start) + "  ", width)
+    for text in said.get(None, ()):
+        rows += ["", *_wrapped(text, "", width)]
+    rows += ["" for _ in marking.asks[:1]]
+    for ask in marking.asks:
+        rows += _wrapped(ask.text, "", width)
+    marks = marking.marks
+    rows += ["", _total(marks)]
+    longest = max((len(each.point.kind) for each in marks.points), default=2)
+    for each in marks.points:
+        where = f" (line {each.line})" if each.line is not None else ""
+        why = f": {each.why}" if each.why else ""
+        start = f"  {each.point.kind:<{longest}} {_STATES[each.state]} "
+        rows += _wrapped(f"{each.point.purpose}{where}{why}", start, width)
+    return "\n".join(rows)
+
+
+def _total(marks: Marks) -> str:
+    if marks.open:
+        return f"Marks: {marks.earned} to {marks.earned + marks.open} of {marks.of}"
+    return f"Marks: {marks.earned} of {marks.of}"
+
+
+def _wrapped(text: str, start: str, width: int) -> list[str]:
+    return wrap(text, width, initial_indent=start, subsequent_indent=" " * len(start)) or [
+        start.rstrip()
+    ]
+
+
+def to_html(marking: Marking) -> str:
+    """A marking as a fragment of HTML."""
+    said: dict[int | None, list[str]] = {}
+    for message in marking.messages:
+        said.setdefault(message.line, []).append(message.text)
+    lines = "".join(
+        f"<tr><td>{line.line.number}</td><td>{SIGNS[line.verdict]}</td>"
+        f"<td><code>{escape(line.line.text.strip())}</code>"
+        + "".join(f"<br>{escape(text)}" for text in said.get(line.line.number, ()))
+        + "</td></tr>"
+        for line in marking.lines
+    )
+    rest = "".join(f"<p>{escape(text)}</p>" for text in said.get(None, ()))
+    asks = "".join(f"<p>{escape(ask.text)}</p>" for ask in marking.asks)
+    points = "".join(
+        f"<tr><td><b>{each.point.kind}</b></td><td>{_STATES[each.state]}</td>"
+        f"<td>{escape(each.point.purpose)}</td><td>{escape(each.why)}</td>"
+        f"<td>{'' if each.line is None else f'line {each.line}'}</td></tr>"
+        for each in marking.marks.points
+    )
+    heading = "" if marking.part is None else f"<h3>({escape(marking.part)})</h3>"
+    return (
+        f'<section class="marking">{heading}<table class="lines">{lines}</table>{rest}{asks}'
+        f'<h4>{_total(marking.marks)}</h4><table class="points">{points}</table></section>'
+    )
+
+
+def document(markings: Sequence[Marking]) -> str:
+    """Markings as a page of HTML."""
+    return (
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>Marking</title>'
+        f"<style>{_STYLE}</style></head><body>{''.join(map(to_html, markings))}</body></html>\n"
+    )
+
+
+_STYLE = (
+    "body{font:1rem/1.5 Georgia,serif;max-width:48rem;margin:2rem auto;padding:0 1rem}"
+    "table{border-collapse:collapse;width:100%}td{padding:.2rem .6rem;vertical-align:baseline;"
+    "border-bottom:1px solid #ddd}code{font-size:1rem}"
+)
+
+
+def answer_line(answer: AnswerMark) -> str:
+    """An answer and what is said of it."""
+    start = f"{answer.item} = {answer.value}: "
+    if answer.right:
+        return start + ("right, but give more figures" if answer.accuracy == "coarse" else "right")
+    titles = [MISCONCEPTIONS[name].title for name in answer.as_if]
+    if not titles:
+        return start + "not right"
+    return f"{start}not right; it is what comes of: {' or '.join(titles)}"

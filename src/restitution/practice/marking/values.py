@@ -1,0 +1,394 @@
+"""What a student's lines give: which side names what is asked, and which one is its value.
+
+A side names a quantity if both are worth the same, up to a sign, whatever happens at the impacts:
+in a world in which velocities and unknown letters are scattered. A side is a value if nothing
+there changes it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+
+from restitution.explaining.trees import exchanged
+from restitution.expression.evaluate import Angle, Value
+from restitution.expression.tree import Expression, Letter, Negate, Number, Quantity, children
+from restitution.practice.judgement import JudgedLine, Meaning
+from restitution.practice.letters.interpretation import Interpretation
+from restitution.practice.marking.scheme import MarkPoint
+from restitution.practice.script import Claim
+from restitution.practice.worlds.arrays import Array, UnvaluedError
+from restitution.practice.worlds.student import scattered_world
+from restitution.practice.worlds.world import World
+from restitution.vector import Vector
+
+Match = Literal["true", "own"]
+
+_NEAR = 1e-7
+_ROUNDED = 2e-3
+_IMPULSE = ("I", "J")
+
+
+@dataclass(frozen=True, eq=False)
+class Values:
+    """The values of a part, and how a script's letters reach them.
+
+    ``worlds`` are the true ones, one for each admissible solution, ``unknown`` the letters of the
+    statement that are not given. ``his_own`` counts what follows from a slip as true, as a misread
+    datum makes it.
+    """
+
+    worlds: tuple[World, ...]
+    unknown: frozenset[str]
+    letters: tuple[Meaning, ...] = ()
+    his_own: bool = False
+
+    def of_his_own(self) -> Values:
+        """The same for a working from another datum."""
+        return replace(self, his_own=True)
+
+    def matches(self, point: MarkPoint, line: JudgedLine) -> Match | None:
+        """Whether a line gives the value of a point: the true one, or one of his own.
+
+        None where it gives no value of that quantity.
+        """
+        if point.link is None:
+            return None
+        if point.shown and not self._is_printed(point, line):
+            whole = line.verdict == "true" and self._gives_whole(point.link.left, line)
+            return self._match(line) if whole else None
+        if not point.shown and not self._gives(point.link.left, line):
+            computed = point.letter == "A" and self._computes(point.link.left, line)
+            if not computed and not self._gives_whole(point.link.left, line):
+                return None
+        return self._match(line)
+
+    def completes(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> Match | None:
+        """Whether the last of some lines completes the components of a point's velocity."""
+        link = point.link
+        if link is None or point.shown or not isinstance(link.left, Quantity) or not lines:
+            return None
+        if link.left.kind != "velocity":
+            return None
+        squares = [square for line in lines for square in self._squares(link.left, line)]
+        own = self._squares(link.left, lines[-1])
+        if not own:
+            return None
+        size = self._size(link.left)
+        if size is None or not any(_near(a + b, size**2) for a in own for b in squares):
+            return None
+        sound = all(line.verdict == "true" for line in lines if self._squares(link.left, line))
+        return "own" if not sound else self._match(lines[-1])
+
+    def _match(self, line: JudgedLine) -> Match:
+        return "true" if line.verdict == "true" or self.his_own else "own"
+
+    def is_solved(self, line: JudgedLine) -> bool:
+        """Whether a line gives one unknown of the impact, or a multiple of it, a value."""
+        meanings = self._meanings(line)
+        return any(
+            claim.sign == "="
+            and len(set(_names_in(claim.left))) == 1
+            and self._changes(claim.left, meanings, line)
+            and self._is_value(claim.right, meanings, line)
+            for chain in _chains(line)
+            for claim in chain
+        )
+
+    def carries(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line uses the component of a point: in a velocity, a speed, or as a remark."""
+        link = point.link
+        if link is None or point.principle != "unchanged":
+            return False
+        if line.verdict == "remark":
+            return any(self._is_worth(value, link.right, line) for value in line.line.values)
+        velocity = next((each for each in _within(link.left) if each.kind == "velocity"), None)
+        if line.verdict not in ("true", "follows") or velocity is None:
+            return False
+        if self.value_of(replace(velocity, kind="speed"), line) is not None:
+            return True
+        vector = self.value_of(velocity, line)
+        if vector is None:
+            return False
+        return self._is_worth(exchanged(link.left, {velocity: vector}), link.left, line)
+
+    def letter_of(self, quantity: Expression) -> Expression | None:
+        """The student's letter for a quantity, with a sign where it has the other sense."""
+        world = self._scattered
+        for meaning in self.letters:
+            if " " in meaning.letter:
+                continue
+            try:
+                own = world.value(meaning.quantity, scope=meaning.scope)
+                asked = world.value(quantity)
+            except UnvaluedError:
+                continue
+            if isinstance(own, Vector) or isinstance(asked, Vector):
+                continue
+            a, b = _number(world, own), _number(world, asked)
+            if _near(a, b):
+                return Letter(meaning.letter)
+            if _near(a, -b):
+                return Negate(Letter(meaning.letter))
+        return None
+
+    def _is_worth(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
+        world = self._base
+        try:
+            own = world.value(side, self._meanings(line), line.line.scope)
+            return _same(world, own, world.value(quantity))
+        except UnvaluedError:
+            return False
+
+    def value_of(self, tree: Expression, line: JudgedLine) -> Expression | None:
+        """The side of a line that gives a quantity its value, the last one typed."""
+        meanings = self._meanings(line)
+        last: Expression | None = None
+        for chain in _chains(line):
+            if self._names(chain[0].left, tree, meanings, line):
+                last = next(
+                    (
+                        claim.right
+                        for claim in reversed(chain)
+                        if self._is_value(claim.right, meanings, line)
+                    ),
+                    last,
+                )
+            elif self._names(chain[-1].right, tree, meanings, line) and self._is_value(
+                chain[0].left, meanings, line
+            ):
+                last = chain[0].left
+        return last
+
+    # --- sides ----------------------------------------------------------------------------------
+
+    def _gives(self, quantity: Expression, line: JudgedLine) -> bool:
+        if line.verdict == "remark":
+            return False
+        return self.value_of(quantity, line) is not None
+
+    def _computes(self, quantity: Expression, line: JudgedLine) -> bool:
+        """Whether a true line without a name computes what a quantity is worth, and is not zero."""
+        if line.verdict != "true":
+            return False
+        meanings = self._meanings(line)
+        for chain in _chains(line):
+            first, last = chain[0].left, chain[-1].right
+            impulse = isinstance(first, Letter) and first.name in _IMPULSE
+            impulse = impulse and isinstance(quantity, Quantity) and quantity.kind == "impulse"
+            nameless = self._is_nameless(first, meanings, line)
+            if not nameless and not impulse:
+                continue
+            try:
+                worth = self._base.value(last, meanings, line.line.scope)
+                asked = self._base.value(quantity)
+            except UnvaluedError:
+                continue
+            rounded = line.line.links[-1].decimals and line.accuracy != "coarse"
+            near = _is_rounded if rounded else _same
+            if near(self._base, worth, asked) and not _is_zero(self._base, asked):
+                return True
+        return False
+
+    def _is_nameless(
+        self, side: Expression, meanings: Mapping[str, Expression], line: JudgedLine
+    ) -> bool:
+        """Whether a side is a calculation, or a letter of which no meaning is known."""
+        if isinstance(side, Number):
+            return False
+        if isinstance(side, Letter):
+            if line.uses and all(use.principle == "arithmetic" for use in line.uses):
+                return True
+            return side.name not in meanings and not self._has_value(side, meanings, line)
+        return self._is_value(side, meanings, line)
+
+    def _has_value(
+        self, side: Expression, meanings: Mapping[str, Expression], line: JudgedLine
+    ) -> bool:
+        try:
+            self._base.value(side, meanings, line.line.scope)
+        except UnvaluedError:
+            return False
+        return True
+
+    def _gives_whole(self, quantity: Expression, line: JudgedLine) -> bool:
+        """Whether a line gives the only component of a velocity, where the other one is zero."""
+        size = self._size(quantity)
+        return size is not None and any(
+            _near(square, size**2) for square in self._squares(quantity, line)
+        )
+
+    def _squares(self, quantity: Expression, line: JudgedLine) -> list[Array]:
+        """The true squares of the components of a velocity that a sound line gives a value."""
+        if not isinstance(quantity, Quantity) or quantity.kind not in ("velocity", "speed"):
+            return []
+        if line.verdict not in ("true", "follows", "false"):
+            return []
+        velocity = replace(quantity, kind="velocity")
+        meanings = self._meanings(line)
+        squares: list[Array] = []
+        for chain in _chains(line):
+            sides = chain[0].left, chain[-1].right
+            for named, value in (sides, sides[::-1]):
+                tree = exchanged(named, {Letter(name): meant for name, meant in meanings.items()})
+                if not any(self._names(each, velocity, {}, line) for each in _within(tree)):
+                    continue
+                if not self._is_component(tree) or not self._is_value(value, meanings, line):
+                    continue
+                try:
+                    true = self._base.value(named, meanings, line.line.scope)
+                except UnvaluedError:
+                    continue
+                if not isinstance(true, Vector):
+                    squares.append(_number(self._base, true) ** 2)
+        return squares
+
+    def _is_component(self, tree: Expression) -> bool:
+        """Whether a tree is a component of a velocity, or that turned round."""
+        if isinstance(tree, Negate):
+            (tree,) = children(tree)
+        return isinstance(tree, Quantity) and tree.kind in ("along", "across")
+
+    def _size(self, quantity: Expression) -> Array | None:
+        """The true size of a velocity or speed; None where a quantity is neither."""
+        if not isinstance(quantity, Quantity) or quantity.kind not in ("velocity", "speed"):
+            return None
+        try:
+            return _number(self._base, self._base.value(replace(quantity, kind="speed")))
+        except UnvaluedError:
+            return None
+
+    def _is_printed(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line is the printed relation, its sides perhaps exchanged, or ends in it."""
+        link = point.link
+        assert link is not None
+        meanings = self._meanings(line)
+        for chain in _chains(line):
+            first, last = chain[0].left, chain[-1].right
+            for left, right in ((first, last), (last, first)):
+                if self._names(left, link.left, meanings, line) and self._names(
+                    right, link.right, meanings, line
+                ):
+                    return True
+        return False
+
+    def _names(
+        self,
+        side: Expression,
+        quantity: Expression,
+        meanings: Mapping[str, Expression],
+        line: JudgedLine,
+    ) -> bool:
+        """Whether a side is worth what a quantity is, up to a sign, whatever happens."""
+        world = self._scattered
+        try:
+            own = world.value(side, meanings, line.line.scope)
+            asked = world.value(quantity)
+        except UnvaluedError:
+            return False
+        return _same(world, own, asked)
+
+    def _changes(
+        self, side: Expression, meanings: Mapping[str, Expression], line: JudgedLine
+    ) -> bool:
+        try:
+            true = self._base.value(side, meanings, line.line.scope)
+            other = self._scattered.value(side, meanings, line.line.scope)
+        except UnvaluedError:
+            return False
+        return not _same(self._base, true, other)
+
+    def _is_value(
+        self, side: Expression, meanings: Mapping[str, Expression], line: JudgedLine
+    ) -> bool:
+        """Whether nothing that happens at the impacts changes a side."""
+        try:
+            true = self._base.value(side, meanings, line.line.scope)
+            other = self._scattered.value(side, meanings, line.line.scope)
+        except UnvaluedError:
+            return False
+        return _same(self._base, true, other)
+
+    @property
+    def _base(self) -> World:
+        return self.worlds[0]
+
+    @cached_property
+    def _scattered(self) -> World:
+        return scattered_world(self._base, self.unknown)
+
+    def _meanings(self, line: JudgedLine) -> Mapping[str, Expression]:
+        return Interpretation(self.letters).trees(line.line.number)
+
+
+def _chains(line: JudgedLine) -> Iterator[Sequence[Claim]]:
+    """The relations of a line, links of a chain together, in the reading that is most natural."""
+    chain: list[Claim] = []
+    for link in line.line.links:
+        claim = link.readings[0]
+        if chain and chain[-1].right != claim.left:
+            yield chain
+            chain = []
+        chain.append(claim)
+    if chain:
+        yield chain
+
+
+def _names_in(tree: Expression) -> Iterator[Expression]:
+    """The letters and quantities of a tree; those within a quantity are left out."""
+    if isinstance(tree, Letter | Quantity):
+        yield tree
+        return
+    for child in children(tree):
+        yield from _names_in(child)
+
+
+def _within(tree: Expression) -> Iterator[Quantity]:
+    """The quantities of a tree, outer ones first."""
+    if isinstance(tree, Quantity):
+        yield tree
+    for child in children(tree):
+        yield from _within(child)
+
+
+def _same(world: World, one: Value, other: Value) -> bool:
+    """Whether two values agree in all samples, up to a sign."""
+    if isinstance(one, Vector) or isinstance(other, Vector):
+        if not (isinstance(one, Vector) and isinstance(other, Vector)):
+            return False
+        return any(
+            _near(world.spread(one.x), sign * world.spread(other.x))
+            and _near(world.spread(one.y), sign * world.spread(other.y))
+            for sign in (1, -1)
+        )
+    a, b = _number(world, one), _number(world, other)
+    return _near(a, b) or _near(a, -b)
+
+
+def _is_rounded(world: World, own: Value, true: Value) -> bool:
+    """Whether a value is another one to 3 figures; a bare number is an angle in degrees."""
+    if isinstance(own, Vector) or isinstance(true, Vector):
+        return _same(world, own, true)
+    a, b = _number(world, own), _number(world, true)
+    if isinstance(true, Angle) and not isinstance(own, Angle):
+        a = np.radians(a)
+    return bool(np.allclose(np.abs(a), np.abs(b), rtol=_ROUNDED))
+
+
+def _is_zero(world: World, value: Value) -> bool:
+    if isinstance(value, Vector):
+        return _is_zero(world, value.x) and _is_zero(world, value.y)
+    number = _number(world, value)
+    return _near(number, 0 * number)
+
+
+def _number(world: World, value: Value) -> Array:
+    return world.spread(value.measure() if isinstance(value, Angle) else value)
+
+
+def _near(a: Array, b: Array) -> bool:
+    return bool(np.allclose(a, b, rtol=_NEAR, atol=_NEAR))

@@ -1,0 +1,1 @@
+"""Questions to practise: topics, numbers that tell mistakes apart, and which comes next."""

@@ -1,0 +1,1 @@
+"""What a student types, read: text → characters → tokens → segments → claims in every reading."""

@@ -1,0 +1,145 @@
+"""What the words of a phrase say: its head, its bodies, when, in which direction and sense."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from restitution.expression.tree import Expression, Negate, Unit
+from restitution.practice.reading.vocabulary import (
+    BODY_WORDS,
+    DIRECTIONS,
+    EVENT_WORDS,
+    HEADS,
+    ORDINALS,
+    STAGES,
+)
+from restitution.problem import Problem
+
+_WORD = re.compile(r"[A-Za-z]+[0-9]*|[0-9](?:st|nd|rd|th)|-(?=[ij]\b)|&|\d")
+_SENSES = frozenset(("left", "right", "up", "down", "towards", "away", "opposite"))
+AXES: dict[str, Expression] = {
+    "i": Unit("i"),
+    "j": Unit("j"),
+    "x": Unit("i"),
+    "y": Unit("j"),
+    "horizontal": Unit("i"),
+    "vertical": Unit("j"),
+    "right": Unit("i"),
+    "left": Negate(Unit("i")),
+    "up": Unit("j"),
+    "down": Negate(Unit("j")),
+}
+
+
+@dataclass(frozen=True)
+class Features:
+    """What the words of a phrase say. ``names`` stand in the order of the words."""
+
+    heads: frozenset[str] = frozenset()
+    names: tuple[str, ...] = ()
+    stage: str | None = None
+    direction: str | None = None
+    axis: Expression | None = None
+    sense: str | None = None
+    event: int | None = None
+    target: str | None = None
+    wall: bool = False
+    both: bool = False
+
+
+def words_of(text: str) -> tuple[str, ...]:
+    """The words of a phrase as typed."""
+    return tuple(_WORD.findall(text.replace("k.e.", "KE").replace("K.E.", "KE")))
+
+
+def features(words: Sequence[str], problem: Problem) -> Features:
+    """What the words say; those that say nothing are passed over."""
+    spheres = {each.name for each in problem.spheres}
+    walls = {each.name for each in problem.walls}
+    known = spheres | walls | {each.name for each in problem.points}
+    found = Features()
+    previous = ""
+    for place, word in enumerate(words):
+        low = word.lower()
+        if word in known or (len(word) == 1 and word.upper() in known and _is_name(words, place)):
+            found = _with_name(found, word if word in known else word.upper(), previous)
+        elif _is_pair_of(word, spheres):
+            found = replace(found, names=(*found.names, *word))
+        elif low in ("i", "j", "x", "y") and _is_axis(words, place):
+            axis = AXES[low]
+            found = replace(found, axis=Negate(axis) if previous == "-" else axis)
+            if "direction" in [each.lower() for each in words[max(0, place - 3) : place]]:
+                found = replace(found, sense="axis")
+        elif low in HEADS and not (low == "direction" and _is_filler(words, place)):
+            found = replace(found, heads=found.heads | {HEADS[low]})
+        elif low in DIRECTIONS:
+            found = _with_direction(found, DIRECTIONS[low])
+        elif low in STAGES:
+            found = replace(found, stage=STAGES[low])
+        elif low in ORDINALS and _counts_events(words, place):
+            found = replace(found, event=ORDINALS[low])
+        elif low in ("wall", "cushion", "barrier"):
+            found = replace(found, wall=True)
+        elif low in ("total", "both", "system", "overall", "combined"):
+            found = replace(found, both=True)
+        elif len(low) == 2 and low[0] in "uvw" and low[1] in "xy":
+            found = replace(found, axis=AXES[low[1]])
+        elif low in ("u", "v", "w") and len(words) == 2:
+            found = replace(found, heads=found.heads | {"velocity"})
+        elif low == "relative":
+            found = replace(found, heads=found.heads | {"relative"})
+        elif low in ("rebounds", "hits", "collides") and not found.stage:
+            found = replace(found, stage="after")
+        if low not in ("the", "of", "sphere", "ball", "particle", "point"):
+            previous = low
+    return found
+
+
+def _is_name(words: Sequence[str], place: int) -> bool:
+    """Whether a small letter stands for a body: ``speed of a``."""
+    before = words[place - 1].lower() if place else ""
+    return before in ("of", "for", "sphere", "ball", "particle", "on", "towards") and (
+        place + 1 == len(words) or words[place + 1].lower() not in BODY_WORDS
+    )
+
+
+def _is_pair_of(word: str, spheres: set[str]) -> bool:
+    return len(word) == 2 and word[0] in spheres and word[1] in spheres
+
+
+def _is_axis(words: Sequence[str], place: int) -> bool:
+    return words[place] in ("i", "j") or len(words) > 1
+
+
+def _is_filler(words: Sequence[str], place: int) -> bool:
+    """Whether ``direction`` only goes with what stands beside it: ``in the direction of i``."""
+    around = {each.lower() for each in words[max(0, place - 2) : place]}
+    return bool(around & {"in", "x", "y", "i", "j", "the", "this", "that"})
+
+
+def _counts_events(words: Sequence[str], place: int) -> bool:
+    if place and words[place - 1].lower() in ("after", "before", "at"):
+        return True
+    return any(each.lower() in EVENT_WORDS for each in words[place + 1 : place + 3])
+
+
+def _with_name(found: Features, name: str, previous: str) -> Features:
+    if previous in ("towards", "toward", "from", "away"):
+        return replace(found, target=name)
+    if previous in ("along", "parallel", "perp", "perpendicular", "to", "at", "wall", "with"):
+        return replace(found, names=(*found.names, name), target=found.target or name)
+    return replace(found, names=(*found.names, name))
+
+
+def _with_direction(found: Features, word: str) -> Features:
+    if word in ("horizontal", "vertical"):
+        return replace(found, axis=AXES[word])
+    if word in _SENSES:
+        return replace(found, sense=word)
+    if word == "centres":
+        return replace(found, direction=f"{found.direction or 'along'} centres")
+    if found.direction and found.direction.endswith("centres"):
+        return replace(found, direction=f"{word} centres")
+    return replace(found, direction=word)

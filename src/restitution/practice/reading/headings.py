@@ -1,0 +1,206 @@
+"""Headings of a working: parts of the question, and the scopes that lines below speak of."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Literal
+
+from restitution.practice.reading.features import features, words_of
+from restitution.practice.reading.tokens import Token, Usage
+from restitution.practice.reading.vocabulary import EVENT_WORDS, ORDINALS, STAGES
+from restitution.practice.script import Scope
+from restitution.problem import Impact, Problem
+
+_PART = re.compile(
+    r"\s*(?:part\s+\(?(\w{1,3})\)?|q(?:uestion)?\s*\d*\s*\(?([a-z]{1,3})\)|\(([a-zA-Z]{1,3})\)"
+    r"|([a-zA-Z]{1,3})[).](?=\s|$))\s*(?:\((\w{1,3})\))?\s*[:.)-]?",
+    re.IGNORECASE,
+)
+_NUMBERED = re.compile(
+    r"\s*(?:\(\d{1,2}\)|\[\d{1,2}\]|\(\*+\)|\d{1,2}[.)](?=\s+\S)|[•▪●◦*·>]\s+|[①-⑳])\s*"
+)
+_CASE = re.compile(
+    r"\s*(?:case\s*(\d|[ivx]+|[a-d])\b|either\b|or\b(?!\s*$))\s*[:.)]?",
+    re.IGNORECASE,
+)
+_CROSSED = re.compile(r"\s*(?:~~(.*?)~~\s*|x:\s*(.*)|<s>(.*?)</s>\s*)$", re.IGNORECASE)
+_COMBINED = re.compile(
+    r"\s*(?:\d\s*[x×*]?\s*)?[(\[]\d[)\]](?:\s*[x×*/÷]\s*\d)?"
+    r"(?:\s*[+\-−–/]\s*(?:\d\s*[x×*]?\s*)?[(\[]\d[)\]](?:\s*[x×*]\s*\d)?)*"
+    r"\s*(?::|=>|→|gives|(?=\s[\dA-Za-z(]))"
+)
+_BEHIND = re.compile(
+    r"(?:[\s.…_-]+|\s)(?:[(\[]\s*(?:eqn?\s*)?(?:\d|[ivx]+|\*+|[A-E])\s*[)\]]|[①-⑳])\s*$"
+)
+
+
+def part_of(text: str, problem: Problem) -> tuple[str | None, int]:
+    """The part of the question that a line opens, and where the rest of the line begins."""
+    labels = {each.label.lower(): each.label for each in problem.parts if each.label}
+    match = _PART.match(text)
+    if not match or not labels:
+        return None, 0
+    label = next(each for each in match.groups()[:4] if each).lower()
+    further = (match[5] or "").lower()
+    if further and label + further in labels:
+        return labels[label + further], match.end()
+    if label in labels:
+        return labels[label], match.start(5) - 1 if further else match.end()
+    return None, 0
+
+
+def crossed(text: str) -> str | None:
+    """The text of a line that is crossed out, or None."""
+    match = _CROSSED.match(text)
+    return next((each for each in match.groups() if each is not None), "") if match else None
+
+
+def without_number(text: str) -> int:
+    """Where a line begins behind the number, the bullet or ``(1)+(2):`` in front of it."""
+    offset = 0
+    match = _COMBINED.match(text)
+    if match and re.search(r"[=<>]", text[match.end() :]):
+        offset = match.end()
+    else:
+        match = _NUMBERED.match(text)
+        behind = text[match.end() :] if match else ""
+        signed = behind != text and re.match(r"-\S", behind) and text[: -len(behind)].endswith(" ")
+        if match and (signed or not re.match(r"\s*[=+*/^(\d-]", behind)):
+            offset = match.end()
+    return offset
+
+
+def number_behind(text: str) -> int:
+    """Where a line ends before the number of an equation behind it."""
+    match = _BEHIND.search(text)
+    if match and re.search(r"[=<>≤≥]", text[: match.start()]) and text[: match.start()].strip():
+        return match.start()
+    return len(text)
+
+
+def case_of(text: str) -> int:
+    """Where a line begins behind a word that opens a case; 0 where none does."""
+    match = _CASE.match(text)
+    return match.end() if match else 0
+
+
+def scope_of(words: str, problem: Problem, current: Scope) -> Scope | None:
+    """The scope that the words of a heading open, or None where they are no heading."""
+    listed = words_of(words)
+    low = [each.lower() for each in listed]
+    found = features(listed, problem)
+    if found.heads - {"direction"} or len(listed) > 9:
+        return None
+    spheres = {each.name for each in problem.spheres}
+    event = _event_of(listed, problem, current, found.event)
+    bodies = [each for each in found.names if each in spheres]
+    stage = _stage(low)
+    body = bodies[0] if len(bodies) == 1 and (event is None or "wall" in low) else None
+    if event is None and body is None and stage is None:
+        return None
+    if event is not None:
+        return Scope(event=event, body=body, stage=stage)
+    return replace(current, body=body, stage=stage or current.stage)
+
+
+def _stage(words: Sequence[str]) -> Literal["before", "after"] | None:
+    stages = {STAGES[each] for each in words if each in STAGES}
+    return "before" if "before" in stages else "after" if stages else None
+
+
+def _event_of(
+    words: Sequence[str], problem: Problem, current: Scope, counted: int | None
+) -> int | None:
+    """The event that a heading names: by its number, by the two that meet, or by its wall."""
+    events = problem.events
+    impacts = [n for n, each in enumerate(events, 1) if isinstance(each, Impact)]
+    walls = {each.name for each in problem.walls}
+    low = [each.lower() for each in words]
+    spoken = any(each in EVENT_WORDS for each in low)
+    if counted is None and (spoken or "wall" in low or any(each in STAGES for each in low)):
+        counted = next((ORDINALS[each] for each in low if each in ORDINALS), None)
+        digits = [int(each) for each in low if each.isdigit()]
+        counted = counted or (digits[0] if digits else None)
+    if counted is not None:
+        if "wall" in low or "walls" in low:
+            struck = [n for n in impacts if _met(events[n - 1]) & walls]
+            return struck[counted - 1] if counted <= len(struck) else None
+        return impacts[counted - 1] if 0 < counted <= len(impacts) else None
+    found = features(words, problem)
+    named = set(found.names) | ({found.target} if found.target else set())
+    pair = [n for n in impacts if len(named) == 2 and _met(events[n - 1]) == named]
+    wall = [n for n in impacts if _met(events[n - 1]) & walls & named]
+    if not wall and ("wall" in low or "cushion" in low) and not named & walls:
+        wall = [n for n in impacts if _met(events[n - 1]) & walls]
+        wall = wall if len({frozenset(_met(events[n - 1])) for n in wall}) == 1 else []
+    if not pair and not wall and spoken and len(impacts) == 1 and len(words) <= 3:
+        return impacts[0]
+    return _next(pair or wall, current)
+
+
+def _next(numbers: Sequence[int], current: Scope) -> int | None:
+    """The first of some events that is not before the current one."""
+    later = [each for each in numbers if current.event is None or each > current.event]
+    return next(iter(later or numbers), None)
+
+
+def _met(event: object) -> set[str]:
+    return {event.first, event.second} if isinstance(event, Impact) else set()
+
+
+def is_heading(tokens: Sequence[Token]) -> bool:
+    """Whether tokens are words and names alone, perhaps with a number behind *impact*."""
+    allowed = ("word", "name", "phrase", ":", "stop", "number", "-", "unit", ",", "letter")
+    return bool(tokens) and all(each.kind in allowed for each in tokens)
+
+
+_HEADING_WORDS = frozenset(
+    ("after", "before", "at", "for", "in", "on", "the", "with", "wall", "between", "and", "of")
+    + ("sphere", "ball", "particle", "now", "next", "then", "just", "immediately", "again", "point")
+    + ("spheres", "balls", "from", "off", "when", "during", "hitting", "initially", "finally", "to")
+    + ("first", "second", "third", "one", "two", "three", "cushion", "both", "against", "another")
+)
+
+
+def heading_end(tokens: Sequence[Token], usage: Usage) -> int:
+    """How many tokens at the beginning of a line may be a heading; 0 where there is none.
+
+    A heading is made of words of few kinds and names. It ends at a colon, at the end of the line,
+    or where the mathematics begins.
+    """
+    end = 0
+    while end < len(tokens) and end < 10 and _in_heading(tokens[end], usage):
+        end += 1
+    while end and tokens[end - 1].kind == "number" and end < len(tokens):
+        behind = tokens[end].kind
+        if behind in (":", ",", "stop"):
+            break
+        end -= 1
+    if not end or not any(each.kind in ("word", "name") for each in tokens[:end]):
+        return 0
+    if end == 1 and tokens[0].kind == "name" and len(tokens) > 2:
+        return 0
+    if end == len(tokens) or tokens[end].kind in (":", ",", "stop", ";"):
+        return end if end == len(tokens) or tokens[end].kind == ":" or end > 1 else 0
+    if tokens[end].kind == "word":
+        return 0
+    operator = tokens[end].kind in ("relation", "+", "*", "/", "^", "percent")
+    first_name = tokens[end - 1].kind == "name" and tokens[end - 1].gap == 0
+    return 0 if operator or first_name or tokens[0].kind == "name" else end
+
+
+def _in_heading(token: Token, usage: Usage) -> bool:
+    if token.kind == "word":
+        low = token.text.lower()
+        return (
+            low in _HEADING_WORDS
+            or low in EVENT_WORDS
+            or low in ORDINALS
+            or low in STAGES
+            or token.text in usage.names
+        )
+    if token.kind == "name":
+        return True
+    return token.kind == "number" and token.value.denominator == 1 and token.value < 10

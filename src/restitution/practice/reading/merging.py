@@ -1,0 +1,320 @@
+"""Words that name a quantity, and what goes with them, made one token each."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+from restitution.practice.reading.phrases import names_quantity
+from restitution.practice.reading.tokens import Token
+from restitution.practice.reading.vocabulary import (
+    DIRECTIONS,
+    EQUALS,
+    HEADS,
+    PHRASE_WORDS,
+    STAGES,
+)
+from restitution.problem import Problem
+
+_TRAILING = frozenset(
+    ("of", "the", "in", "to", "from", "for", "on", "with", "its", "by", "between", "at", "and")
+    + ("just", "immediately", "which", "it", "that", "their", "moves", "moving", "into", "makes")
+    + ("made", "s", "given", "line", "through", "sum", "one", "two", "three", "side", "both")
+)
+_BEFORE_AXIS = frozenset(
+    ("along", "of", "to", "in", "direction", "parallel", "perpendicular", "perp", "the", "with")
+    + ("from", "and", "-", "positive", "negative")
+)
+_BEHIND_AXIS = frozenset(
+    ("component", "components", "comp", "comps", "direction", "dir", "dirn", "axis", "cpt")
+)
+_STARTS = frozenset(
+    ("total", "overall", "combined", "resultant", "relative", "horizontal", "vertical", "line")
+)
+_NEAR_A_NAME = frozenset(
+    ("after", "before", "at", "for", "to", "from", "with", "of", "by", "hits", "wall", "sphere")
+    + ("ball", "particle", "strikes", "point", "on", "and", "between", "about", "spheres", "then")
+    + ("towards", "so", "since", "hence", "that", "means", "as", "because")
+)
+_ENERGIES = frozenset(word for word, head in HEADS.items() if head in ("loss", "gain", "energy"))
+_OF = frozenset(("of", "on", "for", "to", "from", "by", "with", "at", "hits", "after", "before"))
+_OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "phrase", "function", "("))
+_CLOSING = frozenset(("number", "letter", "name", "unit", "pi", ")", "phrase", "percent"))
+
+
+def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[Token]:
+    """The tokens, with the words that name a quantity made one token each."""
+    found: list[Token] = []
+    place = 0
+    tokens = [each for n, each in enumerate(tokens) if not _is_kind_of_body(tokens, n)]
+    while place < len(tokens):
+        if _is_aside(tokens, place):
+            place = tokens_behind(tokens, place)
+            continue
+        joined = (
+            _size(tokens, place)
+            or _owned(tokens, place)
+            or _staged(tokens, place, text)
+            or _deflected(tokens, place)
+        )
+        energy = _quotient_of_energies(tokens, place)
+        if energy is not None:
+            joined = energy, place + 1
+        if joined is not None:
+            found.append(joined[0])
+            place = joined[1]
+            continue
+        end = _phrase_end(tokens, place, problem)
+        if end > place:
+            first = place
+            if len(found) > 1 and found[-1].word in ("has", "had") and found[-2].kind == "name":
+                found.pop()
+                first -= 1
+            if found and _is_owner(found, tokens[place]):
+                found.pop()
+                first -= 1
+            end = _with_letter(tokens, end)
+            found.append(_phrase(tokens[first:end], text))
+            place = end
+            continue
+        token = tokens[place]
+        found.append(_prose_name(found, token, tokens[place + 1 : place + 2]))
+        place += 1
+    found = [each for n, each in enumerate(found) if not _is_article(found, n)]
+    return _with_order([_equality(found, place) for place in range(len(found))])
+
+
+def tokens_behind(tokens: Sequence[Token], place: int) -> int:
+    """The place behind the bracket that closes the one at a place."""
+    depth = 0
+    for end in range(place, len(tokens)):
+        depth += {"(": 1, ")": -1}.get(tokens[end].kind, 0)
+        if not depth:
+            return end + 1
+    return len(tokens)
+
+
+def _is_aside(tokens: Sequence[Token], place: int) -> bool:
+    """Whether brackets hold words and state nothing: ``v (speed of A) = 3``."""
+    if tokens[place].kind != "(" or not place or not tokens[place].gap:
+        return False
+    inside = tokens[place + 1 : tokens_behind(tokens, place) - 1]
+    signs = any(each.kind in ("relation", "arrow") for each in inside)
+    return not signs and any(each.kind == "word" for each in inside)
+
+
+def _with_letter(tokens: Sequence[Token], end: int) -> int:
+    """Where a phrase ends that goes on with a letter: ``x component of v = 3``."""
+    kinds = [each.kind for each in tokens[end : end + 3]]
+    if kinds == ["word", "letter", "relation"] and tokens[end].word == "of":
+        return end + 2
+    return end
+
+
+def _deflected(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
+    """``A is deflected by`` as the name of the angle."""
+    words = [each.word for each in tokens[place + 1 : place + 4]]
+    if tokens[place].kind != "name" or len(words) < 2 or words[0] not in ("is", "was"):
+        return None
+    if HEADS.get(words[1]) != "deflection":
+        return None
+    name = f"deflection of {tokens[place].name}"
+    end = place + (4 if words[2:] in (["by"], ["through"]) else 3)
+    last = tokens[end - 1]
+    return replace(tokens[place], kind="phrase", name=name, end=last.end), end
+
+
+def _quotient_of_energies(tokens: Sequence[Token], place: int) -> Token | None:
+    """The ``initial`` of ``loss/initial``: the energy before."""
+    if place < 2 or tokens[place].kind != "word" or tokens[place - 1].kind != "/":
+        return None
+    above = set(tokens[place - 2].word.split())
+    if STAGES.get(tokens[place].word) != "before" or not above & _ENERGIES:
+        return None
+    return replace(tokens[place], kind="phrase", name=f"{tokens[place].word} ke")
+
+
+def _with_order(tokens: list[Token]) -> list[Token]:
+    """The tokens of a line that has ``e => 1/3`` for its only sign, which then is no arrow."""
+    arrows = [n for n, each in enumerate(tokens) if each.kind == "arrow"]
+    if any(each.kind == "relation" for each in tokens) or len(arrows) != 1:
+        return tokens
+    place = arrows[0]
+    if tokens[place].text != "=>" or not 0 < place < len(tokens) - 1:
+        return tokens
+    if tokens[place - 1].kind != "letter":
+        return tokens
+    tokens[place] = replace(tokens[place], kind="relation", name=">=")
+    return tokens
+
+
+def _is_kind_of_body(tokens: Sequence[Token], place: int) -> bool:
+    """Whether a word only says what a named body is: ``sphere A``."""
+    behind = tokens[place + 1].kind if place + 1 < len(tokens) else ""
+    return behind == "name" and tokens[place].word in ("sphere", "ball", "particle", "disc")
+
+
+def _size(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
+    """``magnitude of I`` as a function of what stands behind it."""
+    if tokens[place].kind != "word" or HEADS.get(tokens[place].word) != "magnitude":
+        return None
+    behind = place + 1
+    while behind < len(tokens) and tokens[behind].word in ("of", "the"):
+        behind += 1
+    if behind >= len(tokens) or tokens[behind].kind not in ("letter", "(", "number", "-"):
+        return None
+    return replace(tokens[place], kind="function", name="abs"), behind
+
+
+def _owned(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
+    """``I on B`` and ``v of A`` as a letter with a subscript."""
+    if place + 2 >= len(tokens):
+        return None
+    letter, word, name = tokens[place : place + 3]
+    if letter.kind != "letter" or name.kind != "name" or word.word not in ("on", "of", "for"):
+        return None
+    if "_" in letter.name or len(letter.name) > 1:
+        return None
+    return replace(letter, name=f"{letter.name}_{name.name}", end=name.end), place + 3
+
+
+def _staged(tokens: Sequence[Token], place: int, text: str) -> tuple[Token, int] | None:
+    """``v before`` and ``v after`` as phrases, where a line has the same letter at both."""
+    if not _has_stage(tokens, place):
+        return None
+    name = tokens[place].name
+    stages = {
+        STAGES[tokens[n + 1].word]
+        for n in range(len(tokens) - 1)
+        if _has_stage(tokens, n) and tokens[n].name == name
+    }
+    if len(stages) < 2:
+        return None
+    return _phrase(tokens[place : place + 2], text), place + 2
+
+
+def _has_stage(tokens: Sequence[Token], place: int) -> bool:
+    if place + 1 >= len(tokens) or tokens[place].kind != "letter":
+        return False
+    return tokens[place + 1].kind == "word" and tokens[place + 1].word in STAGES
+
+
+def _is_owner(found: Sequence[Token], token: Token) -> bool:
+    """Whether the last token is the name of a body before its quantity: ``B perp``, ``A's KE``."""
+    if found[-1].kind != "name" or not token.gap:
+        return False
+    return len(found) == 1 or found[-2].kind in (",", ";", ":", "arrow", "stop")
+
+
+def _is_article(tokens: Sequence[Token], place: int) -> bool:
+    """Whether a word is the article before a phrase: ``v is the speed of A``."""
+    behind = tokens[place + 1].kind if place + 1 < len(tokens) else ""
+    articles = ("the", "a", "an", "its", "their", "that")
+    if tokens[place].word == "of" and place and tokens[place - 1].kind == "function":
+        return True
+    return tokens[place].word in articles and behind == "phrase"
+
+
+def _phrase(tokens: Sequence[Token], text: str) -> Token:
+    """A phrase as a token: its words in small letters, but for names, as its name."""
+    words = [each.text if each.kind in ("name", "unit") else each.word for each in tokens]
+    joined = re.sub(r"- ([ij])\b", r"-\1", " ".join(words).replace(" - c", " c"))
+    first, last = tokens[0], tokens[-1]
+    name = joined if " " in joined else f"the {joined}"
+    return replace(first, kind="phrase", text=text[first.start : last.end], end=last.end, name=name)
+
+
+def _phrase_end(tokens: Sequence[Token], place: int, problem: Problem) -> int:
+    """Where a phrase that begins at a place ends; the place itself where none does."""
+    if not _begins_phrase(tokens, place):
+        return place
+    end, depth = place, 0
+    while end < len(tokens) and end - place < 16 and _goes_on(tokens, place, end):
+        end += 1
+    while end > place and _is_trailing(tokens, end - 1):
+        end -= 1
+    stretch = tokens[place:end]
+    if depth or not any(each.kind == "word" for each in stretch):
+        return place
+    words = [each.text if each.kind == "name" else each.word for each in stretch]
+    if end > place and names_quantity(words, problem):
+        return end
+    return place
+
+
+def _begins_phrase(tokens: Sequence[Token], place: int) -> bool:
+    token = tokens[place]
+    if token.kind in ("unit", "letter", "times"):
+        return token.text in ("i", "j", "x", "y", "X", "Y") and _has_axis_behind(tokens, place)
+    if token.kind != "word":
+        return False
+    low = token.word
+    if low in ("change", "gain"):
+        return place + 1 < len(tokens) and tokens[place + 1].word in ("in", "of")
+    known = low in HEADS or low in DIRECTIONS or low in STAGES or low in _STARTS
+    return known and low not in ("right", "left", "up", "down", "turned", "end", "normal")
+
+
+def _has_axis_behind(tokens: Sequence[Token], place: int) -> bool:
+    behind = place + 1
+    if behind < len(tokens) and tokens[behind].kind == "-":
+        behind += 1
+    return behind < len(tokens) and tokens[behind].word in _BEHIND_AXIS
+
+
+def _goes_on(tokens: Sequence[Token], place: int, end: int) -> bool:
+    """Whether the token at an end still belongs to the phrase that began at a place."""
+    token = tokens[end]
+    before = tokens[end - 1].word if end > place else ""
+    if token.kind == "word":
+        low = token.word
+        if low in PHRASE_WORDS or re.fullmatch(r"\d(?:st|nd|rd|th)", low):
+            return True
+        return low == "a" or (low.isalpha() and token.text.isupper() and len(low) <= 3)
+    if token.kind == "name":
+        behind = tokens[end + 1] if end + 1 < len(tokens) else None
+        return before != "and" or behind is None or behind.kind not in ("relation", "+")
+    if token.kind in ("unit", "letter", "times") and token.text in ("i", "j", "x", "y"):
+        return end == place or before in _BEFORE_AXIS or _has_axis_behind(tokens, end)
+    if token.kind == "-":
+        behind = tokens[end + 1] if end + 1 < len(tokens) else None
+        if behind is None:
+            return False
+        if behind.word in _BEHIND_AXIS and before in ("i", "j", "x", "y"):
+            return True
+        return behind.kind == "unit" and before in _BEFORE_AXIS and behind.gap == 0
+    return False
+
+
+def _is_trailing(tokens: Sequence[Token], place: int) -> bool:
+    token = tokens[place]
+    return token.kind == "-" or (token.kind == "word" and token.word in _TRAILING)
+
+
+def _prose_name(found: Sequence[Token], token: Token, behind: Sequence[Token]) -> Token:
+    """A name behind a word of prose is one itself: ``after AB``, ``so B moves``."""
+    if token.kind != "name" or not found or found[-1].kind != "word":
+        return token
+    if behind and behind[0].kind in ("relation", "+", "-", "*", "/", "^", ":"):
+        owner = found[-1].text in _OF and behind[0].kind == "relation"
+        return replace(token, kind="word") if owner else token
+    return replace(token, kind="word") if found[-1].text in _NEAR_A_NAME else token
+
+
+def _equality(tokens: Sequence[Token], place: int) -> Token:
+    """``is`` between two values is a sign of equality, ``of`` behind a number a product."""
+    token = tokens[place]
+    if token.kind != "word" or not 0 < place < len(tokens) - 1:
+        return token
+    before, behind = tokens[place - 1], tokens[place + 1]
+    opens = behind.kind in _OPERANDS or behind.kind in ("-", "|")
+    if behind.kind == "phrase" and not set(behind.name.split()) & HEADS.keys():
+        return token
+    if behind.name in ("the lost", "the gained", "the turned", "the deflected"):
+        return token  # energy is lost
+    if token.text in EQUALS and before.kind in _CLOSING - {"name"} and opens:
+        return replace(token, kind="relation", name="=")
+    if token.text == "of" and before.kind in ("number", "percent", ")") and opens:
+        return replace(token, kind="times")
+    return token

@@ -1,0 +1,445 @@
+"""Phrases that name a quantity: ``speed of A``, ``KE lost``, ``angle to the wall after``.
+
+A phrase is a bag of the features that its words have: what it is of, when, in which direction and
+sense. So word order, fillers and capitals do not matter. What it may mean is a list of trees of
+the statement language, the most natural first.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import chain
+from typing import Literal
+
+from restitution.errors import StatementError
+from restitution.expression import read_expression
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Name,
+    Negate,
+    Quantity,
+    Stage,
+)
+from restitution.practice.reading.features import AXES, Features, features, words_of
+from restitution.problem import Impact, Problem
+
+__all__ = ["is_phrase", "names_quantity", "read_phrase", "words_of"]
+
+MAX_CANDIDATES = 40
+_DIRECTION = re.compile(
+    r"\b(along|of|to|direction)\s+((?:\(?\s*-?\s*[\d√./()\s]*[ij][\s)/\d√.+-]*){2,})", re.IGNORECASE
+)
+
+
+def names_quantity(words: Sequence[str], problem: Problem) -> bool:
+    """Whether words name a quantity: they have a head, or a direction and nothing strange."""
+    found = features(words, problem)
+    if found.heads == {"change"} or found.heads == {"gain"}:
+        return False
+    return bool(found.heads or found.direction or found.axis is not None)
+
+
+def is_phrase(name: str) -> bool:
+    """Whether the name of a `Letter` is a phrase: it has a blank in it, as no letter has."""
+    return " " in name
+
+
+def read_phrase(words: str, problem: Problem) -> tuple[Expression, ...]:
+    """What a phrase may mean, as quantities of the statement language, most natural first.
+
+    Text of the statement language itself (``along(velocity(A), i)``) is read as it stands. Where
+    no event is named, the latest one comes first. No candidates where the words name nothing.
+    """
+    text = words.strip()[:400]
+    if "(" in text:
+        exact = _exact(text, problem)
+        if exact is not None:
+            return (exact,)
+    axis = _DIRECTION.search(text)
+    direction = _exact(axis[2].strip(), problem) if axis else None
+    if axis is not None and direction is not None:
+        text = text[: axis.start(2)] + text[axis.end() :]
+    found = features(words_of(text)[:40], problem)
+    if direction is not None:
+        found = replace(found, axis=direction)
+    stages: tuple[Literal["after", "before"], ...] = ("after", "before")
+    staged = [found] if found.stage else [replace(found, stage=each) for each in stages]
+    return _unique(chain.from_iterable(_Reader(each, problem).candidates() for each in staged))
+
+
+def _exact(text: str, problem: Problem) -> Expression | None:
+    names = {each.name for each in problem.spheres}
+    names |= {each.name for each in problem.walls} | {each.name for each in problem.points}
+    try:
+        return read_expression(text, names=names)
+    except (StatementError, RecursionError):
+        return None
+
+
+def _unique(candidates: Iterator[Expression]) -> tuple[Expression, ...]:
+    found: dict[Expression, None] = {}
+    for each in candidates:
+        found.setdefault(each)
+        if len(found) >= MAX_CANDIDATES:
+            break
+    return tuple(found)
+
+
+class _Reader:
+    """The candidates of one phrase."""
+
+    def __init__(self, found: Features, problem: Problem) -> None:
+        self.found, self.problem = found, problem
+        self.events = problem.events
+        self.spheres = tuple(each.name for each in problem.spheres)
+        self.walls = tuple(each.name for each in problem.walls)
+
+    def candidates(self) -> Iterator[Expression]:
+        """What the phrase may mean, the most natural first; the same quantity may come twice."""
+        heads = self.found.heads
+        for event in self.numbers():
+            if "ratio" in heads:
+                yield from self.ratio(event)
+            elif "deflection" in heads:
+                yield from self.deflection(event)
+            elif "angle" in heads:
+                yield from self.angle(event)
+            elif heads & {"energy", "loss", "gain"}:
+                yield from self.energy(event)
+            elif "impulse" in heads:
+                yield from self.impulse(event)
+            elif "coefficient" in heads:
+                yield Quantity("restitution", (), event)
+            elif "mass" in heads:
+                yield from (Quantity("mass", (Name(each),)) for each in self.bodies(event))
+            elif heads & {"approach", "separation", "relative"}:
+                yield from self.relative(event)
+            elif "momentum" in heads:
+                yield from self.momentum(event)
+            elif "change" in heads and heads & {"velocity", "component"}:
+                yield from self.change(event)
+            elif self.found.direction or self.found.axis is not None or "component" in heads:
+                yield from self.component(event)
+            elif "speed" in heads:
+                yield from self.speed(event)
+            elif heads == {"magnitude"} and not self.found.names:
+                yield from self.impulse(event)
+                yield from self.velocity(event)
+            elif heads & {"velocity", "magnitude"} or self.found.sense:
+                yield from self.velocity(event)
+            elif "direction" in heads:
+                yield from (self.of("direction", each, event) for each in self.bodies(event))
+            elif "time" in heads:
+                yield Quantity("time", (), event)
+            elif "distance" in heads and len(self.found.names) == 2:
+                first, second = self.found.names
+                yield Quantity("distance", (Name(first), Name(second)))
+            elif self.found.names:
+                yield from self.velocity(event)
+
+    # -- events, bodies, stages ---------------------------------------------------------------
+
+    def numbers(self) -> list[int]:
+        """The events of which the phrase may speak, the latest first."""
+        impacts = [n for n, each in enumerate(self.events, 1) if isinstance(each, Impact)]
+        if self.found.event is not None and self.found.event <= len(impacts):
+            return [impacts[self.found.event - 1]]
+        named = [n for n in impacts if self.met(n) and self.met(n) <= set(self.found.names)]
+        if named and len(named) < len(impacts):
+            return named
+        bodies = {each for each in self.found.names if each in self.spheres}
+        walled = [n for n in impacts if self.met(n) & set(self.walls) & set(self.found.names)]
+        if walled:
+            return list(reversed(walled))
+        taking_part = [n for n in impacts if not bodies or bodies & self.met(n)] or impacts
+        return list(reversed(taking_part)) or [max(len(self.events), 1)]
+
+    def met(self, number: int) -> set[str]:
+        """The two that meet in an event."""
+        event = self.events[number - 1]
+        return {event.first, event.second} if isinstance(event, Impact) else set()
+
+    def bodies(self, event: int) -> list[str]:
+        """The spheres of which the phrase may speak."""
+        named = [each for each in self.found.names if each in self.spheres]
+        if self.found.target in named and len(named) > 1:
+            named.remove(self.found.target or "")
+        if named:
+            return named[:1]
+        if 0 < event <= len(self.events) and isinstance(self.events[event - 1], Impact):
+            impact = self.events[event - 1]
+            assert isinstance(impact, Impact)
+            return [each for each in (impact.first, impact.second) if each in self.spheres]
+        return list(self.spheres)
+
+    def stage(self, event: int) -> Stage:
+        """The stage of which the phrase speaks: after the event unless it says *before*."""
+        if self.found.stage == "before":
+            return event - 1
+        return None if event == len(self.events) else event
+
+    def before(self, event: int) -> Stage:
+        """The stage just before an event."""
+        return event - 1
+
+    def of(self, kind: str, body: str, event: int) -> Expression:
+        """A quantity of a body at the stage."""
+        return Quantity(kind, (Name(body),), self.stage(event))
+
+    def line(self, event: int) -> Expression:
+        """The line of centres of an event."""
+        return Quantity("line_of_centres", (), None if event == len(self.events) else event)
+
+    def wall(self, event: int) -> Expression | None:
+        """The wall that is named, or that is struck."""
+        named = [each for each in self.found.names if each in self.walls]
+        if named:
+            return Name(named[0])
+        struck = self.met(event) & set(self.walls)
+        return Name(struck.pop()) if struck else None
+
+    # -- quantities ---------------------------------------------------------------------------
+
+    def speed(self, event: int) -> Iterator[Expression]:
+        """Speeds; the speed of a component next."""
+        for body in self.bodies(event):
+            yield self.of("speed", body, event)
+        for body in self.bodies(event):
+            component = Quantity("along", (self.of("velocity", body, event), self.line(event)))
+            yield Apply("abs", component)
+
+    def velocity(self, event: int) -> Iterator[Expression]:
+        """Velocities, their sizes, and their components along the line of centres."""
+        if "magnitude" in self.found.heads:
+            yield from (self.of("speed", each, event) for each in self.bodies(event))
+            return
+        if self.found.sense:
+            yield from self.component(event)
+        for body in self.bodies(event):
+            velocity = self.of("velocity", body, event)
+            yield velocity
+            yield self.of("speed", body, event)
+            yield Quantity("along", (velocity, self.line(event)))
+            yield Negate(Quantity("along", (velocity, self.line(event))))
+
+    def component(self, event: int) -> Iterator[Expression]:
+        """Components along the direction named, in the sense named or in either."""
+        for body in self.bodies(event):
+            velocity = self.of("velocity", body, event)
+            for value in self.components(velocity, event, body):
+                yield value
+                if not self.found.sense:
+                    yield value.operand if isinstance(value, Negate) else Negate(value)
+
+    def components(self, velocity: Expression, event: int, body: str) -> Iterator[Expression]:
+        found, line, wall = self.found, self.line(event), self.wall(event)
+        named = found.direction or ""
+        sense = self.along_sense(event, body)
+        if found.axis is not None and "perpendicular" not in named:
+            yield Quantity("along", (velocity, found.axis))
+        elif found.axis is not None:
+            yield Quantity("across", (velocity, found.axis))
+        elif "centres" in named and "perpendicular" not in named:
+            if sense is not None and found.sense not in ("towards", "away"):
+                yield Quantity("along", (velocity, sense))
+            turned = found.sense == "opposite" or self.turned(event, body)
+            value = Quantity("along", (velocity, line))
+            yield Negate(value) if turned else value
+        elif "centres" in named:
+            yield Quantity("across", (velocity, line))
+        elif found.sense in ("towards", "away"):
+            value = Quantity("along", (velocity, line))
+            yield Negate(value) if self.turned(event, body) else value
+        elif sense is not None:
+            yield Quantity("along", (velocity, sense))
+        elif wall is not None:
+            yield from self.at_wall(velocity, wall, line, "perpendicular" in named)
+        elif named == "perpendicular":
+            yield Quantity("across", (velocity, line))
+            yield Quantity("along", (velocity, line))
+        else:
+            yield Quantity("along", (velocity, line))
+            if named == "parallel":
+                yield Quantity("across", (velocity, line))
+
+    def at_wall(
+        self, velocity: Expression, wall: Expression, line: Expression, perpendicular: bool
+    ) -> Iterator[Expression]:
+        """Components along a wall, or perpendicular to it and away from it after the impact."""
+        if not perpendicular:
+            yield Quantity("along", (velocity, wall))
+            return
+        into = Quantity("along", (velocity, line))
+        yield into if self.found.stage == "before" else Negate(into)
+        yield Quantity("across", (velocity, wall))
+
+    def along_sense(self, event: int, body: str) -> Expression | None:
+        """The direction of *to the left* and its like."""
+        return AXES.get(self.found.sense or "")
+
+    def turned(self, event: int, body: str) -> bool:
+        """Whether *towards B*, *away from the wall* is against the line of centres."""
+        sense, target = self.found.sense, self.found.target
+        if sense not in ("towards", "away") or not 0 < event <= len(self.events):
+            return False
+        impact = self.events[event - 1]
+        if not isinstance(impact, Impact):
+            return False
+        towards_first = body == impact.second or target == impact.first
+        return towards_first == (sense == "towards")
+
+    def relative(self, event: int) -> Iterator[Expression]:
+        """Speeds of approach and of separation."""
+        bodies = self.bodies_met(event)
+        heads = self.found.heads
+        approach = "approach" in heads or ("relative" in heads and self.found.stage == "before")
+        stage: Stage = event - 1 if approach else self.after(event)
+        velocities = [Quantity("velocity", (Name(each),), stage) for each in bodies]
+        if not velocities:
+            return
+        line = self.line(event)
+        difference: Expression = velocities[0]
+        if len(velocities) > 1 and "relative" in heads:
+            yield Binary("-", velocities[0], velocities[1])
+            yield Binary("-", velocities[1], velocities[0])
+        if len(velocities) > 1:
+            difference = Binary("-", velocities[0], velocities[1])
+        value = Quantity("along", (difference, line))
+        yield value if approach else Negate(value)
+        yield Negate(value) if approach else value
+        if len(velocities) > 1:
+            yield Apply("abs", difference)
+
+    def after(self, event: int) -> Stage:
+        """The stage just after an event."""
+        return None if event == len(self.events) else event
+
+    def bodies_met(self, event: int) -> list[str]:
+        """The spheres that meet in an event, in its order."""
+        if not 0 < event <= len(self.events):
+            return []
+        impact = self.events[event - 1]
+        if not isinstance(impact, Impact):
+            return []
+        return [each for each in (impact.first, impact.second) if each in self.spheres]
+
+    def change(self, event: int) -> Iterator[Expression]:
+        """A change of velocity, or of a component of it."""
+        for body in self.bodies(event):
+            after = Quantity("velocity", (Name(body),), self.after(event))
+            before = Quantity("velocity", (Name(body),), event - 1)
+            difference = Binary("-", after, before)
+            if self.found.direction or self.found.axis is not None:
+                yield from self.components(difference, event, body)
+            yield difference
+            yield Apply("abs", difference)
+
+    def energy(self, event: int) -> Iterator[Expression]:
+        """Kinetic energies, and what is lost of them."""
+        named = [each for each in self.found.names if each in self.spheres]
+        body = named[0] if len(named) == 1 and not self.found.both else None
+        after, before = self.after(event), event - 1
+        if self.found.heads & {"loss", "gain", "change"}:
+            gain = "gain" in self.found.heads
+            if body is not None:
+                lost = Binary(
+                    "-",
+                    Quantity("energy", (Name(body),), before),
+                    Quantity("energy", (Name(body),), after),
+                )
+                yield Negate(lost) if gain else lost
+                yield lost if gain else Negate(lost)
+            else:
+                value = Quantity("energy_lost", (), after)
+                yield Negate(value) if gain else value
+                if len(self.events) > 1:
+                    yield Quantity("total_energy_lost", (), after)
+                yield value if gain else Negate(value)
+            return
+        stage = before if self.found.stage == "before" else after
+        if body is not None:
+            yield Quantity("energy", (Name(body),), stage)
+        else:
+            yield Quantity("energy", (), stage)
+
+    def impulse(self, event: int) -> Iterator[Expression]:
+        """The size of an impulse; the impulse on a body as a vector as well."""
+        after = self.after(event)
+        named = [each for each in self.found.names if each in self.spheres]
+        size = Quantity("impulse", (), after)
+        vectors = [Quantity("impulse", (Name(each),), after) for each in named[:2]]
+        yield size
+        yield from vectors
+        yield Negate(size)
+        for each in self.bodies_met(event):
+            yield Quantity("impulse", (Name(each),), after)
+
+    def momentum(self, event: int) -> Iterator[Expression]:
+        """Momenta along the line of centres, and as vectors."""
+        stage = self.stage(event)
+        named = [each for each in self.found.names if each in self.spheres]
+        line = self.found.axis or self.line(event)
+        if "change" in self.found.heads:
+            yield from self.impulse(event)
+            return
+        whole: tuple[Expression, ...] = (Name(named[0]),) if len(named) == 1 else ()
+        momentum = Quantity("momentum", whole, stage)
+        yield Quantity("along", (momentum, line))
+        yield Negate(Quantity("along", (momentum, line)))
+        yield momentum
+
+    def deflection(self, event: int) -> Iterator[Expression]:
+        """Angles of deflection."""
+        for body in self.bodies(event):
+            yield Quantity("deflection", (Name(body),), self.after(event))
+
+    def angle(self, event: int) -> Iterator[Expression]:
+        """Angles to a wall, to the line of centres, to an axis, and between velocities."""
+        found, line = self.found, self.line(event)
+        spheres = [each for each in found.names if each in self.spheres]
+        if len(spheres) > 1 and found.direction is None and found.axis is None:
+            first, second = (self.of("velocity", each, event) for each in spheres[:2])
+            yield Quantity("angle", (first, second))
+        for body in self.bodies(event):
+            velocity = self.of("velocity", body, event)
+            other = self.other_direction(event, line)
+            value = Quantity("angle", (velocity, other))
+            square = Binary("-", Degrees(Fraction(90)), value)
+            normal = (found.direction or "").startswith("perpendicular")
+            yield square if normal else value
+            if found.axis is None:
+                yield value if normal else square
+            yield Quantity("deflection", (Name(body),), self.after(event))
+
+    def other_direction(self, event: int, line: Expression) -> Expression:
+        """That to which an angle is measured."""
+        if self.found.axis is not None:
+            return self.found.axis
+        named = self.found.direction or ""
+        wall = self.wall(event)
+        return line if "centres" in named or wall is None else wall
+
+    def ratio(self, event: int) -> Iterator[Expression]:
+        """Ratios: of energy lost to that before, of energies, of speeds, of masses."""
+        after, before = self.after(event), event - 1
+        energy = Quantity("energy", (), before)
+        heads = self.found.heads
+        if heads & {"energy", "loss"} or heads == {"ratio"}:
+            yield Binary("/", Quantity("energy_lost", (), after), energy)
+            if "loss" not in heads:
+                yield Binary("/", Quantity("energy", (), after), energy)
+        if heads & {"speed", "velocity"} or heads == {"ratio"}:
+            for body in self.bodies(event):
+                name = (Name(body),)
+                yield Binary("/", Quantity("speed", name, after), Quantity("speed", name, before))
+        met = self.bodies_met(event)
+        if len(met) == 2 and (("mass" in heads) or heads == {"ratio"}):
+            first, second = (Quantity("mass", (Name(each),)) for each in met)
+            yield Binary("/", first, second)
+            yield Binary("/", second, first)

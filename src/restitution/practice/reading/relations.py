@@ -1,0 +1,148 @@
+"""A relation of two sides: its claims, its decimals, and what kind of statement it is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Measured,
+    Number,
+    Pi,
+    letters,
+    walk,
+)
+from restitution.practice.reading.angles import angular, is_angle, without_marks
+from restitution.practice.reading.phrases import is_phrase
+from restitution.practice.reading.readings import Side
+from restitution.practice.reading.tokens import Token
+from restitution.practice.reading.vocabulary import HEADS
+from restitution.practice.script import Claim, Decimal, Link, Sign
+
+
+def sides_of(tokens: Sequence[Token]) -> tuple[list[list[Token]], list[Sign]]:
+    """The sides of a chain, and the signs between them."""
+    sides: list[list[Token]] = [[]]
+    signs: list[Sign] = []
+    for token in tokens:
+        if token.kind == "relation":
+            sides.append([])
+            signs.append(token.name)  # type: ignore[arg-type]
+        else:
+            sides[-1].append(token)
+    return sides, signs
+
+
+def is_letter(tree: Expression) -> bool:
+    """Whether a side is a letter, and no phrase."""
+    return isinstance(tree, Letter) and not is_phrase(tree.name)
+
+
+def is_numeric(tree: Expression) -> bool:
+    """Whether no letter stands in a side."""
+    return not letters(tree)
+
+
+def is_identity(tokens: Sequence[Token]) -> bool:
+    """Whether a relation is one of functions without their angle: ``sin² + cos² = 1``."""
+    for place, token in enumerate(tokens):
+        if token.kind != "function":
+            continue
+        behind = place + 1
+        if [each.kind for each in tokens[behind : behind + 2]] == ["^", "number"]:
+            behind += 2
+        if behind >= len(tokens) or tokens[behind].kind in ("+", "=", "relation", "/", ")"):
+            return True
+    return False
+
+
+def is_percentage(tree: Expression) -> bool:
+    """Whether a side is a phrase such as *percentage lost*, whose value people give in percent."""
+    return isinstance(tree, Letter) and bool({"percentage", "percent"} & set(tree.name.split()))
+
+
+def finished(link: Link) -> Link:
+    """A link without the marks that only reading needs."""
+    readings = dict.fromkeys(
+        Claim(
+            without_marks(each.left),
+            each.sign,
+            without_marks(each.right),
+            tuple(map(without_marks, each.others)),
+        )
+        for each in link.readings
+    )
+    return replace(link, readings=tuple(readings))
+
+
+def has_head(label: Token) -> bool:
+    """Whether a label names more than a direction."""
+    if label.kind == "name":
+        return True
+    return any(HEADS.get(each, "direction") != "direction" for each in label.name.split())
+
+
+def is_function(tree: Expression) -> bool:
+    """Whether a side is a sine, cosine or tangent."""
+    return isinstance(tree, Apply) and tree.function in ("sin", "cos", "tan")
+
+
+def is_law(read: Sequence[tuple[Side, ...]]) -> bool:
+    """Whether a relation has the same unknown letters in sums on both sides: a law, no value."""
+    sides = [letters(each[0].tree) for each in read[1:]]
+    return bool(sides) and sides[0] == letters(read[0][0].tree) and len(sides[0]) > 1
+
+
+def turned(tree: Expression, angles: frozenset[str]) -> Expression:
+    """A side beside an angle: its bare numbers are degrees."""
+    if any(isinstance(each, Pi | Degrees | Measured) for each in walk(tree)):
+        return tree
+    if any(isinstance(each, Apply) for each in walk(tree)):
+        return tree
+    return angular(tree, angles)
+
+
+def decimals(tokens: Sequence[Token], readings: Sequence[Claim]) -> Iterator[Decimal]:
+    """The decimals of a link, and whole degrees that are a side by themselves."""
+    alone = {
+        side.place.column
+        for claim in readings
+        for side in (claim.left, claim.right, *claim.others)
+        if isinstance(side, Degrees) and side.place is not None
+    }
+    for place, token in enumerate(tokens):
+        if token.kind != "number":
+            continue
+        whole, _, places = token.text.partition(".")
+        percent = place + 1 < len(tokens) and tokens[place + 1].kind == "percent"
+        scale = Fraction(1, 100) if percent else Fraction(1)
+        if not places and not percent and token.column not in alone:
+            continue
+        digits = (whole + places).lstrip("0")
+        half = Fraction(1, 2 * 10 ** len(places)) * scale
+        yield Decimal(token.column, token.value * scale, max(1, len(digits)), half)
+
+
+def claims(
+    left: Side, sign: Sign, right: Side, angle: bool, angles: frozenset[str]
+) -> Iterator[Claim]:
+    """A claim; where one side is an angle, bare numbers on the other are degrees first."""
+    others = (right.other,) if right.other is not None and right.other != right.tree else ()
+    first, second = left.tree, right.tree
+    if angle or is_angle(first, angles) or is_angle(second, angles):
+        sides = turned(first, angles), turned(second, angles)
+        more = tuple(turned(each, angles) for each in others)
+        yield Claim(sides[0], sign, sides[1], more)
+        if sides == (first, second):
+            return
+    yield Claim(first, sign, second, others)
+    if is_percentage(first) and not others:
+        yield Claim(first, sign, Binary("/", second, Number(Fraction(100))))
+    if left.other is not None and left.other != left.tree:
+        yield Claim(left.other, sign, second, others)

@@ -1,0 +1,231 @@
+"""A line of tokens as segments of mathematics, and the words and signs between them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal
+
+from restitution.practice.reading.tokens import Token
+from restitution.practice.reading.vocabulary import (
+    HEADS,
+    SWALLOWING,
+)
+
+_OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "phrase", "function", "("))
+_CLOSING = frozenset(("number", "letter", "name", "unit", "pi", ")", "phrase", "percent"))
+
+
+@dataclass(frozen=True)
+class Segment:
+    """Tokens without words; ``before`` are the words and signs that part it from the last one."""
+
+    tokens: tuple[Token, ...]
+    before: tuple[str, ...] = ()
+
+    @property
+    def has_relation(self) -> bool:
+        """Whether it states something."""
+        return any(token.kind == "relation" for token in self.tokens)
+
+    @property
+    def is_phrase(self) -> bool:
+        """Whether it is nothing but the name of a quantity, or of a body."""
+        return len(self.tokens) == 1 and self.tokens[0].kind in ("phrase", "name")
+
+
+def segments(tokens: Sequence[Token]) -> list[Segment]:
+    """The segments of a line, with what parts them."""
+    found: list[Segment] = []
+    pending: list[Token] = []
+    before: list[str] = []
+    loose = _loose_brackets(tokens)
+    depth = 0
+    for place, token in enumerate(tokens):
+        if place in loose:
+            separator = True
+        elif token.kind == "(":
+            depth, separator = depth + 1, False
+        elif token.kind == ")":
+            depth, separator = max(0, depth - 1), False
+        else:
+            separator = _separates(tokens, place, depth, pending)
+        if not separator:
+            pending.append(token)
+            continue
+        if pending:
+            found.append(Segment(tuple(pending), tuple(before)))
+            pending, before = [], []
+        before.append(token.word if token.kind in ("word", "phrase") else token.text)
+    if pending:
+        found.append(Segment(tuple(pending), tuple(before)))
+    return [each for each in map(_without_number, map(_without_swallowed, found)) if each.tokens]
+
+
+def _without_number(segment: Segment) -> Segment:
+    """A segment without the number of its equation: ``v + w = 3 (1), w - v = 1 (2)``."""
+    tokens = segment.tokens
+    if len(tokens) < 6 or not segment.has_relation:
+        return segment
+    opening, number, closing = tokens[-3:]
+    plain = (opening.kind, number.kind, closing.kind) == ("(", "number", ")")
+    whole = number.value.denominator == 1 and number.value < 10
+    if plain and whole and opening.gap and tokens[-4].kind != "relation":
+        return Segment(tokens[:-3], segment.before)
+    return segment
+
+
+def _separates(tokens: Sequence[Token], place: int, depth: int, pending: Sequence[Token]) -> bool:
+    token = tokens[place]
+    if token.kind in ("word", "arrow", "stop"):
+        return True
+    if token.kind in (";", ","):
+        return depth == 0
+    if token.kind == ":":
+        return not _is_proportion(tokens, place)
+    if token.kind == "phrase" and pending and pending[-1].kind in (*_CLOSING, "measure", "degrees"):
+        return not _is_factor(tokens, place, pending)
+    return False
+
+
+def _is_proportion(tokens: Sequence[Token], place: int) -> bool:
+    """Whether a colon is one between numbers or letters: ``3:5``, ``w:u``."""
+    if not 0 < place < len(tokens) - 1:
+        return False
+    if tokens[place].gap or tokens[place + 1].gap:
+        return False
+    kinds = {tokens[place - 1].kind, tokens[place + 1].kind}
+    return kinds in ({"number"}, {"letter"})
+
+
+def _is_factor(tokens: Sequence[Token], place: int, pending: Sequence[Token]) -> bool:
+    """Whether a phrase behind an operand is multiplied by it: ``e approach``."""
+    words = tokens[place].name.split()
+    if not set(words) & HEADS.keys():
+        return False
+    behind = tokens[place + 1].kind if place + 1 < len(tokens) else ""
+    if behind in _OPERANDS:
+        return False
+    if behind == "relation" and any(each.kind == "relation" for each in pending):
+        return False
+    return pending[-1].kind in ("letter", "number", "percent")
+
+
+def _loose_brackets(tokens: Sequence[Token]) -> set[int]:
+    """The brackets that hold words or a relation: a remark, not a group."""
+    loose: set[int] = set()
+    open_at: list[int] = []
+    for place, token in enumerate(tokens):
+        if token.kind == "(":
+            open_at.append(place)
+        elif token.kind == ")" and open_at:
+            first = open_at.pop()
+            inside = tokens[first + 1 : place]
+            if any(each.kind in ("relation", "arrow") for each in inside) or (
+                any(each.kind == "word" for each in inside)
+            ):
+                loose |= {first, place}
+    return loose
+
+
+def _without_swallowed(segment: Segment) -> Segment:
+    """A segment without what belongs to the prose before it: ``divide by m  2v + 3w = 6``."""
+    tokens = segment.tokens
+    if tokens[0].kind in ("/", "*") and len(tokens) > 2 and tokens[2].gap and segment.has_relation:
+        return Segment(tokens[2:], segment.before)  # ÷ m  u = v + 2w
+    if not segment.before or segment.before[-1] not in SWALLOWING or not segment.has_relation:
+        return segment
+    end = 1
+    while end < len(tokens) and tokens[end].gap == 0:
+        end += 1
+    if end >= len(tokens) or end > 4 or any(each.kind == "relation" for each in tokens[:end]):
+        return segment
+    begins = tokens[end].kind in _OPERANDS or tokens[end].kind == "|"
+    return Segment(tokens[end:], segment.before) if begins else segment
+
+
+Parting = Literal["certain", "likely", "doubtful"]
+
+
+def split_at_spaces(segment: Segment) -> Iterator[tuple[Segment, Parting]]:
+    """A segment parted where several relations stand beside each other.
+
+    ``q = 1/6   p = -1/3`` is two. So, likely, is ``w = 2u v = u``, in which the second may also be
+    the end of a chain; ``tan b = 1/3 tan a = 1/4`` is rather a chain. The word beside a segment
+    tells how certain it is that it is a relation of its own.
+    """
+    tokens = segment.tokens
+    places = [n for n, token in enumerate(tokens) if token.kind == "relation"]
+    start, parting = 0, _CERTAIN
+    for first, second in pairwise(places):
+        cut = _cut(tokens, first, second)
+        if cut is not None:
+            yield _without_number(Segment(tokens[start : cut[0]], segment.before)), parting
+            start, parting = cut
+    yield Segment(tokens[start:], segment.before), parting
+
+
+_CERTAIN: Parting = "certain"
+
+
+def _cut(tokens: Sequence[Token], first: int, second: int) -> tuple[int, Parting] | None:
+    """Where a side between two relations is parted, and how certain that is."""
+    depth, gaps = 0, []
+    for place in range(first + 1, second):
+        kind = tokens[place].kind
+        if kind == ")":
+            depth -= 1
+        if depth == 0 and place > first + 1 and tokens[place].gap and _may_part(tokens, place):
+            gaps.append(place)
+        if kind == "(":
+            depth += 1
+    wide = [place for place in gaps if tokens[place].gap >= 2]
+    if wide:
+        return max(wide, key=lambda place: tokens[place].gap), "certain"
+    for place in gaps:
+        if _begins_another(tokens, first, place, second):
+            return place, _parting(tokens, first, place, second)
+    return None
+
+
+def _parting(tokens: Sequence[Token], first: int, place: int, second: int) -> Parting:
+    """How certain it is that a relation begins at a place."""
+    right = tokens[place:second]
+    if right[0].kind == "function":
+        start = max((n for n in range(first) if tokens[n].kind == "relation"), default=-1) + 1
+        same = {each.name for each in tokens[start:first] if each.kind == "letter"} == {
+            each.name for each in right if each.kind == "letter"
+        }
+        both = tokens[start].kind == "function"
+        return "doubtful" if both and not same else "likely"
+    letter = any(each.kind == "letter" for each in tokens[first + 1 : place])
+    return "likely" if letter else "certain"
+
+
+def _begins_another(tokens: Sequence[Token], first: int, place: int, second: int) -> bool:
+    """Whether a relation for something new begins at a place: not ``speed = √7/4 u = 7u/16``."""
+    start = max((n for n in range(first) if tokens[n].kind == "relation"), default=-1) + 1
+    right = tokens[place:second]
+    if not (_is_simple(right) and _is_simple(tokens[start:first])):
+        return False
+    found = {each.name for each in right if each.kind == "letter"}
+    other = {each.name for each in tokens[start:place] if each.kind == "letter"}
+    behind = {each.name for each in tokens[second:] if each.kind == "letter"}
+    function = "function" in (right[0].kind, tokens[start].kind)
+    return function or not found & (other | behind)
+
+
+def _may_part(tokens: Sequence[Token], place: int) -> bool:
+    before, token = tokens[place - 1], tokens[place]
+    return before.kind in (*_CLOSING, "measure", "degrees") and (
+        token.kind in _OPERANDS or token.kind == "|" or (token.kind == "-" and token.gap >= 2)
+    )
+
+
+def _is_simple(tokens: Sequence[Token]) -> bool:
+    """Whether a side is a letter, or a sine, cosine or tangent of one: something to be found."""
+    kinds = [each.kind for each in tokens if each.kind not in ("(", ")")]
+    if kinds == ["letter"] or kinds == ["phrase"]:
+        return True
+    return kinds[:1] == ["function"] and kinds[1:] in (["letter"], ["^", "number", "letter"])

@@ -1,0 +1,493 @@
+"""What the segments of a line state: relations in all their readings, declarations, values."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from itertools import pairwise, product
+
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Letter,
+    Name,
+    Number,
+    letters,
+)
+from restitution.practice.reading.angles import angular, is_angle, without_marks
+from restitution.practice.reading.characters import Plain
+from restitution.practice.reading.cursor import UnreadableError
+from restitution.practice.reading.declarations import Declarations
+from restitution.practice.reading.grammar import is_vector
+from restitution.practice.reading.phrases import is_phrase
+from restitution.practice.reading.readings import Side, read_sides
+from restitution.practice.reading.relations import (
+    claims,
+    decimals,
+    finished,
+    has_head,
+    is_function,
+    is_identity,
+    is_law,
+    is_letter,
+    is_numeric,
+    sides_of,
+)
+from restitution.practice.reading.segments import Segment, split_at_spaces
+from restitution.practice.reading.tokens import Token, Usage
+from restitution.practice.reading.vocabulary import DECLARES, HEADS, STAGES
+from restitution.practice.script import Claim, Declaration, Link, Sign
+from restitution.problem import Problem
+
+MAX_CLAIMS = 24
+# Words behind which a relation without a left side goes on from the last right one.
+_CONNECTING = frozenset(
+    ("so", "hence", "therefore", "=>", ",", "and", "or", "then", "thus", "which", "giving", "->")
+)
+_CONDITIONS = frozenset(("when", "if", "unless", "whenever"))
+_PARTING = frozenset(("so", "hence", "therefore", "=>", ";", "thus", ",", "and", "or", "stop", "."))
+_ENDING = frozenset(("so", "hence", "therefore", "=>", ";", "thus"))
+_OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "function", "("))
+
+
+@dataclass(frozen=True)
+class Past:
+    """What a line may go on from: the last right side, and a left side that waits for one."""
+
+    side: tuple[Side, ...] = ()
+    waiting: tuple[Side, ...] = ()
+    sign: Sign = "="
+
+
+@dataclass
+class Statements:
+    """What a line states. ``body`` is a sphere that labels it."""
+
+    links: tuple[Link, ...] = ()
+    declarations: tuple[Declaration, ...] = ()
+    values: tuple[Expression, ...] = ()
+    fault: str | None = None
+    column: int | None = None
+    body: str | None = None
+    past: Past = field(default_factory=Past)
+
+
+def read_statements(
+    segments: Sequence[Segment],
+    usage: Usage,
+    problem: Problem,
+    number: int,
+    line: Plain,
+    past: Past,
+) -> Statements:
+    """What the segments of a line state; ``past`` is what the line above left to go on from."""
+    reader = _Reader(usage, problem, number, line, past)
+    for place, segment in enumerate(segments):
+        try:
+            reader.segment(segment, segments[place + 1 : place + 2])
+        except UnreadableError as error:
+            if segment.has_relation and reader.statements.fault is None:
+                reader.statements.fault = f"expected {error.expected}"
+                reader.statements.column = error.column
+    reader.finish()
+    return reader.statements
+
+
+class _Reader:
+    def __init__(
+        self, usage: Usage, problem: Problem, number: int, line: Plain, past: Past
+    ) -> None:
+        self.usage, self.problem, self.number, self.line = usage, problem, number, line
+        self.past = past
+        self.statements = Statements()
+        self.links: list[Link] = []
+        self.label: Token | None = None
+        self.declares = self.supposes = False
+        self.defines = False
+        self.waiting: tuple[Side, ...] = ()
+        self.waiting_sign: Sign = "="
+        self.before: tuple[Side, ...] = ()
+        self.last_label = ""
+        self.declared = Declarations(usage, problem)
+        self.pending_letters: list[Letter] = []
+
+    def finish(self) -> None:
+        """Puts together what was read."""
+        self.declared.that_of(self.line.text)
+        self.statements.declarations = self.declared.made
+        self.statements.links = tuple(map(finished, self.links))
+        self.statements.values = tuple(map(without_marks, self.statements.values))
+        if self.label is not None and self.label.kind == "name" and not self.links:
+            self.statements.body = self.body_of(self.label)
+        last = self.past.side if not self.links else self._last_sides()
+        self.statements.past = Past(last, self.waiting, self.waiting_sign)
+
+    def _last_sides(self) -> tuple[Side, ...]:
+        found = dict.fromkeys(claim.right for claim in self.links[-1].readings)
+        return tuple(Side(tree) for tree in found)
+
+    def body_of(self, token: Token) -> str | None:
+        """The sphere that a label names."""
+        return token.name if token.name in self.usage.spheres else None
+
+    # -- segments -----------------------------------------------------------------------------
+
+    def segment(self, segment: Segment, following: Sequence[Segment]) -> None:
+        """Reads a segment: a label, a value, or relations."""
+        words = set(segment.before)
+        if words & DECLARES:
+            self.declares = True
+        elif words & {"so", "hence", "therefore", "=>", ";", "then"}:
+            self.declares = False
+        if words & _CONDITIONS:
+            self.supposes = True
+        elif words & _ENDING:
+            self.supposes = False
+        self.defines = "where" in words or (self.defines and not words - {",", "and"})
+        if not any(each.kind in (*_OPERANDS, "|", "phrase", "relation") for each in segment.tokens):
+            return
+        if segment.is_phrase and self._is_label(segment, following):
+            self.label = segment.tokens[0]
+            return
+        if segment.tokens[0].kind == "phrase":
+            self.last_label = segment.tokens[0].name
+        label = self._label(segment)
+        if label is not None:
+            self.label, segment = label, Segment(segment.tokens[1:], segment.before)
+        if not segment.has_relation:
+            self.value(segment)
+            return
+        if self.supposes:
+            self.supposed(segment)
+            return
+        if is_identity(segment.tokens):
+            return
+        self.carry(segment)
+        parts = list(split_at_spaces(segment))
+        for place, (part, parting) in enumerate(parts):
+            first = len(self.links)
+            self.relations(part)
+            if parting != "certain" and 0 < first < len(self.links):
+                self.joined(parts[place - 1][0], part, first, parting == "doubtful")
+
+    def carry(self, segment: Segment) -> None:
+        """Finds the left side of a relation that begins with its sign behind words.
+
+        It is the value before the words (``v after = 3``), or the last label at another stage
+        (``perp before = 4, after = 2``).
+        """
+        if segment.tokens[0].kind != "relation" or self.waiting:
+            return
+        if not set(segment.before) & _PARTING:
+            self.waiting = self.before
+        elif segment.before[-1] in STAGES and self.last_label:
+            words = [each for each in self.last_label.split() if each not in STAGES]
+            self.waiting = (Side(Letter(" ".join((*words, segment.before[-1])))),)
+        self.before = ()
+
+    def supposed(self, segment: Segment) -> None:
+        """What stands behind *when* or *if* is no claim; its sides are values of a remark."""
+        for tokens in sides_of(segment.tokens)[0]:
+            if tokens:
+                self.statements.values += (self.sides(tokens)[0].tree,)
+
+    def joined(self, before: Segment, behind: Segment, first: int, rather: bool) -> None:
+        """Adds the readings of ``w = 0.6u v = 2`` as a chain to those of two relations."""
+        middle = [*sides_of(before.tokens)[0][-1], *sides_of(behind.tokens)[0][0]]
+        try:
+            chained = self.sides(middle)[0].tree
+        except UnreadableError:
+            return
+        above, below = self.links[first - 1], self.links[first]
+        upper = (replace(above.readings[0], right=chained),)
+        lower = (replace(below.readings[0], left=chained),)
+        first_ones = (*upper, *above.readings), (*lower, *below.readings)
+        last_ones = (*above.readings, *upper), (*below.readings, *lower)
+        readings = first_ones if rather else last_ones
+        self.links[first - 1] = replace(above, readings=readings[0][:MAX_CLAIMS])
+        self.links[first] = replace(below, readings=readings[1][:MAX_CLAIMS])
+
+    def _is_label(self, segment: Segment, following: Sequence[Segment]) -> bool:
+        """Whether a phrase, or a name, labels what follows."""
+        if not following or (self.pending_letters and ":" in segment.before):
+            return False
+        between = set(following[0].before)
+        begins = following[0].tokens[0].kind == "relation"
+        if segment.tokens[0].kind == "name":
+            return between == {":"} or (begins and not between & _ENDING)
+        named = ":" in between and not between & _ENDING
+        return begins or named or between <= {"by", "of", "as", "to", "about", "only"}
+
+    def _label(self, segment: Segment) -> Token | None:
+        """A phrase with mathematics directly behind it."""
+        first = segment.tokens[0]
+        if first.kind != "phrase" or len(segment.tokens) < 2:
+            return None
+        if segment.tokens[1].kind == "-" and not segment.has_relation and segment.tokens[1].gap:
+            tight = len(segment.tokens) > 2 and not segment.tokens[2].gap
+            return first if tight else None
+        return first if segment.tokens[1].kind in (*_OPERANDS, "|") else None
+
+    def sides(self, tokens: Sequence[Token]) -> tuple[Side, ...]:
+        """The readings of a side."""
+        end = tokens[-1] if tokens else None
+        column = self.line.column(end.end) if end else self.line.column(len(self.line.text))
+        return read_sides(tokens, self.usage, self.number, column)
+
+    def value(self, segment: Segment) -> None:
+        """A segment without a relation: a further value, the value of a label, or a remark."""
+        tokens = segment.tokens
+        if self.pending(segment):
+            return
+        if tokens[0].name in self.usage.spheres and self.velocities(tokens):
+            return
+        sides = self.before = self.sides(tokens)
+        words = set(segment.before)
+        if self.label is not None:
+            label, self.label = self.label, None
+            if is_vector(sides[0].tree, self.usage.vectors) and not has_head(label):
+                self.statements.values += (sides[0].tree,)
+            elif not isinstance(sides[0].tree, Name):
+                self.labelled(label, sides, tokens)
+            return
+        listed = words & {"or", ","} and not words - {"or", ",", "and", "either"}
+        if self.links and listed and self.further(sides):
+            return
+        waiting, sign = self._waiting(segment)
+        if waiting:
+            self.link(waiting, sign, sides, tokens)
+            return
+        tree = sides[0].tree
+        if len(tokens) == 1 and isinstance(tree, Letter) and not is_phrase(tree.name):
+            if self.declared.another(tree, words):
+                return
+            self.pending_letters.append(tree)
+        if [each.kind for each in tokens] == ["letter", "-", "phrase"] and tokens[1].gap:
+            self.declared.declare(Letter(tokens[0].name), tokens[2])
+            return
+        if not isinstance(sides[0].tree, Name) and tokens[0].kind != "phrase":
+            self.statements.values += (sides[0].tree,)
+
+    def velocities(self, tokens: Sequence[Token]) -> bool:
+        """Velocities with the bodies before them: ``A 3i + 5j  B 2i - j``."""
+        places = [n for n, each in enumerate(tokens) if each.kind == "name"]
+        stretches = [tokens[a + 1 : b] for a, b in pairwise((*places, len(tokens)))]
+        if not all(stretches):
+            return False
+        read = [self.sides(each) for each in stretches]
+        if not all(is_vector(each[0].tree, self.usage.vectors) for each in read):
+            return False
+        for place, stretch, sides in zip(places, stretches, read):
+            self.labelled(tokens[place], sides, stretch)
+        return True
+
+    def _waiting(self, segment: Segment) -> tuple[tuple[Side, ...], Sign]:
+        """The left side that waits for its right one, on this line or the one above."""
+        if self.waiting:
+            found, sign = self.waiting, self.waiting_sign
+            self.waiting = ()
+            return (() if set(segment.before) & _ENDING else found), sign
+        if self.past.waiting and not self.links:
+            found, self.past = self.past.waiting, replace(self.past, waiting=())
+            return found, self.past.sign
+        return (), "="
+
+    def pending(self, segment: Segment) -> bool:
+        """A letter with a colon before a phrase: ``v: component of A after``."""
+        token = segment.tokens[0]
+        if not (segment.is_phrase and self.pending_letters):
+            return False
+        if token.kind == "phrase" and ":" in segment.before:
+            self.declared.declare(self.pending_letters[-1], token)
+            return True
+        return False
+
+    def labelled(self, label: Token, sides: tuple[Side, ...], tokens: Sequence[Token]) -> None:
+        """The value of a label: ``A: 3i - 2j``, ``KE after: 12``."""
+        self.link((Side(self.label_tree(label, sides)),), "=", sides, tokens, label)
+
+    def label_tree(self, label: Token, sides: tuple[Side, ...]) -> Expression:
+        """A label as a letter; a body's name is its velocity or its speed."""
+        if label.kind == "phrase":
+            return Letter(label.name)
+        vector = is_vector(sides[0].tree, self.usage.vectors)
+        return Letter(f"{'velocity' if vector else 'speed'} of {label.name}")
+
+    def further(self, sides: tuple[Side, ...]) -> bool:
+        """A second value of the last relation: ``x = 2 or 3``."""
+        last = self.links[-1]
+        first = last.readings[0]
+        if first.sign != "=" or letters(first.left) & letters(sides[0].tree):
+            return False
+        readings = tuple(
+            replace(each, others=(*each.others, *self.alike(each.left, sides[0].tree)))
+            for each in last.readings
+        )
+        self.links[-1] = replace(last, readings=readings)
+        return True
+
+    def alike(self, left: Expression, right: Expression) -> tuple[Expression, ...]:
+        """A further value, in degrees where the left side is an angle."""
+        angles = self.usage.angles
+        return (angular(right, angles) if is_angle(left, angles) else right,)
+
+    # -- relations ----------------------------------------------------------------------------
+
+    def relations(self, segment: Segment) -> None:
+        """Reads a chain of relations."""
+        sides, signs = sides_of(segment.tokens)
+        if not sides[0] and not self._goes_on(segment):
+            sides, signs = sides[1:], signs[1:]
+        if not sides[-1] and len(sides) > 1 and sides[-2]:
+            ending = self.sides(sides[-2])
+            sides, sign, signs = sides[:-1], signs[-1], signs[:-1]
+            if signs:
+                self.chain(segment, sides, signs)
+            self.label = None
+            self.waiting, self.waiting_sign = ending, sign
+            return
+        if signs:
+            self.chain(segment, sides, signs)
+
+    def _goes_on(self, segment: Segment) -> bool:
+        """Whether a relation without a left side goes on from something, or is a fault."""
+        if self.waiting or self.label is not None:
+            return True
+        return set(segment.before) <= _CONNECTING
+
+    def chain(self, segment: Segment, sides: list[list[Token]], signs: list[Sign]) -> None:
+        """Reads the sides of a chain, and what they state."""
+        read: list[tuple[Side, ...]] = []
+        for place, tokens in enumerate(sides):
+            if tokens:
+                read.append(self.sides(tokens))
+            elif place == 0 and (self.waiting or self.links or self.label or self.past.side):
+                read.append(self._side_before())
+            else:
+                column = segment.tokens[0].column
+                if place:
+                    ends = sides[place - 1]
+                    column = self.line.column(ends[-1].end) if ends else column
+                raise UnreadableError("an expression on both sides of the sign", column)
+        if self.declaration(segment, sides, read, signs):
+            return
+        if self._describes(read):
+            self.statements.values += tuple(each[0].tree for each in read[1:])
+            return
+        angle = self._is_chain_angle(read) or self._is_angle_label()
+        self.label_chain(read, signs, sides)
+        if self.alternative(segment, read, signs):
+            return
+        for place, sign in enumerate(signs):
+            tokens = [*sides[place], *sides[place + 1]]
+            self.link(read[place], sign, read[place + 1], tokens, angle=angle)
+
+    def _is_chain_angle(self, read: Sequence[tuple[Side, ...]]) -> bool:
+        return any(is_angle(each[0].tree, self.usage.angles) for each in read)
+
+    def _describes(self, read: Sequence[tuple[Side, ...]]) -> bool:
+        """Whether a relation says which way a line points: ``line of centres is 3i + 4j``."""
+        first, second = read[0][0].tree, read[1][0].tree
+        if not (isinstance(first, Letter) and is_phrase(first.name)):
+            return False
+        heads = {HEADS[each] for each in first.name.split() if each in HEADS}
+        return heads <= {"direction"} and is_vector(second, self.usage.vectors)
+
+    def _is_angle_label(self) -> bool:
+        label = self.label
+        return label is not None and is_angle(Letter(label.name), self.usage.angles)
+
+    def _side_before(self) -> tuple[Side, ...]:
+        """The left side of a line that begins with its sign: the label, or what stood last."""
+        if self.waiting:
+            found, self.waiting = self.waiting, ()
+            return found
+        if self.label is not None:
+            label, self.label = self.label, None
+            return (Side(self.label_tree(label, (Side(Number(Fraction(0))),))),)
+        return self._last_sides() if self.links else self.past.side
+
+    def label_chain(
+        self,
+        read: Sequence[tuple[Side, ...]],
+        signs: Sequence[Sign],
+        sides: Sequence[Sequence[Token]],
+    ) -> None:
+        """Makes a label the first link of a chain that works out its value; else drops it."""
+        if self.label is None:
+            return
+        label, self.label = self.label, None
+        first = read[0][0].tree
+        if label.kind == "name" or isinstance(first, Letter | Apply):
+            self.declared.body = self.statements.body = self.body_of(label)
+            if label.kind == "name":
+                return
+        known = letters(first)
+        evaluates = all(letters(each[0].tree) <= known for each in read[1:])
+        evaluates = evaluates and set(signs) == {"="} and not is_law(read)
+        if evaluates and not isinstance(first, Letter) and not is_function(first):
+            self.link((Side(Letter(label.name)),), "=", read[0], sides[0], label)
+
+    def alternative(
+        self, segment: Segment, read: Sequence[tuple[Side, ...]], signs: Sequence[Sign]
+    ) -> bool:
+        """``x = 2 or x = 3``: a further value of the last relation."""
+        if "or" not in segment.before or not self.links or list(signs) != ["="]:
+            return False
+        last = self.links[-1].readings[0]
+        if last.sign != "=" or last.left != read[0][0].tree:
+            return False
+        return self.further(read[1])
+
+    def link(
+        self,
+        left: tuple[Side, ...],
+        sign: Sign,
+        right: tuple[Side, ...],
+        tokens: Sequence[Token],
+        label: Token | None = None,
+        angle: bool = False,
+    ) -> None:
+        """Adds a relation with every reading of its two sides."""
+        found: dict[Claim, None] = {}
+        ranked = sorted(product(range(len(left)), range(len(right))), key=sum)
+        for first, second in ranked[: 2 * MAX_CLAIMS]:
+            for claim in claims(left[first], sign, right[second], angle, self.usage.angles):
+                found.setdefault(claim)
+        whole = [label, *tokens] if label is not None else list(tokens)
+        readings = tuple(found)[:MAX_CLAIMS]
+        start = min((each.column for each in whole), default=1)
+        end = max((self.line.column(each.end) for each in whole), default=start)
+        self.links.append(Link(readings, start, end, tuple(decimals(tokens, readings))))
+
+    # -- declarations ---------------------------------------------------------------------------
+
+    def declaration(
+        self,
+        segment: Segment,
+        sides: Sequence[Sequence[Token]],
+        read: Sequence[tuple[Side, ...]],
+        signs: Sequence[Sign],
+    ) -> bool:
+        """Whether a relation declares a letter, and is no claim."""
+        if len(signs) != 1 or signs[0] != "=" or not (sides[0] and sides[1]):
+            return False
+        left, right = read[0][0].tree, read[1][0].tree
+        if is_letter(right) and not is_letter(left) and isinstance(left, Letter):
+            left, right, sides = right, left, (sides[1], sides[0])
+        if not is_letter(left):
+            return False
+        assert isinstance(left, Letter)
+        token = sides[1][0]
+        if isinstance(right, Letter) and is_phrase(right.name):
+            letters_before = [*self.pending_letters, left]
+            self.pending_letters = []
+            self.declared.declare_all(letters_before, token)
+            return True
+        defined = self.defines and not is_numeric(right)
+        if self.declares or defined:
+            text = self.line.text[sides[1][0].start : sides[1][-1].end]
+            self.declared.add(Declaration(left.name, tuple(s.tree for s in read[1]), text))
+            return True
+        return False

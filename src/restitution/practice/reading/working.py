@@ -1,0 +1,164 @@
+"""A student's working, read: plain text to a `Script`.
+
+A line is made plain (`characters`), scanned (`scanner`) with what is known of the script's letters
+(`usage`), parted into segments of mathematics and the words between them (`segments`), and each
+side of a relation is read in every sensible way (`grammar`). Nothing typed is executed, and no
+text raises an error: what cannot be read is a line of kind ``unread`` that says what was expected.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from restitution.practice.reading.characters import Plain, plain
+from restitution.practice.reading.headings import (
+    case_of,
+    crossed,
+    heading_end,
+    number_behind,
+    part_of,
+    scope_of,
+    without_number,
+)
+from restitution.practice.reading.merging import with_phrases
+from restitution.practice.reading.scanner import scan
+from restitution.practice.reading.segments import segments
+from restitution.practice.reading.statements import Past, Statements, read_statements
+from restitution.practice.reading.tokens import Token, Usage
+from restitution.practice.reading.usage import usage_of
+from restitution.practice.script import ANYWHERE, LineKind, Scope, Script, ScriptLine
+from restitution.problem import Problem
+
+MAX_LINES = 60
+MAX_LENGTH = 200
+
+
+def read_working(text: str | Sequence[str], problem: Problem) -> Script:
+    """The working of a question as a script: at most 60 lines of 200 characters are read.
+
+    ``text`` is the working, or its lines. Never raises: lines beyond the limits, and lines that
+    are no mathematics, are ``unread``.
+    """
+    lines = text.splitlines() if isinstance(text, str) else [str(each) for each in text]
+    typed = [(n, line) for n, line in enumerate(lines, 1) if line.strip()][: MAX_LINES + 1]
+    plains = [plain(line[: MAX_LENGTH + 1]) for _, line in typed[:MAX_LINES]]
+    usage = usage_of([each.text for each in plains], problem)
+    reader = _Reader(problem, usage)
+    found = [reader.line(number, line, each) for (number, line), each in zip(typed, plains)]
+    if len(typed) > MAX_LINES:
+        number, line = typed[MAX_LINES]
+        fault = f"a working has at most {MAX_LINES} lines: this one and those below are not read"
+        found.append(ScriptLine(number, line[:MAX_LENGTH], "unread", fault=fault, column=1))
+    return Script(tuple(found))
+
+
+class _Reader:
+    """Reads line after line; keeps the part, the scope and the last right side."""
+
+    def __init__(self, problem: Problem, usage: Usage) -> None:
+        self.problem, self.usage = problem, usage
+        self.part: str | None = None
+        self.scope: Scope = ANYWHERE
+        self.cases = 0
+        self.past = Past()
+
+    def line(self, number: int, typed: str, line: Plain) -> ScriptLine:
+        """One line, read."""
+        if len(typed) > MAX_LENGTH:
+            fault = f"a line has at most {MAX_LENGTH} characters"
+            return self._made(number, typed, "unread", fault=fault, column=MAX_LENGTH + 1)
+        inside = crossed(line.text)
+        if inside is not None:
+            start = line.text.find(inside)
+            kept = self.part, self.scope, self.cases, self.past
+            read = self._read(number, typed, _cut(line, start, start + len(inside)))
+            self.part, self.scope, self.cases, self.past = kept
+            return replace(read, kind="crossed", declarations=(), fault=None, column=None)
+        return self._read(number, typed, line)
+
+    def _made(
+        self, number: int, typed: str, kind: LineKind, scope: Scope | None = None, **more: object
+    ) -> ScriptLine:
+        where = self.scope if scope is None else scope
+        return ScriptLine(number, typed, kind, self.part, where, **more)  # type: ignore[arg-type]
+
+    def _read(self, number: int, typed: str, line: Plain) -> ScriptLine:
+        line, opened = self._behind_headings(line)
+        tokens = with_phrases(scan(line, self.usage), line.text, self.problem)
+        if not tokens:
+            return self._made(number, typed, "heading" if opened else "remark")
+        scope, tokens = self._heading(tokens, line)
+        if not tokens:
+            return self._made(number, typed, "heading")
+        statements = read_statements(
+            segments(tokens), self.usage, self.problem, number, line, self.past
+        )
+        self.past = statements.past
+        return self._told(number, typed, statements, scope, opened)
+
+    def _told(
+        self, number: int, typed: str, statements: Statements, scope: Scope, opened: bool
+    ) -> ScriptLine:
+        if statements.body and scope.body is None:
+            scope = replace(scope, body=statements.body)
+        kind: LineKind = "remark"
+        if statements.links:
+            kind = "relations"
+        elif statements.declarations:
+            kind = "declaration"
+        elif statements.fault:
+            kind = "unread"
+        elif opened and not statements.values:
+            kind = "heading"
+        return self._made(
+            number,
+            typed,
+            kind,
+            scope,
+            links=statements.links,
+            declarations=statements.declarations,
+            values=statements.values,
+            fault=statements.fault,
+            column=statements.column,
+        )
+
+    def _behind_headings(self, line: Plain) -> tuple[Plain, bool]:
+        """A line behind the label of its part, its number and the word of its case."""
+        opened = False
+        label, start = part_of(line.text, self.problem)
+        if label is not None:
+            if label != self.part:
+                self.part, self.scope, self.past = label, ANYWHERE, Past()
+            line, opened = _cut(line, start, len(line.text)), True
+        line = _cut(line, without_number(line.text), number_behind(line.text))
+        start = case_of(line.text)
+        if start:
+            self.cases += 1
+            self.scope = replace(self.scope, case=self.cases)
+            line, opened = _cut(line, start, len(line.text)), True
+        return line, opened
+
+    def _heading(self, tokens: list[Token], line: Plain) -> tuple[Scope, list[Token]]:
+        """The scope of a line, and its tokens behind a heading.
+
+        A heading alone on its line, and one that names an event, hold for the lines below.
+        """
+        end = heading_end(tokens, self.usage)
+        if not end:
+            return self.scope, tokens
+        words = line.text[tokens[0].start : tokens[end - 1].end]
+        scope = scope_of(words, self.problem, self.scope)
+        if scope is None:
+            return self.scope, tokens
+        scope = replace(scope, case=self.scope.case)
+        rest = tokens[end:]
+        while rest and rest[0].kind in (":", ",", "-", "stop", ";", "arrow"):
+            rest = rest[1:]
+        if not rest or scope.event != self.scope.event:
+            self.scope = scope if not rest else replace(scope, body=None, stage=None)
+        return scope, rest
+
+
+def _cut(line: Plain, start: int, end: int) -> Plain:
+    return Plain(line.text[start:end], line.columns[start:end])

@@ -1,0 +1,448 @@
+"""Which law a line uses: the smallest set of laws on which it holds, in random states."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+
+import numpy as np
+
+from restitution.expression.evaluate import Angle, Value
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    children,
+    walk,
+)
+from restitution.practice.judgement import Use
+from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope
+from restitution.practice.worlds.agreement import NOT, grades
+from restitution.practice.worlds.arrays import Array, is_bare
+from restitution.practice.worlds.results import altered_results
+from restitution.practice.worlds.states import Block, States, states
+from restitution.practice.worlds.student import lawful_world
+from restitution.practice.worlds.telling import NO_MEANINGS, Meanings, Telling
+from restitution.practice.worlds.terms import coefficient_put_in, is_triangle, law_put_in
+from restitution.practice.worlds.world import World
+from restitution.problem import Impact
+from restitution.vector import Vector
+
+_ENERGIES = frozenset({"energy", "energy_lost", "total_energy_lost"})
+_ANGLES = frozenset({"angle", "direction"})
+Laws = tuple[tuple[str, tuple[str, ...]], ...]
+_NO_VALUES = frozenset({"arithmetic", "component", "fact", "value"})
+_RESOLVED = frozenset({"arithmetic", "component"})
+_UNTOLD = frozenset({"none", "solve", "fact", "arithmetic", "component"})
+_RESULTS = ("impulse", "energy", "deflection")
+
+
+def uses_of(
+    claim: Claim,
+    world: World,
+    meanings: Meanings = NO_MEANINGS,
+    decimals: Sequence[Decimal] = (),
+    scope: Scope = ANYWHERE,
+    *,
+    altered: bool = False,
+) -> tuple[Use, ...]:
+    """The laws of which a line is an instance; first its principle, then laws that it needs.
+
+    ``value`` is among them where the line gives a quantity its value and no more: first of all
+    where that takes several laws.
+
+    The world is the true one, or the student's own. With ``altered``, a line that holds under no
+    right law has a use for each altered law, or else altered result, of which it is an instance. An
+    inequality, and a line that holds nowhere, has none. Raises UnvaluedError where a side has no
+    value.
+    """
+    if claim.sign != "=" or claim.others:
+        return ()
+    found = _Trial(claim, states(world), meanings, decimals, scope)
+    uses = _put_in(found, claim, world, meanings, scope) or found.uses()
+    if uses or not altered:
+        return uses
+    tried = states(world, altered=True)
+    how = (claim, tried, meanings, decimals, scope)
+    return (
+        altered_results(*how, loose=True)
+        or _Trial(*how).altered()
+        or altered_results(*how, loose=False)
+    )
+
+
+def _put_in(
+    found: _Trial, claim: Claim, world: World, meanings: Meanings, scope: Scope
+) -> tuple[Use, ...]:
+    """The law of a line that has numbers in place of some components; none if it is plainer."""
+    uses = found.uses()
+    first = uses[0].principle if uses else "none"
+    if not found.true:
+        return ()
+    if first in _RESOLVED:
+        product = coefficient_put_in(claim, world, meanings, scope)
+        if product is not None:
+            return (product,)
+    if found.plain or not (first in _UNTOLD or (first == "speed" and len(uses) > 1)):
+        return ()
+    if uses and is_triangle(claim, world, meanings, scope):
+        return (Use("angle", uses[0].event, uses[0].bodies), *uses[1:])
+    law = law_put_in(claim, found.states, meanings, scope, exact=found.exact)
+    return () if law is None or found.is_value else (law,)
+
+
+class _Trial:
+    """A line tried on all random states of a world."""
+
+    def __init__(
+        self,
+        claim: Claim,
+        tried: States,
+        meanings: Meanings,
+        decimals: Sequence[Decimal],
+        scope: Scope,
+    ) -> None:
+        self.states, self.world = tried, tried.world
+        self.quantities = tuple(_quantities(claim, self.world, meanings))
+        self.now = self.world.now(scope)
+        self.plain = not self.quantities and _is_arithmetic(claim)
+        self.uses_letters = bool(_letters_of(claim, meanings))
+        self.line = (claim, meanings, decimals, scope)
+        self.is_value = _is_value(claim, self.world, meanings)
+        found = self.grades_in(self.world)
+        self.sides = [
+            _size(self.world, self.world.value(side, meanings, scope))
+            for side in (claim.left, claim.right)
+        ]
+        self.exact = bool((found[: tried.rows] == 0).all())
+        self.true = bool((found[: tried.rows] < NOT).all())
+        self.holding = tried.holding(found < NOT)
+
+    def grades_in(self, world: World) -> Array:
+        """How exactly the line holds in the samples of a world."""
+        claim, meanings, decimals, scope = self.line
+        return grades(claim, world, meanings, decimals, scope)
+
+    def uses(self) -> tuple[Use, ...]:
+        """The laws of the latest event on which the line depends."""
+        found = self._laws_used()
+        if not self.is_value or not found or found[0].principle in _NO_VALUES:
+            return found
+        value = Use("value", found[0].event, found[0].bodies)
+        if found[0].principle == "solve":
+            return (value, *found[1:])
+        return (*found, value)
+
+    def _laws_used(self) -> tuple[Use, ...]:
+        if self.plain:
+            return (Use("arithmetic"),)
+        for number in sorted({block.event for block in self.states.blocks}, reverse=True):
+            lawful = self._blocks(number)
+            if lawful and not lawful[0].laws and self._holds(lawful[0]):
+                continue
+            best = next((block for block in lawful if self._holds(block)), None)
+            if best is None:
+                if self._fact(number):
+                    return (Use("fact", number),)
+                continue
+            return self._named(best)
+        if self.true and self._loose_everywhere():
+            found = self._of_found_letters()
+            if found:
+                return found
+            return (Use(self._definition(), self._event(), self._bodies(None)),)
+        return (Use("fact"),) if self.true else ()
+
+    def altered(self) -> tuple[Use, ...]:
+        """The altered laws of which the line is an instance, of the latest event that has some."""
+        found: dict[int, list[Use]] = {}
+        for block, holds in zip(self.states.blocks, self.holding, strict=True):
+            if holds and block.variant is not None and block.law and self._is_of_size(block):
+                law = block.law
+                use = Use(law.law, block.event, law.bodies, block.variant.id)
+                found.setdefault(block.event, []).append(use)
+        return tuple(dict.fromkeys(found[max(found)])) if found else ()
+
+    def _is_of_size(self, block: Block) -> bool:
+        """Whether the sides are not just both zero under a law, where neither is in the world."""
+        rows = self.states.rows
+        start = (self.states.places[id(block)] + 1) * rows
+        here = [float(side[:rows].max()) for side in self.sides]
+        there = [float(side[start : start + rows].max()) for side in self.sides]
+        return min(here) <= 1e-9 * max(here) or max(there) > 1e-6 * max(here)
+
+    def _blocks(self, number: int) -> list[Block]:
+        return [
+            block
+            for block in self.states.blocks
+            if block.event == number and block.variant is None and not block.given
+        ]
+
+    def _holds(self, block: Block) -> bool:
+        return bool(self.holding[self.states.places[id(block)]])
+
+    def _fact(self, number: int) -> bool:
+        return any(
+            holds and block.given and block.event == number
+            for block, holds in zip(self.states.blocks, self.holding, strict=True)
+        )
+
+    def _loose_everywhere(self) -> bool:
+        return all(
+            holds
+            for block, holds in zip(self.states.blocks, self.holding, strict=True)
+            if not block.laws and block.variant is None and not block.given
+        )
+
+    # --- names --------------------------------------------------------------------------------
+
+    def _named(self, best: Block) -> tuple[Use, ...]:
+        told = best.laws if len(best.laws) == 1 else self._telling(best)
+        if len(told) > 1 and self.true:
+            if self._fact(best.event):
+                return (Use("fact", best.event, self._bodies(best.event)), *_laws(told, best.event))
+            told = self._with_facts(best.event, told)
+        laws = _laws(told, best.event)
+        name = self._principle(best.event, told)
+        if [name] == [use.principle for use in laws]:
+            return laws
+        return (Use(name, best.event, self._bodies(best.event)), *laws)
+
+    def _of_found_letters(self) -> tuple[Use, ...]:
+        """The laws that give the letters of a line that are to be found."""
+        claim, meanings, _, _ = self.line
+        if not _letters_of(claim, meanings) & self.states.base.found:
+            return ()
+        for number in sorted({block.event for block in self.states.blocks}, reverse=True):
+            every = max((block.laws for block in self._blocks(number)), key=len, default=())
+            kept = self._with_facts(number, every)
+            if kept:
+                name = kept[0][0] if len(kept) == 1 else "solve"
+                own = (Use("solve", number),) if name == "solve" else ()
+                return (*own, *_laws(kept, number))
+        return ()
+
+    def _with_facts(self, event: int, told: Laws) -> Laws:
+        """The laws that a line needs beside the facts, where letters are found from these.
+
+        A value that a fact and one law give does not rest on another law with a letter in it that
+        is still to be found.
+        """
+        world = self.states.base
+        unknown = frozenset(name for name in world.found if name[:2] != "_k")
+        if not unknown:
+            return told
+        every = max((block.laws for block in self._blocks(event)), key=len)
+        for count in range(len(told)):
+            for kept in combinations(every, count):
+                if not self._rests_on(event, kept, unknown):
+                    continue
+                return kept
+        return told
+
+    def _rests_on(self, event: int, kept: Laws, unknown: frozenset[str]) -> bool:
+        """Whether the line holds under some laws of an event, all other laws, and the facts."""
+        base = self.states.base
+        key = ("lawful", event, kept)
+        if key not in base._known:
+            others = (
+                (law, block.event, bodies)
+                for block in self.states.blocks
+                if block.variant is None and block.event != event
+                for law, bodies in block.laws
+            )
+            laws = {*others, *((law, event, bodies) for law, bodies in kept)}
+            with np.errstate(all="ignore"):
+                base._known[key] = lawful_world(base, laws, unknown)
+        world = base._known[key]
+        return world is not None and bool((self.grades_in(world) < NOT).all())
+
+    def _telling(self, best: Block) -> Laws:
+        """The laws without those that say of a component that is zero that it stays so."""
+        told = Telling(self.world, degrees=False)
+        line = self.world.lines.get(best.event)
+        if line is None:
+            return best.laws
+
+        def moves(name: str) -> bool:
+            across = self.world.spread(told.velocity(name, best.event - 1).cross(line))
+            return bool(np.any(np.abs(across[: self.states.rows]) > 1e-9))
+
+        kept = tuple(
+            (law, bodies) for law, bodies in best.laws if law != "unchanged" or moves(bodies[0])
+        )
+        return kept or best.laws
+
+    def _principle(self, event: int, told: Laws) -> str:
+        kinds = self._kinds(event)
+        laws = {law for law, _ in told}
+        result = next((name for name in _RESULTS if name in kinds), None)
+        if result is not None:
+            return result
+        if laws == {"impulse"} and len(kinds) == 1 and kinds <= {"speed", "angle"}:
+            return next(iter(kinds))
+        if laws == {"unchanged"}:
+            if "component" in kinds and len(kinds & {"speed", "angle"}) == 1:
+                return "speed" if "speed" in kinds else "angle"
+            return "unchanged"
+        if not told:
+            return "fact"
+        if len(told) == 1:
+            return told[0][0]
+        if kinds == {"speed"} or (kinds == {"angle"} and not self.uses_letters):
+            return next(iter(kinds))
+        return "solve"
+
+    def _definition(self) -> str:
+        kinds = self._kinds(0)
+        for name in (*_RESULTS, "angle", "speed"):
+            if name in kinds:
+                return name
+        return "component" if self.quantities else "arithmetic"
+
+    def _kinds(self, event: int) -> set[str]:
+        """What kinds of quantities a line speaks of at an event and after it."""
+        return {
+            kind
+            for each in self.quantities
+            if (kind := _kind(each)) in _RESULTS or self._stage(each) >= event
+            if kind is not None
+        }
+
+    def _stage(self, tree: Quantity) -> int:
+        """After which event a quantity is meant; of a component, the velocity in it."""
+        inside = [each for each in walk(tree) if isinstance(each, Quantity)]
+        stages = [
+            self.now if each.stage is None else each.stage if isinstance(each.stage, int) else 0
+            for each in inside
+            if each.kind not in ("along", "across", "angle", "dot", "line_of_centres", "mass")
+        ]
+        return max(stages, default=0)
+
+    def _event(self) -> int | None:
+        stages = [self._stage(each) for each in self.quantities]
+        return max(stages, default=0) or None
+
+    def _bodies(self, event: int | None) -> tuple[str, ...]:
+        """The spheres that a line names, in the order of the event."""
+        named = {
+            node.name
+            for each in self.quantities
+            for node in walk(each)
+            if isinstance(node, Name) and node.name in self.world.start
+        }
+        step = self.world.events[event - 1] if event else None
+        if isinstance(step, Impact):
+            own = (step.first, step.second)
+            return tuple(name for name in own if name in named)
+        return tuple(sorted(named))
+
+
+def _laws(told: Laws, event: int) -> tuple[Use, ...]:
+    return tuple(Use(law, event, bodies) for law, bodies in told)
+
+
+def _size(world: World, value: Value) -> Array:
+    """The sizes of a value in the samples."""
+    if isinstance(value, Vector):
+        return world.spread(np.hypot(value.x, value.y))
+    number = value.measure() if isinstance(value, Angle) else value
+    return np.abs(world.spread(number))
+
+
+# --- what a line speaks of ------------------------------------------------------------------------
+
+
+def _kind(tree: Quantity) -> str | None:
+    if tree.kind in _ENERGIES:
+        return "energy"
+    if tree.kind in _ANGLES:
+        return "angle"
+    if tree.kind in ("along", "across"):
+        return "component"
+    known = ("impulse", "deflection", "speed", "velocity")
+    return tree.kind if tree.kind in known else None
+
+
+def _quantities(claim: Claim, world: World, meanings: Meanings) -> Iterator[Quantity]:
+    """The quantities of a line, outermost ones alone, with its letters put into words."""
+    for side in (claim.left, claim.right):
+        yield from _outermost(side, world, meanings, frozenset())
+
+
+def _outermost(
+    tree: Expression, world: World, meanings: Meanings, opened: frozenset[str]
+) -> Iterator[Quantity]:
+    if isinstance(tree, Quantity):
+        if tree.kind == "dot":
+            for each in tree.arguments:
+                yield from _outermost(each, world, meanings, opened)
+        else:
+            yield tree
+        return
+    if isinstance(tree, Letter):
+        if tree.name not in opened:
+            yield from _of_letter(tree.name, world, meanings, opened | {tree.name})
+        return
+    for each in children(tree):
+        yield from _outermost(each, world, meanings, opened)
+
+
+def _of_letter(
+    name: str, world: World, meanings: Meanings, opened: frozenset[str]
+) -> Iterator[Quantity]:
+    if name in meanings:
+        yield from _outermost(meanings[name], world, meanings, opened)
+    elif name in world.lets:
+        yield from _outermost(world.lets[name][0].expression, world, meanings, opened)
+
+
+def _is_arithmetic(claim: Claim) -> bool:
+    return not any(
+        isinstance(node, Letter) for side in (claim.left, claim.right) for node in walk(side)
+    )
+
+
+def _letters_of(claim: Claim, meanings: Meanings) -> frozenset[str]:
+    """The letters of the statement in a line."""
+    return frozenset(
+        node.name
+        for side in (claim.left, claim.right)
+        for node in walk(side)
+        if isinstance(node, Letter) and node.name not in meanings
+    )
+
+
+def _is_value(claim: Claim, world: World, meanings: Meanings) -> bool:
+    """Whether a line gives one quantity, or one letter to be found, its value and no more."""
+    for one, other in ((claim.left, claim.right), (claim.right, claim.left)):
+        lone = one.operand if isinstance(one, Negate) else one
+        named = isinstance(lone, Quantity) or (
+            isinstance(lone, Letter) and (lone.name in meanings or lone.name in world.found)
+        )
+        spoken = Claim(other, "=", other)
+        if named and not any(_quantities(spoken, world, meanings)):
+            return not _letters_of(spoken, meanings) & world.found and not _is_worked(other)
+    return False
+
+
+def _is_worked(tree: Expression) -> bool:
+    """Whether there is a calculation in a side: a sum of numbers, or a product of two."""
+    return any(
+        isinstance(node, Binary)
+        and (
+            (node.op in ("+", "-") and all(map(is_bare, (node.left, node.right))))
+            or (node.op == "*" and all(map(_is_plain, (node.left, node.right))))
+        )
+        for node in walk(tree)
+    )
+
+
+def _is_plain(tree: Expression) -> bool:
+    return isinstance(tree, Number) or (
+        isinstance(tree, Binary) and tree.op == "/" and is_bare(tree) and not _is_worked(tree)
+    )

@@ -1,0 +1,341 @@
+"""The student's own world: the values at which the lines of a script hold.
+
+Unknown are the velocities after each event, and the letters that the part has to find. The lines
+of the student come first, then the laws and the facts that they leave standing. Of these equations,
+in this order, each is kept that is independent of those before it, so that none is contradicted;
+they are solved by Gauss-Newton from the true values, in every sample.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from restitution.errors import RestitutionError
+from restitution.explaining.misconceptions import VariantAt
+from restitution.practice.judging.entries import Entry
+from restitution.practice.script import Claim
+from restitution.practice.worlds.agreement import difference
+from restitution.practice.worlds.telling import Telling
+from restitution.practice.worlds.timing import retimed
+from restitution.practice.worlds.world import World
+from restitution.problem import Aligned, AtRest, Compare, Given, Impact, Relation
+from restitution.vector import Vector
+
+Array = Any
+Residual = Callable[[World], Array]
+
+_STEPS = 14
+_LINES = 24
+_CHOOSING = 3
+"""In so many steps the equations are chosen anew; after that they stay."""
+_INDEPENDENT = 1e-5
+_SMALL = 1e-6
+_NEAR = 1e-9
+
+
+@dataclass(frozen=True)
+class Equation:
+    """An equation by its residual in a world, shape (samples, equations)."""
+
+    residual: Residual
+    law: str | None = None
+    event: int | None = None
+    bodies: tuple[str, ...] = ()
+
+
+def student_world(
+    base: World,
+    entries: Sequence[Entry],
+    unknown: Collection[str] = (),
+    *,
+    latest: bool = True,
+    broken: Collection[tuple[str, int | None]] = (),
+) -> World | None:
+    """The world in which the lines of a student hold, as far as they hold together.
+
+    ``unknown`` are the letters of the statement that the part has to find. Where lines clash those
+    that are not true win, of these the ``latest`` or the first.
+    Laws that are ``broken``, each at an event, do not hold beside them. None where there are no
+    such values.
+    """
+    order = list(reversed(entries)) if latest else list(entries)
+    own = [each for each in order if not each.right] + [each for each in order if each.right]
+    own = own[:_LINES]
+    equations = [
+        _of_entry(each) for each in own if each.claim.sign == "=" and not each.claim.others
+    ]
+    laws = [each for each in laws_of(base) if (each.law, each.event) not in broken]
+    return _solved(base, [*equations, *facts_of(base), *laws], unknown)
+
+
+def world_of_lines(base: World, entries: Sequence[Entry], unknown: Collection[str]) -> World | None:
+    """A world in which lines hold and no law does: from scattered values."""
+    equations = [_of_entry(each) for each in entries if each.claim.sign == "="]
+    return _solved(scattered_world(base, unknown), equations, unknown)
+
+
+def lawful_world(
+    base: World, kept: Collection[tuple[str, int, tuple[str, ...]]], unknown: Collection[str]
+) -> World | None:
+    """A world of scattered values in which the facts hold, and of the laws those that are kept.
+
+    Laws are named with their event and bodies.
+    """
+    laws = (each for each in laws_of(base) if (each.law, each.event, each.bodies) in kept)
+    return _solved(scattered_world(base, unknown), [*facts_of(base), *laws], unknown)
+
+
+def altered_world(base: World, variant: VariantAt, unknown: Collection[str] = ()) -> World | None:
+    """The world in which a variant of a mistake stands in place of the laws that it replaces."""
+    altered = [_of_claim(Claim(law.sides[0], "=", law.sides[1])) for law in variant.laws]
+    replaced = {(law.law, variant.event.number, law.bodies) for law in variant.laws}
+    laws = [
+        each
+        for each in laws_of(base)
+        if not any(
+            (each.law, each.event) == (law, event) and set(each.bodies) <= set(bodies)
+            for law, event, bodies in replaced
+        )
+    ]
+    return _solved(base, [*altered, *facts_of(base), *laws], unknown)
+
+
+# --- equations --------------------------------------------------------------------------------
+
+
+def _of_entry(entry: Entry) -> Equation:
+    return Equation(lambda world: difference(entry.claim, world, entry.meanings, entry.scope)[0])
+
+
+def _of_claim(claim: Claim) -> Equation:
+    return Equation(lambda world: difference(claim, world)[0])
+
+
+def laws_of(world: World) -> Iterator[Equation]:
+    """The laws of every impact: momentum, restitution, and the components that do not change."""
+    for number, step in enumerate(world.events, 1):
+        if isinstance(step, Impact) and number in world.lines:
+            wall = step.second in world.walls or step.second not in world.start
+            spheres = (step.first,) if wall else (step.first, step.second)
+            for body in spheres:
+                yield Equation(_unchanged(number, body), "unchanged", number, (body,))
+            yield Equation(_restitution(number, spheres), "restitution", number, spheres)
+            if not wall:
+                yield Equation(_momentum(number, spheres), "momentum", number, spheres)
+
+
+def _parts(world: World, number: int, body: str) -> tuple[Vector, Vector, Vector]:
+    told = Telling(world)
+    return told.velocity(body, number - 1), told.velocity(body, number), world.lines[number]
+
+
+def _unchanged(number: int, body: str) -> Residual:
+    def residual(world: World) -> Array:
+        before, after, c = _parts(world, number, body)
+        return _column(world, (after - before).cross(c))
+
+    return residual
+
+
+def _momentum(number: int, bodies: tuple[str, ...]) -> Residual:
+    def residual(world: World) -> Array:
+        told, total = Telling(world), 0.0
+        for body in bodies:
+            before, after, c = _parts(world, number, body)
+            total = total + told.mass(body) * (after - before).dot(c)
+        return _column(world, total)
+
+    return residual
+
+
+def _restitution(number: int, bodies: tuple[str, ...]) -> Residual:
+    def residual(world: World) -> Array:
+        before, after, c = _parts(world, number, bodies[0])
+        if len(bodies) == 2:
+            other_before, other_after, _ = _parts(world, number, bodies[1])
+            before, after = before - other_before, after - other_after
+        return _column(world, after.dot(c) + Telling(world).coefficient(number) * before.dot(c))
+
+    return residual
+
+
+def facts_of(world: World) -> Iterator[Equation]:
+    """The equations that the statement gives for this part."""
+    for step, now, _ in world.problem.timeline(world.part):
+        if isinstance(step, Given):
+            for relation in step.relations:
+                residual = _fact(relation, now)
+                if residual is not None:
+                    yield Equation(residual)
+
+
+def _fact(relation: Relation, now: int) -> Residual | None:
+    if isinstance(relation, AtRest):
+        name = relation.body.name
+
+        def at_rest(world: World) -> Array:
+            v = Telling(world).velocity(name, now)
+            return np.stack([world.spread(v.x), world.spread(v.y)], axis=1)
+
+        return at_rest
+    if isinstance(relation, Aligned):
+        across = relation.relation == "perpendicular to"
+
+        def aligned(world: World) -> Array:
+            told = Telling(world, degrees=False)
+            a, b = told.direction(relation.left, now), told.direction(relation.right, now)
+            return _column(world, a.dot(b) if across else a.cross(b))
+
+        return aligned
+    if isinstance(relation, Compare) and set(relation.operators) == {"="}:
+        left, right = relation.operands[:2]
+
+        def equal(world: World) -> Array:
+            a = world.value(left, now=now, degrees=False)
+            b = world.value(right, now=now, degrees=False)
+            if isinstance(a, Vector) and isinstance(b, Vector):
+                apart = a - b
+                return np.stack([world.spread(apart.x), world.spread(apart.y)], axis=1)
+            return _column(world, _plain(a) - _plain(b))
+
+        return equal
+    return None
+
+
+def _plain(value: Any) -> Array:
+    return value.measure() if hasattr(value, "measure") else value
+
+
+def _column(world: World, value: Array) -> Array:
+    return world.spread(value)[:, None]
+
+
+# --- solving ----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Unknowns:
+    """The unknowns of a world as columns: components after events, then letters."""
+
+    stages: tuple[tuple[int, str], ...]
+    starts: tuple[str, ...]
+    names: tuple[str, ...]
+
+    def values(self, world: World) -> Array:
+        columns = [world.spread(part) for key in self.stages for part in world.after[key]]
+        columns += [world.spread(part) for name in self.starts for part in world.start[name]]
+        columns += [world.spread(world.letters[name]) for name in self.names]
+        return np.stack(columns, axis=1)
+
+    def put(self, world: World, x: Array) -> World:
+        after = {
+            key: Vector(x[:, 2 * place], x[:, 2 * place + 1])
+            for place, key in enumerate(self.stages)
+        }
+        first = 2 * len(self.stages)
+        start = {
+            name: Vector(x[:, first + 2 * place], x[:, first + 2 * place + 1])
+            for place, name in enumerate(self.starts)
+        }
+        first += 2 * len(self.starts)
+        letters = {name: x[:, first + place] for place, name in enumerate(self.names)}
+        moved = world.replaced(after=after, letters=letters)
+        return replace(moved, start={**moved.start, **start}) if start else moved
+
+
+def _unknowns(world: World, unknown: Collection[str]) -> _Unknowns:
+    names = tuple(sorted(name for name in unknown if name in world.letters))
+    starts = tuple(each.name for each in world.problem.spheres if each.velocity is None)
+    return _Unknowns(tuple(world.after), starts, names)
+
+
+def scattered_world(world: World, unknown: Collection[str]) -> World:
+    """The world with other values after its events, by up to a third, and of its unknowns."""
+    kinds = _unknowns(world, unknown)
+    x = kinds.values(world)
+    rng = np.random.default_rng(7)
+    return kinds.put(world, x * rng.uniform(0.7, 1.3, x.shape) + rng.uniform(-0.1, 0.1, x.shape))
+
+
+def _solved(base: World, equations: Sequence[Equation], unknown: Collection[str]) -> World | None:
+    kinds = _unknowns(base, unknown)
+    if not kinds.stages and not kinds.names:
+        return base
+    x = kinds.values(base)
+    chosen: list[int] = []
+    world = base
+    for step in range(_STEPS):
+        values, slopes = _linearized(base, kinds, x, equations)
+        if values.shape[1] == 0:
+            return world
+        if step < _CHOOSING or not chosen:
+            chosen = _independent(slopes)
+        if not chosen:
+            return world
+        r, g = values[:, chosen], slopes[:, chosen]
+        size = np.linalg.norm(g, axis=2)
+        size = np.where(size > 0, size, 1.0)
+        move = np.einsum("sij,sj->si", np.linalg.pinv(g / size[..., None], rcond=1e-10), r / size)
+        if not np.all(np.isfinite(move)):
+            return None
+        x = x - move
+        world = kinds.put(base, x)
+        if step >= _CHOOSING - 1 and np.max(np.abs(move)) < _NEAR * (1 + np.max(np.abs(x))):
+            break
+    return retimed(world, base) if np.all(np.isfinite(x)) else None
+
+
+def _linearized(
+    base: World, kinds: _Unknowns, x: Array, equations: Sequence[Equation]
+) -> tuple[Array, Array]:
+    """Residuals (samples, equations) and their slopes (samples, equations, unknowns).
+
+    Equations without a value in every sample are left out, with zeros for their slopes.
+    """
+    samples, count = x.shape
+    steps = _SMALL * (1 + np.abs(x))
+    blocks = [x] + [x + steps * np.eye(count)[k] for k in range(count)]
+    world = kinds.put(base.repeated(count + 1), np.concatenate(blocks))
+    values: list[Array] = []
+    slopes: list[Array] = []
+    with np.errstate(all="ignore"):
+        for equation in equations:
+            try:
+                found = equation.residual(world)
+            except RestitutionError:
+                continue
+            found = np.reshape(found, (count + 1, samples, -1))
+            slope = (found[1:] - found[0]) / steps.T[..., None]
+            if not np.all(np.isfinite(found)):
+                found, slope = np.zeros_like(found), np.zeros_like(slope)
+            values.append(found[0])
+            slopes.append(np.transpose(slope, (1, 2, 0)))
+    if not values:
+        return np.zeros((samples, 0)), np.zeros((samples, 0, count))
+    return np.concatenate(values, axis=1), np.concatenate(slopes, axis=1)
+
+
+def _independent(slopes: Array) -> list[int]:
+    """The equations of which none depends on those before it, in any sample."""
+    samples, count, unknowns = slopes.shape
+    basis = np.zeros((samples, 0, unknowns))
+    chosen: list[int] = []
+    for place in range(count):
+        g = slopes[:, place]
+        size = np.linalg.norm(g, axis=1)
+        if not np.all(size > 1e-9):
+            continue
+        g = g / size[:, None]
+        for _ in range(2):
+            g = g - np.einsum("skj,sk->sj", basis, np.einsum("skj,sj->sk", basis, g))
+        left = np.linalg.norm(g, axis=1)
+        if np.all(left > _INDEPENDENT):
+            basis = np.concatenate([basis, (g / left[:, None])[:, None]], axis=1)
+            chosen.append(place)
+        if len(chosen) == unknowns:
+            break
+    return chosen

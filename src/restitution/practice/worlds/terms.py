@@ -1,0 +1,408 @@
+"""A law with numbers put in, recognised by its terms.
+
+Where components have been found, a student puts their values into the next law, and no state but
+the true one satisfies the line any more. Its terms still are those of the law, up to a common
+factor: each is a term of the law, or a sum of some, as it is or with its value in its place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Negate, letters, walk
+from restitution.practice.judgement import Use
+from restitution.practice.script import Claim, Scope
+from restitution.practice.worlds.arrays import Array, UnvaluedError
+from restitution.practice.worlds.states import States
+from restitution.practice.worlds.telling import Meanings, Telling
+from restitution.practice.worlds.world import World
+from restitution.problem import Impact
+from restitution.vector import Vector
+
+_MOST = 7
+_NOTHING = 1e-9
+_TRIGONOMETRIC = frozenset({"sin", "cos", "tan"})
+
+
+@dataclass(frozen=True, eq=False)
+class Slots:
+    """A law of an event as terms that add up to zero, each an array over the samples.
+
+    By one of ``cancelled`` all terms may have been divided.
+    """
+
+    law: str
+    event: int
+    bodies: tuple[str, ...]
+    terms: tuple[Array, ...]
+    cancelled: tuple[Array, ...] = ()
+
+
+def law_put_in(
+    claim: Claim, tried: States, meanings: Meanings, scope: Scope, *, exact: bool
+) -> Use | None:
+    """The law of which a true line has all the terms, some with their values; None if none is.
+
+    ``tried`` are the states of the world in which the line is true; where it is so to some figures
+    only, ``exact`` is False.
+    """
+    for terms in terms_of(claim):
+        try:
+            values = [tried.world.value(term, meanings, scope) for term in terms]
+        except UnvaluedError:
+            continue
+        matches = list(_matches(tried, values, exact))
+        matches.sort(key=lambda each: not _mentions_coefficient(claim, each.slots, tried.world))
+        for usual in (True, False):
+            for match in matches:
+                if match.fits(usual=usual):
+                    slots = match.slots
+                    return Use(slots.law, slots.event, slots.bodies)
+    return None
+
+
+def _matches(tried: States, values: Sequence[object], exact: bool) -> Iterator[_Match]:
+    for slots in _laws(tried.world):
+        try:
+            numbers = [_number(tried.world, value, slots.event) for value in values]
+        except UnvaluedError:
+            continue
+        yield _Match(tried, slots, numbers, exact)
+
+
+def _mentions_coefficient(claim: Claim, slots: Slots, world: World) -> bool:
+    """Whether a law of restitution is meant: the coefficient stands in the line as given."""
+    step = world.events[slots.event - 1]
+    if slots.law != "restitution" or not isinstance(step, Impact):
+        return False
+    e = Letter("e") if step.e is None else step.e
+    return any(e == node for side in (claim.left, claim.right) for node in walk(side))
+
+
+def _number(world: World, value: object, event: int) -> Array:
+    """A term as a number; of a vector, its component along the line of centres."""
+    if isinstance(value, Vector):
+        return world.spread(value.dot(world.lines[event]))
+    if not isinstance(value, np.ndarray | float):
+        raise UnvaluedError("an angle is no term of a law")
+    return world.spread(value)
+
+
+# --- terms ----------------------------------------------------------------------------------------
+
+
+@lru_cache(maxsize=1024)
+def terms_of(claim: Claim) -> tuple[tuple[Expression, ...], ...]:
+    """The terms of a line that add up to zero, brackets multiplied out.
+
+    There may be two ways: as it stands, and with a quotient on one side cleared. One that has more
+    terms than any law is left out.
+    """
+    found = []
+    for left, right in _forms(claim):
+        try:
+            terms = (*_expanded(left), *(_negative(each) for each in _expanded(right)))
+        except _TooManyError:
+            continue
+        if len(terms) <= _MOST:
+            found.append(terms)
+    return tuple(found)
+
+
+class _TooManyError(Exception):
+    """More terms than any law has."""
+
+
+def _forms(claim: Claim) -> Iterator[tuple[Expression, Expression]]:
+    """Both sides as they stand, and without a quotient that is alone on its side."""
+    left, right = claim.left, claim.right
+    yield left, right
+    if isinstance(left, Binary) and left.op == "/":
+        yield left.left, _times(right, left.right)
+    if isinstance(right, Binary) and right.op == "/":
+        yield _times(left, right.right), right.left
+
+
+def _expanded(tree: Expression) -> list[Expression]:
+    if isinstance(tree, Negate):
+        return [_negative(each) for each in _expanded(tree.operand)]
+    if not isinstance(tree, Binary) or tree.op == "^":
+        return [tree]
+    left = _expanded(tree.left)
+    if tree.op == "/":
+        return [Binary("/", each, tree.right) for each in left]
+    right = _expanded(tree.right)
+    if tree.op == "+":
+        found = left + right
+    elif tree.op == "-":
+        found = left + [_negative(each) for each in right]
+    else:
+        found = [_times(one, other) for one in left for other in right]
+    if len(found) > _MOST:
+        raise _TooManyError
+    return found
+
+
+def _times(left: Expression, right: Expression) -> Expression:
+    return Binary("*", left, right)
+
+
+def _negative(tree: Expression) -> Expression:
+    return tree.operand if isinstance(tree, Negate) else Negate(tree)
+
+
+# --- laws -----------------------------------------------------------------------------------------
+
+
+def _laws(world: World) -> Iterator[Slots]:
+    """The laws of all impacts as terms, the latest first."""
+    told = Telling(world, degrees=False)
+    for number in range(len(world.events), 0, -1):
+        step = world.events[number - 1]
+        if isinstance(step, Impact):
+            yield from _laws_at(told, number, step)
+
+
+def _laws_at(told: Telling, number: int, step: Impact) -> Iterator[Slots]:
+    world, line = told.world, told.world.lines[number]
+    spheres = tuple(name for name in (step.first, step.second) if name in world.start)
+
+    def parts(name: str, stage: int) -> tuple[Array, Array]:
+        v = told.velocity(name, stage)
+        return world.spread(v.dot(line)), world.spread(v.cross(line))
+
+    before = [parts(name, number - 1) for name in spheres]
+    after = [parts(name, number) for name in spheres]
+    e = world.spread(told.coefficient(number))
+    masses = [world.spread(told.mass(name)) for name in spheres]
+    if len(spheres) == 2:
+        start = [m * p for m, (p, _) in zip(masses, before, strict=True)]
+        end = [-m * q for m, (q, _) in zip(masses, after, strict=True)]
+        common = (*masses, *_letters_of_masses(told, spheres))
+        yield Slots("momentum", number, spheres, (*start, *end), common)
+        yield Slots("momentum", number, spheres, (start[0] + start[1], *end), common)
+        apart = (after[1][0], -after[0][0])
+        yield Slots("restitution", number, spheres, (*apart, -e * before[0][0], e * before[1][0]))
+        yield Slots("restitution", number, spheres, (*apart, -e * (before[0][0] - before[1][0])))
+    else:
+        yield Slots("restitution", number, spheres, (after[0][0], e * before[0][0]))
+    for name, m, (p, s), (q, r) in zip(spheres, masses, before, after, strict=True):
+        size = np.abs(m * (q - p))
+        sign = np.sign(q - p)
+        yield Slots("impulse", number, (name,), (size, -sign * m * q, sign * m * p))
+        yield Slots("unchanged", number, (name,), (r, -s))
+
+
+def _letters_of_masses(told: Telling, spheres: Sequence[str]) -> tuple[Array, ...]:
+    """The letters in which masses are written."""
+    masses = (told.spheres[name].mass for name in spheres)
+    names = {x for mass in masses if isinstance(mass, Expression) for x in letters(mass)}
+    known = told.world.letters
+    return tuple(told.world.spread(known[name]) for name in sorted(names) if name in known)
+
+
+class _Match:
+    """The terms of a line laid on those of a law."""
+
+    def __init__(self, tried: States, slots: Slots, numbers: Sequence[Array], exact: bool) -> None:
+        self.slots = slots
+        self.rows = tried.rows
+        self.cancelled = [np.ones(tried.rows), *(x[: tried.rows] for x in slots.cancelled)]
+        self.near = 1e-6 if exact else 5e-3
+        loose = tried.loose(slots.event)
+        self.true = [each[: tried.rows] for each in numbers]
+        self.free = [each[loose] for each in numbers]
+        kept = [each for each in slots.terms if np.any(np.abs(each[: tried.rows]) > _NOTHING)]
+        self.terms = [(each[: tried.rows], each[loose]) for each in kept]
+        self.masks = range(1, 2 ** len(self.true))
+        self.sums = [self._sum(self.true, mask) for mask in range(2 ** len(self.true))]
+
+    def _sum(self, numbers: Sequence[Array], mask: int) -> Array:
+        total = np.zeros_like(numbers[0])
+        for place, each in enumerate(numbers):
+            if mask >> place & 1:
+                total = total + each
+        return total
+
+    def fits(self, *, usual: bool) -> bool:
+        """Whether every term of the law is a sum of terms of the line, up to one factor.
+
+        A ``usual`` factor is 1 or -1, perhaps divided by a mass. Of two terms any two equal numbers
+        are a multiple: for these no other will do.
+        """
+        count = len(self.terms)
+        if not 2 <= count <= len(self.true) or (count == 2 and not usual):
+            return False
+        target, _ = self.terms[0]
+        with np.errstate(all="ignore"):
+            factors = ((self.sums[mask] / target, (mask,)) for mask in self.masks)
+            return any(
+                np.all(np.isfinite(factor) & (np.abs(factor) > _NOTHING))
+                and self._is_usual(factor) == usual
+                and self._laid(factor, masks)
+                for factor, masks in factors
+            )
+
+    def _is_usual(self, factor: Array) -> bool:
+        return any(np.all(np.abs(np.abs(factor * each) - 1) < self.near) for each in self.cancelled)
+
+    def _laid(self, factor: Array, masks: tuple[int, ...]) -> bool:
+        used = sum(masks)
+        if len(masks) == len(self.terms):
+            return used == 2 ** len(self.true) - 1 and self._follows(factor, masks)
+        wanted = factor * self.terms[len(masks)][0]
+        size = np.maximum(np.abs(wanted), np.abs(factor * self.terms[0][0]))
+        return any(
+            np.all(np.abs(self.sums[mask] - wanted) <= self.near * size)
+            and self._laid(factor, (*masks, mask))
+            for mask in self.masks
+            if not mask & used
+        )
+
+    def _follows(self, factor: Array, masks: Sequence[int]) -> bool:
+        """Whether each term moves with that of the law in loose states, or not at all.
+
+        One may move otherwise, as a fact may give it by another one; but of two only where the law
+        is not the same number in all samples.
+        """
+        strays = 0
+        for mask, (_, loose) in zip(masks, self.terms, strict=True):
+            free, wanted = self._sum(self.free, mask), factor * loose
+            size = np.abs(wanted) + np.abs(self.sums[mask])
+            moves = np.abs(free - wanted) <= self.near * size
+            stays = np.abs(free - self.sums[mask]) <= self.near * size
+            strays += not (np.all(moves) or np.all(stays))
+        return strays <= (len(self.terms) > 2 or bool(np.ptp(self.terms[0][0]) > _NOTHING))
+
+
+# --- products with the coefficient ----------------------------------------------------------------
+
+
+def coefficient_put_in(claim: Claim, world: World, meanings: Meanings, scope: Scope) -> Use | None:
+    """The impact at which a line multiplies an approach by e, or divides a separation by it."""
+    told = Telling(world, degrees=False)
+    for number in range(len(world.events), 0, -1):
+        step = world.events[number - 1]
+        if not isinstance(step, Impact):
+            continue
+        e = world.spread(told.coefficient(number))
+        line = world.lines[number]
+        spheres = tuple(name for name in (step.first, step.second) if name in world.start)
+        apart, after = (
+            _relative([told.velocity(name, stage) for name in spheres]).dot(line)
+            for stage in (number - 1, number)
+        )
+        for node, other in _products(claim):
+            if _has_size(node, e, world, meanings, scope):
+                wanted = after if isinstance(other, _Divided) else apart
+                tree = other.tree if isinstance(other, _Divided) else other
+                if _has_size(tree, np.abs(world.spread(wanted)), world, meanings, scope):
+                    return Use("restitution", number, spheres)
+    return None
+
+
+@dataclass(frozen=True)
+class _Divided:
+    """What stands above the coefficient."""
+
+    tree: Expression
+
+
+def _relative(velocities: Sequence[Vector]) -> Vector:
+    return velocities[0] - velocities[1] if len(velocities) > 1 else velocities[0]
+
+
+def _products(claim: Claim) -> Iterator[tuple[Expression, Expression | _Divided]]:
+    """A factor of a side with the product of the others, or with what stands above it."""
+    for side in (claim.left, claim.right):
+        tree = side.operand if isinstance(side, Negate) else side
+        if not isinstance(tree, Binary):
+            continue
+        if tree.op == "/":
+            yield tree.right, _Divided(tree.left)
+        factors = _factors(tree)
+        for place, factor in enumerate(factors):
+            rest = factors[:place] + factors[place + 1 :]
+            if rest:
+                product = rest[0]
+                for each in rest[1:]:
+                    product = _times(product, each)
+                yield factor, product
+
+
+def _factors(tree: Expression) -> list[Expression]:
+    if isinstance(tree, Binary) and tree.op == "*":
+        return [*_factors(tree.left), *_factors(tree.right)]
+    return [tree]
+
+
+def _has_size(
+    tree: Expression, size: Array, world: World, meanings: Meanings, scope: Scope
+) -> bool:
+    """Whether a tree has a size that is not zero, to some figures."""
+    try:
+        value = np.abs(world.scalar(tree, meanings, scope=scope))
+    except UnvaluedError:
+        return False
+    return bool(np.all((size > _NOTHING) & (np.abs(value - size) <= 1e-3 * size)))
+
+
+# --- angles ---------------------------------------------------------------------------------------
+
+
+def is_triangle(claim: Claim, world: World, meanings: Meanings, scope: Scope) -> bool:
+    """Whether a line takes a ratio of components, or of a component and a speed, for an angle."""
+    sizes = _sizes(world)
+    return any(
+        _is_size(node.left, sizes, world, meanings, scope)
+        and _is_size(node.right, sizes, world, meanings, scope)
+        for side in _ratios(claim)
+        for node in walk(side)
+        if isinstance(node, Binary) and node.op == "/"
+    )
+
+
+def _ratios(claim: Claim) -> Iterator[Expression]:
+    """What a line equates with the sine, cosine or tangent of an angle."""
+    for one, other in ((claim.left, claim.right), (claim.right, claim.left)):
+        if isinstance(one, Apply) and one.function in _TRIGONOMETRIC:
+            yield other
+        yield from (
+            node.argument
+            for node in walk(one)
+            if isinstance(node, Apply) and node.function.startswith("arc")
+        )
+
+
+def _sizes(world: World) -> Array:
+    """Components along lines of centres, across them, along i and j, and speeds, as sizes."""
+    known = world._known.get("sizes")
+    if known is None:
+        told = Telling(world, degrees=False)
+        lines = [*world.lines.values(), Vector(np.float64(1), np.float64(0))]
+        velocities = [
+            told.velocity(name, stage)
+            for name in world.start
+            for stage in range(len(world.events) + 1)
+        ]
+        found = [
+            np.abs(world.spread(x))
+            for v in velocities
+            for x in (*(f(line) for line in lines for f in (v.dot, v.cross)), np.hypot(*v))
+        ]
+        known = world._known["sizes"] = np.array([x for x in found if np.all(x > _NOTHING)])
+    return known
+
+
+def _is_size(
+    tree: Expression, sizes: Array, world: World, meanings: Meanings, scope: Scope
+) -> bool:
+    try:
+        value = np.abs(world.scalar(tree, meanings, scope=scope))
+    except UnvaluedError:
+        return False
+    return bool(len(sizes)) and bool(np.any(np.all(np.abs(sizes - value) <= 5e-3 * sizes, axis=1)))
