@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Iterator
 from fractions import Fraction
 
 import mpmath
@@ -22,8 +23,15 @@ from restitution.explaining.misconceptions import (
 )
 from restitution.expression.tree import Apply, Binary, Name, Negate, Number, Quantity
 
-mpmath.mp.dps = 60
 SMALL = mpmath.mpf(10) ** -40
+
+
+@pytest.fixture(autouse=True)
+def many_digits() -> Iterator[None]:
+    """Sixty digits here; other tests have a precision of their own."""
+    with mpmath.workdps(60):
+        yield
+
 
 WALL = """
 wall W: along 3i + 4j

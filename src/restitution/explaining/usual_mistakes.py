@@ -80,8 +80,6 @@ _OF_TOPICS: Mapping[str, tuple[str, ...]] = {
         "restitution-whole-speed",
         "restitution-parallel",
         "restitution-inverted",
-        "restitution-omitted",
-        "restitution-sign",
     ),
     "momentum": ("speed-for-component", "mass-omitted", "masses-exchanged", "momentum-sign"),
     "unchanged-wall": ("restitution-parallel", "across-changed", "sine-cosine"),
