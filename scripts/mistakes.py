@@ -42,7 +42,7 @@ MADE = "<!-- what follows is made by scripts/mistakes.py -->\n\n"
 
 AFTER = """## Slips
 
-| | |
+| slip | what happened |
 |---|---|
 """
 
