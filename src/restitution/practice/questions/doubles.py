@@ -9,13 +9,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle
+from restitution.planning.checking import Floats
 from restitution.problem import Part, Problem, Value
 from restitution.solving import facts
 from restitution.solving.conditions import Equation
@@ -26,34 +26,11 @@ REFUSALS = (RestitutionError, ArithmeticError, ValueError, LookupError, TypeErro
 _TINY = 1e-10
 
 
-class Doubles:
-    """Arithmetic of doubles, as `expression.evaluate` wants one."""
-
-    exact = False
-    pi = math.pi
-    zero = 0.0
-
-    def number(self, value: Fraction) -> float:
-        return float(value)
+class Doubles(Floats):
+    """Doubles in which zero is anything tiny, and the root of a negative number an error."""
 
     def sqrt(self, x: float) -> float:
         return math.sqrt(x) if x > 0 else math.sqrt(0.0 if x > -_TINY else x)
-
-    def abs(self, x: float) -> float:
-        return abs(x)
-
-    def power(self, x: float, y: float) -> float:
-        return float(x**y)
-
-    def cos_sin(self, x: float) -> tuple[float, float]:
-        return math.cos(x), math.sin(x)
-
-    def arctan2(self, y: float, x: float) -> float:
-        return math.atan2(y, x)
-
-    def arc(self, function: str, x: float) -> float:
-        arcs = {"arcsin": math.asin, "arccos": math.acos, "arctan": math.atan}
-        return arcs[function](x)
 
     def is_zero(self, x: float) -> bool:
         return abs(x) < _TINY

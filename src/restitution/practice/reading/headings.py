@@ -150,12 +150,6 @@ def _met(event: object) -> set[str]:
     return {event.first, event.second} if isinstance(event, Impact) else set()
 
 
-def is_heading(tokens: Sequence[Token]) -> bool:
-    """Whether tokens are words and names alone, perhaps with a number behind *impact*."""
-    allowed = ("word", "name", "phrase", ":", "stop", "number", "-", "unit", ",", "letter")
-    return bool(tokens) and all(each.kind in allowed for each in tokens)
-
-
 _HEADING_WORDS = frozenset(
     ("after", "before", "at", "for", "in", "on", "the", "with", "wall", "between", "and", "of")
     + ("sphere", "ball", "particle", "now", "next", "then", "just", "immediately", "again", "point")

@@ -122,7 +122,6 @@ CONNECTIVES = frozenset(
     + ("if", "sub", "subbing", "substitute", "substituting", "into", "from", "next", "similarly")
     + ("whereas", "while", "hense", "there4", "cos_of", "which", "that", "yields", "leads", "eg")
 )
-ALTERNATIVES = frozenset(("or", "either"))
 DECLARES = frozenset(
     ("let", "take", "set", "suppose", "assume", "denote", "call", "define", "say", "lets", "taking")
     + ("letting",)
