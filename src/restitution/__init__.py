@@ -32,6 +32,7 @@ if TYPE_CHECKING:
         TimeLimitError,
         UnsupportedError,
     )
+    from restitution.experiments import experiment
     from restitution.explaining.consequences import solve_as
     from restitution.export.player import play
     from restitution.gas import Gas
@@ -68,6 +69,7 @@ __all__ = [
     "__version__",
     "draw",
     "ensemble",
+    "experiment",
     "explain",
     "impact",
     "impacts",
@@ -104,6 +106,7 @@ _NAMES_OF_MODULES = {
     "gas": ("Gas",),
     "batch.impacts": ("impacts",),
     "batch.ensemble": ("ensemble",),
+    "experiments": ("experiment",),
     "practice.questions.generate": ("PracticeQuestion", "practice_question"),
     "problem": ("Point", "Problem", "Sphere", "Wall"),
     "solving": ("solve",),

@@ -1,0 +1,44 @@
+r"""Experiments: the coefficient of restitution from what was measured.
+
+    >>> import restitution as r
+    >>> result = r.experiment("alpha,beta\n30,21\n45,34\n60,49\n", angle_error=1)
+    >>> round(result.e, 2)
+    0.67
+
+`records` holds what was measured, `results` what comes of it. SciPy and odrpack are loaded with
+the first fit; they come with the extra "experiment".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from os import PathLike
+
+from restitution.experiments.records import Kind
+from restitution.experiments.results import Experiment
+
+Data = str | bytes | PathLike[str] | Mapping[str, Sequence[object]]
+"""A text in CSV, a path to one, or columns by their names."""
+
+
+def experiment(
+    data: Data,
+    *,
+    kind: Kind | None = None,
+    angle_error: float | None = None,
+    from_normal: bool = False,
+) -> Experiment:
+    """The value of e from what was measured, with its uncertainty, and a check of the model.
+
+    ``data`` is a text in CSV with a header, a path to one, or columns by name. ``kind`` follows
+    from the columns where it is None. ``angle_error`` is the standard error of all angles that
+    have none of their own, in degrees; without any, errors are estimated from the scatter.
+    ``from_normal`` turns angles that were measured from the normal.
+
+    Raises StatementError where the data cannot be read, MissingError where they do not determine
+    e, and UnsupportedError where the extra "experiment" is not installed.
+    """
+    from restitution.experiments.analysis import analysed
+    from restitution.experiments.reading import table_of
+
+    return analysed(table_of(data, kind, from_normal), angle_error)
