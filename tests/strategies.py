@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, wraps
 from typing import Any
 
+import sympy
 from hypothesis import assume
 from hypothesis import strategies as st
 from plain_physics import ImpossibleWorldError, World, value_of
@@ -1231,3 +1233,25 @@ def pictures() -> st.SearchStrategy[scenes.Scene]:
         st.sampled_from(((), panels)),
         st.sampled_from((None, note)),
     )
+
+
+# -- numbers --------------------------------------------------------------------------------------
+
+
+def surds() -> st.SearchStrategy[sympy.Expr]:
+    """Numbers made of rationals and roots of them by the four operations."""
+    rational = st.builds(sympy.Rational, st.integers(-9, 9), st.integers(1, 9))
+    inside = st.builds(sympy.Rational, st.integers(1, 15), st.integers(1, 3))
+    leaves = st.builds(lambda times, square: times * sympy.sqrt(square), rational, inside)
+
+    def grown(inner: st.SearchStrategy[sympy.Expr]) -> st.SearchStrategy[sympy.Expr]:
+        quotients = st.builds(
+            lambda a, b: a / b if sympy.expand(sympy.radsimp(b)) != 0 else a, inner, inner
+        )
+        return (
+            st.builds(operator.add, inner, inner)
+            | st.builds(operator.mul, inner, inner)
+            | quotients
+        )
+
+    return st.recursive(leaves, grown, max_leaves=4)

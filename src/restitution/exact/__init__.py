@@ -6,6 +6,7 @@ from restitution.exact.angles import tidy_angle
 from restitution.exact.numbers import denested, is_nested
 from restitution.exact.rounding import decimal, significant
 from restitution.exact.simplicity import cost
+from restitution.exact.surds import rationalised, root_is_nested
 from restitution.exact.textbook import forward, tidy
 from restitution.exact.writing import canonical_name, sympy_text
 from restitution.exact.zero import digits_apart, is_zero, same
@@ -19,6 +20,8 @@ __all__ = [
     "forward",
     "is_nested",
     "is_zero",
+    "rationalised",
+    "root_is_nested",
     "same",
     "significant",
     "sympy_text",

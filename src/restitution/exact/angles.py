@@ -8,9 +8,10 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, Float, Integer, Mul, Rational, S
 
-from restitution.exact.directions import direction_of
+from restitution.exact.directions import direction_in_surds, direction_of
 from restitution.exact.numbers import is_nested, tidy_number, tidy_parts
 from restitution.exact.simplicity import HALF, TOUCHED, UNREADABLE, cost, node_count
+from restitution.exact.surds import root_is_nested
 from restitution.exact.textbook import tidy
 from restitution.exact.zero import is_zero
 from restitution.work import remembered, spend
@@ -46,42 +47,62 @@ def _tidy_angle(value: Expr) -> Expr:
         return value  # nobody would write it out
     if isinstance(value, sympy.atan) and is_nested(value.args[0]) and not _near_nice(size):
         return value.func(tidy_number(value.args[0]))
-    direction = direction_of(value)
-    if direction is None or not size.is_real:
+    if not size.is_real:
         return tidy_parts(value)
-    cosine, sine = (tidy_number(each) for each in direction)
-    turns = _nice(size, cosine, sine)
-    if turns is not None:
-        return turns * sympy.pi
-    pi = sympy.pi
-    candidates: list[tuple[float, Expr]] = []
-    # The quadrant is that of the direction: the angle itself may be too near to its end.
-    ahead, left = bool(cosine > 0), bool(sine > 0)
-    if cosine != 0 and sine != 0:
-        tangent = tidy_number(sine / cosine)
-        if tangent.is_negative:
-            tangent = -tangent
-        if left:
-            form = sympy.atan(tangent) if ahead else pi - sympy.atan(tangent)
-        else:
-            form = -sympy.atan(tangent) if ahead else sympy.atan(tangent) - pi
-        candidates.append((cost(form) - (3 if tangent.is_Rational else 1), form))
-        if not tangent.is_Rational:
-            form = sympy.acos(cosine) if left else -sympy.acos(cosine)
-            # 180° − arctan(…), −arctan(…) are what is written then
-            obtuse = 4 if cosine.is_negative else 3 if not left else 0
-            candidates.append((cost(form) + obtuse - (2 if cosine.is_Rational else 0), form))
-            form = sympy.asin(abs(sine))
-            form = form if ahead else pi - form
-            form = form if left else -form
-            candidates.append((cost(form) - (1 if sine.is_Rational else 0), form))
+    vector = None if _near_nice(size) else direction_in_surds(value)
+    if vector is not None and root_is_nested(vector[0] ** 2 + vector[1] ** 2):
+        # Its cosine and sine are longer than its tangent.
+        candidates = [_by_tangent(*vector)]
+    else:
+        direction = direction_of(value)
+        if direction is None:
+            return tidy_parts(value)
+        cosine, sine = (tidy_number(each) for each in direction)
+        turns = _nice(size, cosine, sine)
+        if turns is not None:
+            return turns * sympy.pi
+        candidates = _candidates(cosine, sine)
     best = min(candidates, key=lambda each: each[0])
+    pi = sympy.pi
     whole = Integer(sympy.floor((size - best[1].evalf(40)) / (2 * pi) + HALF))
     form = best[1] + 2 * pi * whole
     if abs((form - value).evalf(30)) > 1:  # of one direction, they are whole turns apart
         return tidy_parts(value)
     plain = tidy_parts(value)
     return form if cost(form) <= cost(plain) + 3 else plain
+
+
+def _candidates(cosine: Expr, sine: Expr) -> list[tuple[float, Expr]]:
+    """An angle by its tangent, cosine and sine, each with its cost."""
+    # The quadrant is that of the direction: the angle itself may be too near to its end.
+    ahead, left = bool(cosine > 0), bool(sine > 0)
+    if cosine == 0 or sine == 0:
+        return []
+    candidates = [_by_tangent(cosine, sine)]
+    if not tidy_number(sine / cosine).is_Rational:
+        form = sympy.acos(cosine) if left else -sympy.acos(cosine)
+        # 180° − arctan(…), −arctan(…) are what is written then
+        obtuse = 4 if cosine.is_negative else 3 if not left else 0
+        candidates.append((cost(form) + obtuse - (2 if cosine.is_Rational else 0), form))
+        form = sympy.asin(abs(sine))
+        form = form if ahead else sympy.pi - form
+        form = form if left else -form
+        candidates.append((cost(form) - (1 if sine.is_Rational else 0), form))
+    return candidates
+
+
+def _by_tangent(x: Expr, y: Expr) -> tuple[float, Expr]:
+    """The angle of a vector by its tangent, with its cost."""
+    ahead, left = bool(x > 0), bool(y > 0)
+    tangent = tidy_number(y / x)
+    if tangent.is_negative:
+        tangent = -tangent
+    form = sympy.atan(tangent)
+    if left:
+        form = form if ahead else sympy.pi - form
+    else:
+        form = -form if ahead else form - sympy.pi
+    return cost(form) - (3 if tangent.is_Rational else 1), form
 
 
 def _near_nice(size: Expr) -> bool:

@@ -7,6 +7,7 @@ from sympy import Add, Expr, Integer, Mul, Rational, S
 
 from restitution.exact.numbers import tidy_number
 from restitution.exact.simplicity import HALF
+from restitution.exact.surds import rationalised
 
 
 def direction_of(value: Expr) -> tuple[Expr, Expr] | None:
@@ -55,6 +56,33 @@ def direction_of(value: Expr) -> tuple[Expr, Expr] | None:
             )
         return cosine, (sine if number > 0 else -sine)
     return None
+
+
+def direction_in_surds(value: Expr) -> tuple[Expr, Expr] | None:
+    """A vector in the direction of an angle, its components sums of surds; None where it has none.
+
+    Its length is whatever comes out: a tangent t gives (1, t).
+    """
+    if isinstance(value, Add):
+        x, y = S.One, S.Zero
+        for term in value.args:
+            part = direction_in_surds(term)
+            if part is None:
+                return None
+            x, y = x * part[0] - y * part[1], y * part[0] + x * part[1]
+    elif isinstance(value, sympy.atan):
+        x, y = S.One, value.args[0]
+    elif isinstance(value, sympy.atan2):
+        y, x = value.args
+    elif value.as_coeff_Mul()[0] is S.NegativeOne:
+        part = direction_in_surds(-value)
+        return None if part is None else (part[0], -part[1])
+    elif (value / sympy.pi).is_Rational:
+        x, y = sympy.cos(value), sympy.sin(value)
+    else:
+        return None
+    components = rationalised(x), rationalised(y)
+    return None if None in components else components
 
 
 def _half_direction(number: Rational, rest: Expr) -> tuple[Expr, Expr] | None:

@@ -8,6 +8,7 @@ import sympy
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, S
 
 from restitution.exact.simplicity import TOUCHED, TRIGONOMETRIC, UNREADABLE, node_count
+from restitution.exact.surds import rationalised
 from restitution.work import remembered, spend
 
 
@@ -16,15 +17,21 @@ def tidy_number(value: Expr) -> Expr:
     spend()
     if value.is_Rational or value.is_Atom:
         return value
+    plain = rationalised(value)
+    if plain is not None:
+        return _content_out(plain)
     if value.has(*TRIGONOMETRIC):
         value = sympy.expand_trig(value)
     if not all(isinstance(x, Rational | Add | Mul | Pow) for x in sympy.preorder_traversal(value)):
         return tidy_parts(value)
     value = _denest(value)
-    if not value.is_Rational:
-        value = sympy.radsimp(value, max_terms=4)
-        value = sympy.expand(value)
-    return _content_out(value)
+    return _content_out(rational_below(value))
+
+
+def rational_below(value: Expr) -> Expr:
+    """A number expanded, without roots in denominators of up to four terms."""
+    plain = rationalised(value)
+    return sympy.expand(sympy.radsimp(value, max_terms=4)) if plain is None else plain
 
 
 def denested(value: Expr) -> Expr:
@@ -51,7 +58,7 @@ def _denest(value: Expr) -> Expr:
     base = value.base
     if base.is_Rational:
         return value
-    base = _content_out(sympy.expand(sympy.radsimp(base)))
+    base = _content_out(rational_below(base))
     if value.exp.q != 2:
         return Pow(base, value.exp)
     if base.is_negative:

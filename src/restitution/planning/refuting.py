@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.exact import tidy, tidy_angle
+from restitution.exact import rationalised, tidy, tidy_angle
 from restitution.explaining.derivation import Link, Meaning, Note, Ref, Relation
 from restitution.explaining.facts import links_of, staged
 from restitution.explaining.trees import trees_of
@@ -356,7 +356,10 @@ class _Refutation:
 
 
 def _plain(x: sp.Expr) -> sp.Expr:
-    return tidy(sp.sqrtdenest(sp.radsimp(expanded(x)))) if x.is_number else tidy(x)
+    if not x.is_number:
+        return tidy(x)
+    plain = rationalised(x)
+    return tidy(sp.sqrtdenest(sp.radsimp(expanded(x))) if plain is None else plain)
 
 
 def _numbers(scene: Scene, given: Mapping[str, str]) -> Iterator[tuple[str, sp.Expr]]:

@@ -203,7 +203,7 @@ def angle(value: Angle, samples: Samples) -> sp.Expr:
 def _arc(y: sp.Expr, x: sp.Expr, sy: int | None) -> sp.Expr:
     """The angle of a vector with x > 0: by its sine or cosine where that saves a root."""
     tangent = tidy(neat(y / x))
-    if _has_root(tangent):
+    if _has_root(tangent) and not exact.root_is_nested(x**2 + y**2):
         size = sp.sqrt(tidy(x**2 + y**2))
         for function, side in ((sp.asin, y), (sp.acos, x)):
             ratio = tidy(side / size)
@@ -276,7 +276,8 @@ def _whole_numbers(whole: Any, parts: list[Any]) -> tuple[tuple[int, ...], int] 
 
 
 def _number(x: sp.Expr) -> sp.Expr:
-    return sp.sqrtdenest(sp.radsimp(sp.expand(x), max_terms=4)) if not x.is_Rational else x
+    plain = exact.rationalised(x)
+    return sp.sqrtdenest(sp.radsimp(sp.expand(x), max_terms=4)) if plain is None else plain
 
 
 def along_and_across(value: Vector, line: Vector, samples: Samples) -> sp.Expr:

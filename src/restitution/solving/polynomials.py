@@ -27,7 +27,7 @@ from sympy.polys.polyerrors import NotInvertible, PolynomialError
 from sympy.polys.rings import PolyRing
 
 from restitution.errors import UnsupportedError
-from restitution.exact import digits_apart
+from restitution.exact import digits_apart, rationalised
 from restitution.expression.enclosed import UndefinedError, sign_of
 from restitution.oracle.points import BeyondError, Program
 from restitution.solving.numbers import at
@@ -775,6 +775,9 @@ def rational_below(x: sp.Expr, max_terms: int = 4) -> sp.Expr:
     if x.has(sp.CRootOf):
         plain = plain_number(x)
         return x if plain is None else plain
+    plain = rationalised(x)
+    if plain is not None:
+        return plain
     nested = any(node.base.has(sp.Pow) for node in x.atoms(sp.Pow) if not node.exp.is_Integer)
     large = sp.count_ops(x) > _LARGE_NUMBER
     if nested and not large:
