@@ -14,8 +14,9 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
 
 import typer
 
-from restitution.cli import solving
+from restitution.cli import experimenting, solving
 from restitution.cli.asking import answer, worker_of
+from restitution.cli.experimenting import ExperimentFormat, Experimenting, ExperimentKind
 from restitution.cli.files import hint, parse, pointed, read, say, shown_name
 from restitution.cli.output import (
     Format,
@@ -185,6 +186,22 @@ _PRACTISE = """Practise: a question in words, your working read and marked, the 
 
 The same topic, level and seed give the same question everywhere. With --state,
 the file holds what was done: it chooses the next question by that. Ctrl-C ends.
+"""
+
+_EXPERIMENT = """Find e from what was measured, with its uncertainty, and check the model.
+
+\b
+    restitution experiment angles.csv --angle-error 1
+    restitution experiment angles.csv --from-normal
+    restitution experiment pucks.csv --kind spheres --speed-error 0.02
+    restitution experiment video.csv --format json
+    restitution experiment angles.csv -o report.html
+
+The table has a header: alpha, beta (degrees to the wall), perhaps u, v; or
+u_A_x, u_A_y, u_B_x, ... v_B_y, perhaps m_A, m_B, line; or t, x, y, perhaps
+body, trial, wall. An error stands beside, as alpha_error. Needs the extra
+"experiment": pip install 'restitution[experiment]'. Exit status: 0 fitted; 1
+these data give no value of e; 2 they cannot be read.
 """
 
 _EXAMPLES = """List the examples, or print one.
@@ -613,6 +630,49 @@ def serve(
     except RestitutionError as error:
         say(error.message)
         raise typer.Exit(UNREADABLE) from None
+
+
+# --- experiment -------------------------------------------------------------------------------
+
+
+@app.command(help=_EXPERIMENT)
+def experiment(
+    data: Annotated[str, typer.Argument(metavar="DATA.csv", help="A table; - is standard input.")],
+    kind: Annotated[
+        ExperimentKind | None, typer.Option("--kind", help="Else the columns tell it.")
+    ] = None,
+    angle_error: Annotated[
+        float | None,
+        typer.Option(metavar="DEGREES", help="Standard error of each angle; else the scatter."),
+    ] = None,
+    speed_error: Annotated[
+        float | None,
+        typer.Option(metavar="M/S", help="Standard error of each speed or component."),
+    ] = None,
+    from_normal: Annotated[
+        bool, typer.Option("--from-normal", help="Angles are from the normal, not the wall.")
+    ] = False,
+    form: Annotated[
+        ExperimentFormat, typer.Option("--format", "-f", help="How to write the result down.")
+    ] = ExperimentFormat.text,
+    output: Annotated[
+        str | None,
+        typer.Option("--output", "-o", metavar="REPORT", help="A report too: .html or .pdf."),
+    ] = None,
+) -> None:
+    """Find e from one table."""
+    asked = Experimenting(
+        data,
+        None if kind is None else kind.value,
+        angle_error,
+        speed_error,
+        from_normal,
+        form,
+        output,
+    )
+    with interruptible(), _refusing():
+        status = experimenting.experiment(asked)
+    raise typer.Exit(status)
 
 
 # --- practise ---------------------------------------------------------------------------------

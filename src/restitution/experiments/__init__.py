@@ -11,14 +11,9 @@ the first fit; they come with the extra "experiment".
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from os import PathLike
-
 from restitution.experiments.records import Kind
 from restitution.experiments.results import Experiment
-
-Data = str | bytes | PathLike[str] | Mapping[str, Sequence[object]]
-"""A text in CSV, a path to one, or columns by their names."""
+from restitution.experiments.rows import Data
 
 
 def experiment(
@@ -26,19 +21,23 @@ def experiment(
     *,
     kind: Kind | None = None,
     angle_error: float | None = None,
+    speed_error: float | None = None,
     from_normal: bool = False,
 ) -> Experiment:
     """The value of e from what was measured, with its uncertainty, and a check of the model.
 
     ``data`` is a text in CSV with a header, a path to one, or columns by name. ``kind`` follows
     from the columns where it is None. ``angle_error`` is the standard error of all angles that
-    have none of their own, in degrees; without any, errors are estimated from the scatter.
-    ``from_normal`` turns angles that were measured from the normal.
+    have none of their own, in degrees, ``speed_error`` that of all speeds or components; without
+    any, errors are estimated from the scatter. ``from_normal`` turns angles to a wall that were
+    measured from the normal.
 
     Raises StatementError where the data cannot be read, MissingError where they do not determine
     e, and UnsupportedError where the extra "experiment" is not installed.
     """
     from restitution.experiments.analysis import analysed
-    from restitution.experiments.reading import table_of
+    from restitution.experiments.rows import rows_of
+    from restitution.experiments.tables import Options, table_of
 
-    return analysed(table_of(data, kind, from_normal), angle_error)
+    options = Options(kind, from_normal, angle_error, speed_error)
+    return analysed(table_of(rows_of(data), options))

@@ -2,68 +2,99 @@
 
 from __future__ import annotations
 
-import numpy as np
+import math
 
-from restitution.errors import UnsupportedError
-from restitution.experiments.curves import WALL, Array, Readings, nearest, squared_distance
-from restitution.experiments.fitting import fitted, profile
+from restitution.errors import MissingError, UnsupportedError
+from restitution.experiments import walls
+from restitution.experiments.numbers import fixed, percent
+from restitution.experiments.patterns import decided
 from restitution.experiments.records import Table
-from restitution.experiments.results import ClassValues, Experiment, Interval, Point
+from restitution.experiments.results import Experiment, Interval
+from restitution.experiments.samples import LEVEL, Sample
 
 
-def analysed(table: Table, angle_error: float | None) -> Experiment:
-    """The experiment of a table."""
+def analysed(table: Table) -> Experiment:
+    """The experiment of a table.
+
+    Raises MissingError where the data do not determine e, and UnsupportedError where the extra
+    "experiment" is not installed.
+    """
     if table.kind != "wall":
         raise UnsupportedError(f"{table.kind}: not yet")
-    alpha = np.radians([each.alpha.value for each in table.readings])
-    beta = np.radians([each.beta.value for each in table.readings])
-    one = np.full(len(alpha), np.radians(angle_error or 1) ** 2)
-    readings = Readings(alpha, beta, one, one, 0 * one)
-    fit = fitted(readings, lambda x, p: WALL.value(x, p[0]), np.array([0.5]))
-    known = angle_error is not None
-    low, high = profile(readings, WALL, fit, 0.95, known=known)
-    factor = 1 if known else fit.scatter
-    ratio = np.tan(beta) / np.tan(alpha)
-    x, y = np.tan(alpha), np.tan(beta)
-    values = ClassValues(
-        float(ratio.mean()),
-        float(ratio.std(ddof=1) / np.sqrt(len(ratio))),
-        float((x * y).sum() / (x * x).sum()),
-        "",
-    )
+    wall = walls.wall_of(table.readings, table.units.get("u", "m/s"))
+    sample = wall.sample
+    interval = interval_of(sample)
     return Experiment(
-        "wall",
+        table.kind,
         table,
-        fit.parameters[0],
-        fit.errors[0] * factor,
-        Interval(low, high, 0.95, "profile likelihood"),
-        "given" if known else "scatter",
-        float(np.degrees(np.sqrt(one[0])) * factor),
-        values,
-        _points(table, readings, fit.parameters[0], factor),
-        (),
+        sample.e,
+        sample.standard_error,
+        interval,
+        "given" if sample.known else "scatter",
+        _angle_error(sample),
+        walls.class_values(wall),
+        walls.points(wall),
+        decided(walls.patterns(wall)),
+        notes=(*table.notes, *wall.notes, *notes_on(sample, interval)),
     )
 
 
-def _points(table: Table, readings: Readings, e: float, factor: float) -> tuple[Point, ...]:
-    at: Array = nearest(readings, WALL, e)
-    distance = np.sqrt(squared_distance(readings, WALL, at, e)) / factor
-    above = np.where(readings.y > WALL.value(readings.x, e), distance, -distance)
-    error = np.sqrt(readings.x_variance) * factor
-    return tuple(
-        Point(
-            line=reading.line,
-            x=float(np.tan(a)),
-            y=float(np.tan(b)),
-            x_error=float(s / np.cos(a) ** 2),
-            y_error=float(s / np.cos(b) ** 2),
-            x_fitted=float(np.tan(x)),
-            y_fitted=float(e * np.tan(x)),
-            residual=float(r),
-            alpha=float(np.degrees(a)),
-            beta=float(np.degrees(b)),
-            alpha_error=float(np.degrees(s)),
-            beta_error=float(np.degrees(s)),
+def interval_of(sample: Sample) -> Interval:
+    """The interval of e. Raises MissingError where all of 0 to 1 is left."""
+    low, high = sample.interval
+    least, most = max(low, 0.0), min(high, 1.0)
+    if most - least > _NOTHING:
+        raise MissingError(
+            f"these readings do not determine e: anything from {fixed(least, 2)} to "
+            f"{fixed(most, 2)} fits them; measure more of them, more exactly, or at angles nearer "
+            "to 45°"
         )
-        for reading, a, b, s, x, r in zip(table.readings, readings.x, readings.y, error, at, above)
-    )
+    return Interval(low, high, LEVEL, _method(sample))
+
+
+_NOTHING = 0.95
+"""An interval of this width, within 0 to 1, is no value of e."""
+
+
+def _method(sample: Sample) -> str:
+    if sample.known and sample.freedom is None:
+        return "profile likelihood, with the errors that were given"
+    freedom = sample.freedom if sample.known else sample.fit.degrees_of_freedom
+    source = "the tracks" if sample.known else "the scatter"
+    return f"profile likelihood, with errors from {source} ({freedom} degrees of freedom)"
+
+
+def _angle_error(sample: Sample) -> float | None:
+    variances = [*sample.readings.x_variance, *sample.readings.y_variance]
+    if max(variances) > min(variances) * (1 + 1e-9):
+        return None
+    return math.degrees(math.sqrt(variances[0])) * sample.factor
+
+
+def notes_on(sample: Sample, interval: Interval) -> list[str]:
+    """What is to be said where e is near 0 or 1, or where there is no scatter."""
+    notes = []
+    if sample.exact:
+        notes.append(
+            "the readings lie on the law exactly, as measured ones hardly do; so their scatter "
+            "gives no error: give the error of a reading"
+        )
+    if sample.e > 1:
+        notes.append(
+            f"e comes out as {fixed(sample.e, 3)}, above 1, which no impact has; the value is not "
+            "moved to 1, so that it can be compared"
+        )
+    if sample.e < 0:
+        notes.append(f"e comes out as {fixed(sample.e, 3)}, below 0, which no impact has")
+    if interval.possible is None:
+        notes.append(f"the whole interval of {percent(LEVEL)} lies outside 0 to 1")
+    elif interval.low < 0 or interval.high > 1:
+        notes.append(
+            f"the calculation gives {_end(interval.low)} to {_end(interval.high)}; e itself is "
+            "never outside 0 to 1, and only that part of the interval is shown"
+        )
+    return notes
+
+
+def _end(value: float) -> str:
+    return fixed(value, 3) if math.isfinite(value) else "any value"

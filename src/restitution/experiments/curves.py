@@ -82,18 +82,20 @@ def nearest(readings: Readings, law: Law, e: Array | float) -> Array:
         step = gradient / (xx + 2 * xy * bend + yy * bend**2)
         for _ in range(_HALVINGS):
             there = squared_distance(readings, law, x + step, e)
-            worse = there > here
+            worse = there > here * (1 + _ROUNDING)
             if not worse.any():
                 break
             step = np.where(worse, step / 2, step)
         x = np.where(worse, x, x + step)
         here = np.where(worse, here, there)
-        if not np.any(np.abs(step) > 1e-12 * (1 + np.abs(x))):
+        if not np.any(np.abs(step) > _NEAR * (1 + np.abs(x))):
             break
     return x
 
 
-_STEPS, _HALVINGS = 20, 8
+_STEPS, _HALVINGS = 30, 8
+_NEAR = 1e-8  # the square of it is what the distance misses
+_ROUNDING = 1e-13
 
 
 def squared_distance(readings: Readings, law: Law, x: Array, e: Array | float) -> Array:

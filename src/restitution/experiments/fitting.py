@@ -70,19 +70,28 @@ def fitted(readings: Readings, model: Model, start: Array) -> Fit:
     )
 
 
+def tail(statistic: float, freedom: int | None) -> float:
+    """The probability of so large a squared deviation, or a larger one, by chance.
+
+    Of χ² with 1 degree of freedom, or of F where the errors have only ``freedom`` degrees.
+    """
+    stats = needed("scipy.stats", "a test")
+    if freedom is None:
+        return float(stats.chi2.sf(statistic, 1))
+    return float(stats.f.sf(statistic, 1, freedom))
+
+
 def profile(
-    readings: Readings, law: Law, fit: Fit, level: float, *, known: bool
+    readings: Readings, law: Law, fit: Fit, level: float, factor: float, freedom: int | None
 ) -> tuple[float, float]:
     """The ends of the interval of e; infinite where the readings set no bound.
 
-    ``known`` says whether the errors are given; else their common factor is estimated.
+    ``factor`` multiplies the errors of the readings, and ``freedom`` are the degrees of freedom
+    with which they were estimated, None where they are known.
     """
     stats = needed("scipy.stats", "an interval")
-    if known:
-        rise = float(stats.chi2.ppf(level, 1))
-    else:
-        freedom = fit.degrees_of_freedom
-        rise = float(stats.f.ppf(level, 1, freedom)) * fit.scatter**2
+    quantile = stats.chi2.ppf(level, 1) if freedom is None else stats.f.ppf(level, 1, freedom)
+    rise = float(quantile) * factor**2
     best = fit.parameters[0]
     limit = float(sum_of_squares(readings, law, best)) + rise
     width = max(fit.errors[0] * np.sqrt(rise), 1e-9)
@@ -108,4 +117,4 @@ def _end(readings: Readings, law: Law, best: float, step: float, limit: float) -
         outer += step
         if abs(outer) > _FARTHEST:
             return float(np.copysign(np.inf, step))
-    return float(optimize.brentq(excess, inner, outer, xtol=1e-12, rtol=1e-10))
+    return float(optimize.brentq(excess, inner, outer, xtol=1e-9, rtol=1e-9))

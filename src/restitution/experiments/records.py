@@ -54,14 +54,17 @@ class WallReading:
     v: Measured | None = None
     covariance: float = 0.0
     """Of the errors of α and β, in square degrees; not zero where the wall itself is estimated."""
+    label: str = ""
+    """The trial, where it has a name."""
 
 
 @dataclass(frozen=True)
 class Velocity:
-    """Components along x and y."""
+    """Components along x and y, with the covariance of their errors."""
 
     x: Measured
     y: Measured
+    covariance: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -100,8 +103,6 @@ class Track:
     trial: str
     body: str
     positions: tuple[Position, ...]
-    error: float | None = None
-    """Of x and of y."""
     wall: float | None = None
     """The direction of the wall in degrees from x, where it is given."""
 

@@ -2,9 +2,141 @@
 
 from __future__ import annotations
 
-from restitution.experiments.results import Experiment
+import textwrap
+from collections.abc import Iterator
+
+from restitution.counting import counted
+from restitution.experiments.numbers import decimals, fixed, with_error
+from restitution.experiments.records import Kind
+from restitution.experiments.results import Experiment, Interval, Point
+
+TITLES: dict[Kind, str] = {
+    "wall": "Impacts with a wall",
+    "spheres": "Impacts of two spheres",
+    "tracks": "Impacts from tracks",
+}
+MAX_POINTS = 30
+"""Rows of the table of readings; more are counted."""
+MAX_FAULTS = 10
 
 
 def written(experiment: Experiment, width: int) -> str:
-    """What a student reads."""
-    return f"e = {experiment.e:.3f} ± {experiment.standard_error:.3f}\n"
+    """The value of e, the readings, what a class computes, and the check of the model."""
+    blocks = [
+        _heading(experiment),
+        _result(experiment, width),
+        _readings(experiment),
+        _class(experiment, width),
+        _checks(experiment, width),
+        _notes(experiment, width),
+    ]
+    return "\n\n".join("\n".join(block) for block in map(list, blocks) if block) + "\n"
+
+
+def _heading(experiment: Experiment) -> Iterator[str]:
+    yield f"{TITLES[experiment.kind]}: {counted(len(experiment.points), 'trial')}"
+
+
+def _result(experiment: Experiment, width: int) -> Iterator[str]:
+    yield f"  e = {with_error(experiment.e, experiment.standard_error)}"
+    yield from _wrapped(interval_sentence(experiment.interval, experiment.standard_error), width)
+    yield from _wrapped(error_sentence(experiment), width)
+
+
+def interval_sentence(interval: Interval, error: float) -> str:
+    """Where e lies, in words."""
+    places = decimals(error)
+    level = f"{100 * interval.level:.0f}%"
+    if interval.possible is None:
+        return f"The interval of {level} lies outside 0 to 1: see the check of the model."
+    low, high = (fixed(each, places) for each in interval.possible)
+    return f"With {level} confidence e lies from {low} to {high}."
+
+
+def error_sentence(experiment: Experiment) -> str:
+    """From where the errors of the readings are."""
+    angle = experiment.angle_error
+    if experiment.error_source == "scatter":
+        size = f": {angle:.2g}° for an angle" if angle is not None else ""
+        return f"The errors are estimated from the scatter about the law{size}."
+    if experiment.kind == "tracks":
+        return "The errors are from the scatter of the positions about straight lines."
+    size = f", {angle:.2g}° for each angle" if angle is not None else ""
+    return f"The errors are those that were given{size}."
+
+
+# --- readings ---------------------------------------------------------------------------------
+
+
+def _readings(experiment: Experiment) -> Iterator[str]:
+    points = experiment.points
+    if points[0].alpha is None:
+        yield "  line   approach  separation   ratio   distance from the law"
+    else:
+        yield "  line       α        β     tan α    tan β   tan β/tan α   distance from the law"
+    for point in points[:MAX_POINTS]:
+        yield _row(point)
+    if len(points) > MAX_POINTS:
+        yield f"  … and {len(points) - MAX_POINTS} more"
+    yield "  (distance from the law: in standard errors; more than 3 is rare)"
+
+
+def _row(point: Point) -> str:
+    ratio = _number(point.y / point.x, 3) if point.x else "–"
+    distance = f"{fixed(point.residual, 1):>6}"
+    if point.alpha is None or point.beta is None:
+        shown = f"{point.x:>9.4g}  {point.y:>10.4g}   {ratio:>5}"
+        return f"  {point.line:>4}  {shown}   {distance}"
+    angles = f"{fixed(point.alpha, 1):>6}°  {fixed(point.beta, 1):>6}°"
+    tangents = f"{_number(point.x, 3):>8} {_number(point.y, 3):>8}"
+    return f"  {point.line:>4}  {angles}  {tangents}   {ratio:>11}   {distance}"
+
+
+def _number(value: float, places: int) -> str:
+    return fixed(value, places) if abs(value) < 1000 else "large"
+
+
+# --- what stands beside -----------------------------------------------------------------------
+
+
+def _class(experiment: Experiment, width: int) -> Iterator[str]:
+    values = experiment.class_values
+    walls = experiment.points[0].alpha is not None
+    ratio = "tan β / tan α" if walls else "separation / approach"
+    yield "What a class computes"
+    rows = {
+        f"mean of {ratio}": with_error(values.mean_ratio, values.mean_ratio_error),
+        "slope of the line through the origin": f"{values.slope:.3g}",
+        "fit with errors in both (above)": with_error(experiment.e, experiment.standard_error),
+    }
+    longest = max(map(len, rows))
+    for name, value in rows.items():
+        yield f"  {name:<{longest}}   {value}"
+    yield from _wrapped(values.why, width)
+
+
+def _checks(experiment: Experiment, width: int) -> Iterator[str]:
+    yield "Check of the model"
+    for check in experiment.checks:
+        sign = {"seen": "!", "not seen": " ", "untested": "?"}[check.verdict]
+        verdict = check.verdict.upper() if check.verdict == "seen" else check.verdict
+        yield f"{sign} {check.title}: {verdict}"
+        yield from _wrapped(check.sentence.removeprefix("Untested: "), width, "      ")
+
+
+def _notes(experiment: Experiment, width: int) -> Iterator[str]:
+    faults = experiment.table.faults
+    if faults:
+        yield f"Left out: {counted(len(faults), 'row')}"
+        for fault in faults[:MAX_FAULTS]:
+            yield from _wrapped(str(fault), width)
+        if len(faults) > MAX_FAULTS:
+            yield f"  … and {len(faults) - MAX_FAULTS} more"
+    if experiment.notes:
+        yield "Notes"
+        for note in experiment.notes:
+            yield from _wrapped(note, width, "  ")
+
+
+def _wrapped(text: str, width: int, indent: str = "  ") -> list[str]:
+    return textwrap.wrap(text, width, initial_indent=indent, subsequent_indent=indent)

@@ -1,0 +1,122 @@
+"""The command ``experiment``: e from a table of what was measured."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+from restitution.cli.files import printable, say, shown_name, terminal_width
+from restitution.cli.output import RefusedError, put, write_file
+from restitution.cli.statuses import CLOSED, UNANSWERED, UNREADABLE
+from restitution.errors import RestitutionError, StatementError
+
+if TYPE_CHECKING:
+    from restitution.experiments.records import Kind
+    from restitution.experiments.results import Experiment
+
+
+class ExperimentKind(StrEnum):
+    """What was measured."""
+
+    wall = "wall"
+    spheres = "spheres"
+    tracks = "tracks"
+
+
+class ExperimentFormat(StrEnum):
+    """How the result is written down."""
+
+    text = "text"
+    json = "json"
+
+
+@dataclass(frozen=True)
+class Experimenting:
+    """What the command was asked for. ``report`` is a path that ends in .html or .pdf."""
+
+    data: str
+    kind: Kind | None = None
+    angle_error: float | None = None
+    speed_error: float | None = None
+    from_normal: bool = False
+    form: ExperimentFormat = ExperimentFormat.text
+    report: str | None = None
+
+
+def experiment(asked: Experimenting) -> int:
+    """Do what was asked, and give the exit status. Raises RefusedError."""
+    form = _form_of_report(asked.report)
+    try:
+        result = _result(asked)
+    except StatementError as error:
+        _tell(asked.data, error)
+        return UNREADABLE
+    except RestitutionError as error:
+        _tell(asked.data, error)
+        return UNANSWERED
+    for fault in result.table.faults:
+        say(f"{shown_name(asked.data)}: left out: {printable(str(fault))}")
+    if asked.form is ExperimentFormat.json:
+        put(f"{result.json()}\n")
+    else:
+        put(result.text(terminal_width()))
+    return _write_report(asked, result, form)
+
+
+def _result(asked: Experimenting) -> Experiment:
+    from restitution.experiments import experiment
+
+    return experiment(
+        _read(asked.data),
+        kind=asked.kind,
+        angle_error=asked.angle_error,
+        speed_error=asked.speed_error,
+        from_normal=asked.from_normal,
+    )
+
+
+def _read(file: str) -> bytes:
+    """The bytes of a file, no more than one beyond what a table may have."""
+    from restitution.experiments.rows import MAX_BYTES
+
+    if file == "-" and CLOSED & {0}:
+        raise StatementError("cannot be read: standard input is closed")
+    try:
+        if file == "-":
+            return sys.stdin.buffer.read(MAX_BYTES + 1)
+        with Path(file).open("rb") as stream:
+            return stream.read(MAX_BYTES + 1)
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else str(error)
+        raise StatementError(f"cannot be read: {reason}") from None
+
+
+def _tell(file: str, error: RestitutionError) -> None:
+    place = "".join(f":{n}" for n in (error.line, error.column) if n is not None)
+    say(f"{shown_name(file)}{place}: {printable(error.message)}")
+    for other in getattr(error, "others", ()):
+        say(f"{shown_name(file)}: {printable(str(other))}")
+
+
+def _form_of_report(path: str | None) -> Literal["html", "pdf"]:
+    ending = "" if path is None else Path(path).suffix.lower()
+    if path is not None and ending not in (".html", ".pdf"):
+        raise RefusedError(f"{path}: the name of a report ends in .html or .pdf", "--output")
+    return "pdf" if ending == ".pdf" else "html"
+
+
+def _write_report(asked: Experimenting, result: Experiment, form: Literal["html", "pdf"]) -> int:
+    if asked.report is None:
+        return 0
+    from restitution.experiments.report import report
+
+    try:
+        content = report(result, form)
+    except RestitutionError as error:
+        say(error.message)
+        return UNANSWERED
+    write_file(asked.report, content, [asked.data])
+    return 0

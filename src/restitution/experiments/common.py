@@ -1,0 +1,141 @@
+"""The patterns that walls and spheres share: e above 1, e with speed, scatter."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from restitution.experiments.curves import Array, sum_of_squares
+from restitution.experiments.fitting import Fit
+from restitution.experiments.needs import needed
+from restitution.experiments.numbers import fixed, probability, with_error
+from restitution.experiments.patterns import Pattern, Untested
+from restitution.experiments.samples import Sample
+
+STRICT = 0.01
+"""The level at which scatter is so large that the errors given are not trusted in other tests."""
+
+
+def above_one(sample: Sample, given: Sample, lines: tuple[int, ...], what: str) -> Pattern:
+    """Whether e is above 1, for all readings or for a single one; one-sided.
+
+    ``given`` has the errors as they were given, to which a single reading is put, ``sample`` those
+    in which all are trusted. ``what`` is the sign of it in a reading: "β is larger than α". The two
+    questions are one pattern, so that the smaller p-value counts twice.
+    """
+    stats = needed("scipy.stats", "a test")
+    e, readings = sample.e, sample.readings
+    at_one = float(sum_of_squares(readings, sample.law, 1.0))
+    scale = sample.factor**2 if sample.factor > 0 else 1.0
+    root = float(np.sqrt(max(at_one - sample.fit.sum_of_squares, 0.0) / scale))
+    root = root if e > 1 else -root
+    freedom = sample.freedom if sample.known else sample.fit.degrees_of_freedom
+    p_fit = float(stats.norm.sf(root) if freedom is None else stats.t.sf(root, freedom))
+    if sample.exact:
+        p_fit = 0.0 if e > 1 + 1e-6 else 1.0
+    single = _single(given)
+    worst = int(np.argmin(single))
+    p_single = min(1.0, float(single[worst]) * len(readings))
+    p = min(1.0, 2 * min(p_fit, p_single))
+    error = sample.standard_error
+    if p_fit <= p_single or e > 1:
+        seen = (
+            f"e comes out as {with_error(e, error)}, above 1 ({probability(p)}): the ball would "
+            "leave with more energy than it brought. Look for angles in the wrong columns, or "
+            "measured from the normal."
+        )
+    else:
+        seen = (
+            f"In line {lines[worst]} {what} by more than the errors explain ({probability(p)}), "
+            f"though e is {fixed(e, 2)} for all. No impact does that: look at that reading again."
+        )
+    not_seen = f"Nowhere is it seen that {what} by more than the errors allow ({probability(p)})."
+    return Pattern("above-one", root, p, seen, not_seen, e - 1, error)
+
+
+def _single(sample: Sample) -> Array:
+    """For each reading the probability of so large a y − x by chance, where e is 1.
+
+    Where errors are estimated, that of the reading is estimated from the others.
+    """
+    stats = needed("scipy.stats", "a test")
+    readings = sample.readings
+    variance = readings.x_variance + readings.y_variance - 2 * readings.covariance
+    z = (readings.y - readings.x) / np.sqrt(variance)
+    if sample.known:
+        result: Array = (
+            stats.norm.sf(z) if sample.freedom is None else stats.t.sf(z, sample.freedom)
+        )
+        return result
+    freedom = sample.fit.degrees_of_freedom - 1
+    if freedom < 1 or sample.exact:
+        return np.ones_like(z)
+    rest = np.maximum(sample.fit.sum_of_squares - sample.residuals**2 * sample.factor**2, 1e-300)
+    others: Array = stats.t.sf(z / np.sqrt(rest / freedom), freedom)
+    return others
+
+
+def speed(
+    sample: Sample, speeds: Array | None, unit: str, reason: str
+) -> tuple[Pattern | Untested, Fit | None]:
+    """Whether e changes with the speed of the impact, as a straight line would."""
+    if speeds is None:
+        return Untested("speed", reason), None
+    low, high = float(speeds.min()), float(speeds.max())
+    if high - low <= 1e-9 * high:
+        return Untested("speed", f"Untested: all speeds are the same, {low:.3g} {unit}."), None
+    share = (speeds - speeds.mean()) / (high - low)
+    wider = sample.wider(lambda x, p: sample.law.value(x, p[0] + p[1] * share), 1)
+    if wider is None:
+        return Untested("speed", "Untested: too few readings for a trend with speed."), None
+    p = sample.p_value(wider)
+    change, error = wider.parameters[1], sample.error_of(wider, 1)
+    begin = wider.parameters[0] + change * float(share[np.argmin(speeds)])
+    span = f"from {low:.3g} {unit} to {high:.3g} {unit}"
+    way = "falls" if change < 0 else "rises"
+    seen = (
+        f"e {way} with speed: {span} it goes from {fixed(begin, 2)} to {fixed(begin + change, 2)}, "
+        f"a change of {with_error(change, error)} ({probability(p)}). One value of e does not "
+        "hold for all these speeds."
+    )
+    not_seen = (
+        f"e shows no change with speed: {span} it changes by {with_error(change, error)} "
+        f"({probability(p)})."
+    )
+    return Pattern(
+        "speed", change / error if error else 0.0, p, seen, not_seen, change, error
+    ), wider
+
+
+def scatter(
+    sample: Sample, wider: list[Fit], lines: tuple[int, ...], what: str
+) -> Pattern | Untested:
+    """Whether the readings lie farther from the law than their errors explain.
+
+    They are compared with the nearest of the wider models, so that a pattern which has a name of
+    its own is not told twice.
+    """
+    stats = needed("scipy.stats", "a test")
+    if not sample.known:
+        reason = "Untested: no errors were given; they are taken from the scatter itself."
+        return Untested("scatter", reason)
+    best = min([sample.fit, *wider], key=lambda fit: fit.sum_of_squares)
+    freedom = best.degrees_of_freedom
+    if freedom < 1:
+        return Untested("scatter", "Untested: one reading has no scatter.")
+    if sample.freedom is None:
+        p = float(stats.chi2.sf(best.sum_of_squares, freedom))
+    else:
+        p = float(stats.f.sf(best.sum_of_squares / freedom, freedom, sample.freedom))
+    times = fixed(best.scatter, 1)
+    far = int(np.argmax(np.abs(sample.residuals)))
+    seen = (
+        f"The {what} lie {times} times as far from the law as their errors explain "
+        f"({probability(p)}): the errors are larger than stated, or a reading is wrong. The one "
+        f"farthest off is in line {lines[far]}, by {fixed(abs(float(sample.residuals[far])), 1)} "
+        "errors. The interval of e rests on the stated errors, and is too narrow then."
+    )
+    not_seen = (
+        f"The {what} lie {times} times as far from the law as their errors let expect, which "
+        f"chance explains ({probability(p)})."
+    )
+    return Pattern("scatter", best.sum_of_squares, p, seen, not_seen, best.scatter, None, "times")

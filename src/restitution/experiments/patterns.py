@@ -1,0 +1,76 @@
+"""Patterns that data of the model do not have, and how they are decided together.
+
+Each pattern is a test of the model against a wider one. All patterns of one experiment share a
+false alarm of FAMILY: the p-values are compared by the method of Holm (S. Holm, "A simple
+sequentially rejective multiple test procedure", Scandinavian Journal of Statistics 6, 1979).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from restitution.experiments.results import Check
+
+FAMILY = 0.05
+"""The probability that any pattern is seen in data that have none."""
+
+TITLES = {
+    "above-one": "e above 1",
+    "speed": "e that depends on speed",
+    "offset": "a line that misses the origin",
+    "friction": "friction along the surface",
+    "momentum": "momentum that changes",
+    "scatter": "more scatter than the errors explain",
+}
+"""The patterns by id, in the order in which they are told."""
+
+
+@dataclass(frozen=True)
+class Pattern:
+    """A test of one pattern, and what is said if it is seen and if it is not."""
+
+    id: str
+    statistic: float
+    p_value: float
+    seen: str
+    not_seen: str
+    estimate: float | None = None
+    estimate_error: float | None = None
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class Untested:
+    """A pattern that these data cannot show, and why."""
+
+    id: str
+    reason: str
+
+
+def decided(patterns: Sequence[Pattern | Untested]) -> tuple[Check, ...]:
+    """The verdicts on all patterns, in the order of TITLES."""
+    tested = sorted(
+        (each for each in patterns if isinstance(each, Pattern)), key=lambda each: each.p_value
+    )
+    checks = {}
+    seeing = True
+    for rank, each in enumerate(tested):
+        threshold = FAMILY / (len(tested) - rank)
+        seeing = seeing and each.p_value < threshold
+        checks[each.id] = Check(
+            each.id,
+            TITLES[each.id],
+            "seen" if seeing else "not seen",
+            each.seen if seeing else each.not_seen,
+            each.statistic,
+            each.p_value,
+            threshold,
+            each.estimate,
+            each.estimate_error,
+            each.unit,
+        )
+    for other in patterns:
+        if isinstance(other, Untested):
+            checks[other.id] = Check(other.id, TITLES[other.id], "untested", other.reason)
+    return tuple(checks[each] for each in TITLES if each in checks)

@@ -1,0 +1,327 @@
+"""A wall: readings of angles → sample, points, what a class computes, and the patterns."""
+
+from __future__ import annotations
+
+import math
+import statistics
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from restitution.experiments.common import STRICT, above_one, scatter, speed
+from restitution.experiments.curves import WALL, Array, Readings, reflected
+from restitution.experiments.fitting import Fit
+from restitution.experiments.needs import needed
+from restitution.experiments.numbers import percent, probability, with_error
+from restitution.experiments.patterns import Pattern, Untested
+from restitution.experiments.records import Measured, WallReading
+from restitution.experiments.results import ClassValues, Point
+from restitution.experiments.samples import Sample
+
+
+@dataclass(frozen=True)
+class Wall:
+    """The readings of a wall and their sample, with notes on what was assumed.
+
+    ``wall_known`` is False where the direction of the wall was estimated from the velocities, as
+    if nothing changed along it.
+    """
+
+    readings: tuple[WallReading, ...]
+    sample: Sample
+    unit: str = "m/s"
+    wall_known: bool = True
+    notes: tuple[str, ...] = ()
+
+
+def wall_of(readings: tuple[WallReading, ...], unit: str) -> Wall:
+    """The sample of readings: with their errors, or with 1° each where none has any."""
+    errors, notes = _errors(readings)
+    known = errors is not None
+    pairs = errors or [(1.0, 1.0)] * len(readings)
+    return Wall(readings, sample_of(readings, pairs, known=known), unit, notes=notes)
+
+
+def sample_of(
+    readings: tuple[WallReading, ...],
+    errors: list[tuple[float, float]],
+    *,
+    known: bool,
+    freedom: int | None = None,
+) -> Sample:
+    """The sample of readings in degrees, with errors of α and β in degrees."""
+    alpha, beta = np.radians([[each.alpha.value, each.beta.value] for each in readings]).T
+    variances = np.radians(np.array(errors)).T ** 2
+    covariance = np.array([each.covariance for each in readings]) * math.radians(1) ** 2
+    arrays = Readings(alpha, beta, variances[0], variances[1], covariance)
+    return Sample(arrays, WALL, known, freedom)
+
+
+def _errors(
+    readings: tuple[WallReading, ...],
+) -> tuple[list[tuple[float, float]] | None, tuple[str, ...]]:
+    """The errors of α and β; where some are missing, what stands in for them."""
+    given = [error for each in readings for error in (each.alpha.error, each.beta.error) if error]
+    if not given:
+        return None, ()
+    middle = statistics.median(given)
+    pairs, shared, missing = [], 0, 0
+    for each in readings:
+        alpha, beta = each.alpha.error, each.beta.error
+        shared += (alpha is None) != (beta is None)
+        missing += alpha is None and beta is None
+        pairs.append((alpha or beta or middle, beta or alpha or middle))
+    notes = []
+    if shared:
+        notes.append("where only one of α and β has an error, the other is taken to have the same")
+    if missing:
+        notes.append(
+            f"rows without errors ({missing}) are taken to have {middle:.3g}°, the middle one"
+        )
+    return pairs, tuple(notes)
+
+
+# --- points, and what a class computes --------------------------------------------------------
+
+
+def points(wall: Wall) -> tuple[Point, ...]:
+    """The readings in the picture of tan β against tan α."""
+    sample = wall.sample
+    arrays = sample.readings.scaled(sample.factor)
+    rows = zip(
+        wall.readings,
+        arrays.x,
+        arrays.y,
+        np.sqrt(arrays.x_variance),
+        np.sqrt(arrays.y_variance),
+        sample.x_fitted,
+        sample.residuals,
+    )
+    return tuple(
+        Point(
+            line=reading.line,
+            x=math.tan(alpha),
+            y=math.tan(beta),
+            x_error=float(alpha_error / math.cos(alpha) ** 2),
+            y_error=float(beta_error / math.cos(beta) ** 2),
+            x_fitted=math.tan(x),
+            y_fitted=sample.e * math.tan(x),
+            residual=float(residual),
+            alpha=reading.alpha.value,
+            beta=reading.beta.value,
+            alpha_error=math.degrees(alpha_error),
+            beta_error=math.degrees(beta_error),
+            speed=reading.u.value if reading.u else None,
+            label=reading.label,
+        )
+        for reading, alpha, beta, alpha_error, beta_error, x, residual in rows
+    )
+
+
+_STEEP = math.radians(89.5)
+
+
+def class_values(wall: Wall) -> ClassValues:
+    """The mean of tan β/tan α, the slope of the line through the origin, and why they differ."""
+    arrays = wall.sample.readings.scaled(wall.sample.factor)
+    usable = (arrays.x < _STEEP) & (arrays.y < _STEEP)
+    if not usable.any():
+        return ClassValues(math.nan, None, math.nan, "All angles are nearly 90°.")
+    alpha, beta = arrays.x[usable], arrays.y[usable]
+    x, y = np.tan(alpha), np.tan(beta)
+    ratios = y / x
+    error = float(ratios.std(ddof=1) / math.sqrt(len(ratios))) if len(ratios) > 1 else None
+    errors = np.hypot(
+        np.sqrt(arrays.y_variance[usable]) / np.cos(beta) ** 2 / x,
+        ratios * np.sqrt(arrays.x_variance[usable]) / (np.sin(alpha) * np.cos(alpha)),
+    )
+    mean, slope = float(ratios.mean()), float((x * y).sum() / (x * x).sum())
+    return ClassValues(mean, error, slope, _why(wall.sample, alpha, x, errors, mean, slope))
+
+
+def _why(sample: Sample, alpha: Array, x: Array, errors: Array, mean: float, slope: float) -> str:
+    if len(x) == 1:
+        return "With one reading all of these are the same number."
+    best, worst = int(np.argmin(errors)), int(np.argmax(errors))
+    top = int(np.argmax(x))
+    share = float(x[top] ** 2 / (x * x).sum())
+    reasons = ""
+    if errors[worst] > 1.2 * errors[best]:
+        reasons += (
+            f"The mean lets every ratio count the same, though the ratio at "
+            f"{_degrees(alpha[worst])} is known to ±{errors[worst]:.2g} and that at "
+            f"{_degrees(alpha[best])} to ±{errors[best]:.2g}. "
+        )
+    if share > 1.5 / len(x):
+        reasons += (
+            f"The line leans on the steepest impact: the one at {_degrees(alpha[top])} alone has "
+            f"{percent(share)} of its weight, and there a small error of the angle is a large one "
+            "of the tangent. "
+        )
+    reasons += "The fit lets each reading count by its own error, in α as well as in β."
+    apart = max(abs(mean - sample.e), abs(slope - sample.e))
+    if apart < 0.5 * sample.standard_error:
+        return f"Here the three agree well within the error. {reasons}"
+    return reasons
+
+
+def _degrees(angle: float) -> str:
+    return f"α = {math.degrees(angle):.3g}°"
+
+
+# --- patterns ---------------------------------------------------------------------------------
+
+
+def patterns(wall: Wall) -> list[Pattern | Untested]:
+    """The patterns of a wall."""
+    sample = wall.sample
+    lines = tuple(each.line for each in wall.readings)
+    trend, trend_fit = speed(sample, _speeds(wall), wall.unit, _NO_SPEEDS)
+    turned = _turned(wall, sample)
+    spread = scatter(sample, [fit for fit in (trend_fit, turned) if fit], lines, "readings")
+    if isinstance(spread, Pattern) and spread.p_value < STRICT:
+        # The errors given are too small, so they are no measure for the other patterns.
+        sample = sample.with_scatter()
+        trend, _ = speed(sample, _speeds(wall), wall.unit, _NO_SPEEDS)
+        turned = _turned(wall, sample)
+    return [
+        above_one(sample, wall.sample, lines, "β is larger than α"),
+        trend,
+        _offset(wall, sample, turned),
+        _friction(wall),
+        spread,
+    ]
+
+
+_NO_SPEEDS = "Untested: no column u has the speed before each impact."
+
+
+def _speeds(wall: Wall) -> Array | None:
+    if any(each.u is None for each in wall.readings):
+        return None
+    return np.array([each.u.value for each in wall.readings if each.u])
+
+
+def _turned(wall: Wall, sample: Sample) -> Fit | None:
+    """The fit with angles measured from a line that is turned by p[1] against the wall.
+
+    Then α is read larger by that angle, and β on the other side smaller.
+    """
+    if not wall.wall_known or np.ptp(sample.readings.x) < math.radians(5):
+        return None
+    return sample.wider(lambda x, p: reflected(x - p[1], p[0]) - p[1], 1)
+
+
+def _offset(wall: Wall, sample: Sample, turned: Fit | None) -> Pattern | Untested:
+    if not wall.wall_known:
+        reason = "Untested: the direction of the wall was not measured; give it as wall."
+        return Untested("offset", reason)
+    if turned is None:
+        reason = "Untested: it takes three angles α or more, spread over 5° or more."
+        return Untested("offset", reason)
+    p = sample.p_value(turned)
+    angle = math.degrees(turned.parameters[1])
+    error = math.degrees(sample.error_of(turned, 1))
+    size = with_error(abs(angle), error, "°")
+    ways = ("large", "small") if angle > 0 else ("small", "large")
+    seen = (
+        f"The line misses the origin. The readings fit if the line from which the angles were "
+        f"measured is turned by {size} against the wall ({probability(p)}), so that α is read "
+        f"too {ways[0]} and β too {ways[1]}. With that put right e is "
+        f"{with_error(turned.parameters[0], sample.error_of(turned, 0))}."
+    )
+    not_seen = (
+        f"The line goes through the origin: a turn of the line from which angles were measured "
+        f"comes out as {with_error(angle, error, '°')} ({probability(p)})."
+    )
+    statistic = angle / error if error else 0.0
+    return Pattern("offset", statistic, p, seen, not_seen, angle, error, "degrees")
+
+
+_TOO_STEEP = math.radians(85)
+
+
+def _friction(wall: Wall) -> Pattern | Untested:
+    """The test of v cos β against u cos α, by the mean of the logarithm of their quotient."""
+    if not wall.wall_known:
+        reason = "Untested: the wall was taken along what does not change; give it as wall."
+        return Untested("friction", reason)
+    if any(each.u is None or each.v is None for each in wall.readings):
+        reason = "Untested: it takes the speeds before and after, columns u and v."
+        return Untested("friction", reason)
+    arrays = wall.sample.readings
+    steep = (arrays.x > _TOO_STEEP) | (arrays.y > _TOO_STEEP)
+    if (~steep).sum() < 3 and not (wall.sample.known and (~steep).any()):
+        reason = "Untested: it takes three readings or more below 85°."
+        return Untested("friction", reason)
+    logs, variances = _losses(wall, ~steep)
+    mean, error, p = mean_test(logs, variances)
+    kept = math.exp(mean)
+    size = f"{percent(abs(1 - kept))} ± {percent(kept * error)}"
+    way = "less" if kept < 1 else "more"
+    seen = (
+        f"The component along the wall changes: v cos β is {size} {way} than u cos α "
+        f"({probability(p)}), though a smooth wall leaves it as it is. Then tan β / tan α is not "
+        f"e{_by_components(wall)}."
+    )
+    not_seen = (
+        f"The component along the wall stays: v cos β and u cos α differ by {size} "
+        f"({probability(p)})."
+    )
+    statistic = mean / error if error else 0.0
+    return Pattern("friction", statistic, p, seen, not_seen, kept - 1, kept * error)
+
+
+def _by_components(wall: Wall) -> str:
+    """The value of e from the speeds at right angles to the wall."""
+    ratios = [
+        each.v.value * math.sin(math.radians(each.beta.value))
+        / (each.u.value * math.sin(math.radians(each.alpha.value)))
+        for each in wall.readings
+        if each.u and each.v
+    ]  # fmt: skip
+    mean = statistics.fmean(ratios)
+    error = statistics.stdev(ratios) / math.sqrt(len(ratios)) if len(ratios) > 1 else None
+    return f"; v sin β / u sin α gives {with_error(mean, error)}"
+
+
+def _losses(wall: Wall, usable: NDArray[np.bool_]) -> tuple[Array, Array | None]:
+    """ln(v cos β / u cos α), with variances where all errors are known."""
+    arrays = wall.sample.readings
+    u = np.array([_pair(each.u) for each in wall.readings])[usable]
+    v = np.array([_pair(each.v) for each in wall.readings])[usable]
+    alpha, beta = arrays.x[usable], arrays.y[usable]
+    logs = np.log(v[:, 0] * np.cos(beta)) - np.log(u[:, 0] * np.cos(alpha))
+    ta, tb = np.tan(alpha), np.tan(beta)
+    variances = (
+        (u[:, 1] / u[:, 0]) ** 2
+        + (v[:, 1] / v[:, 0]) ** 2
+        + ta**2 * arrays.x_variance[usable]
+        + tb**2 * arrays.y_variance[usable]
+        - 2 * ta * tb * arrays.covariance[usable]
+    )
+    known = wall.sample.known and bool(np.all(np.isfinite(variances)))
+    return logs, variances if known else None
+
+
+def _pair(measured: Measured | None) -> tuple[float, float]:
+    if measured is None:
+        return math.nan, math.nan
+    return measured.value, math.nan if measured.error is None else measured.error
+
+
+def mean_test(values: Array, variances: Array | None) -> tuple[float, float, float]:
+    """The mean of values that should be 0, its standard error, and its two-sided p-value.
+
+    Weighted by the variances where these are known; else with the error of the scatter.
+    """
+    stats = needed("scipy.stats", "a test")
+    if variances is not None:
+        weights = 1 / variances
+        mean, error = float((weights * values).sum() / weights.sum()), float(weights.sum() ** -0.5)
+        return mean, error, float(2 * stats.norm.sf(abs(mean) / error))
+    mean, error = float(values.mean()), float(values.std(ddof=1) / math.sqrt(len(values)))
+    if error < 1e-12:
+        return mean, error, 1.0 if abs(mean) < 1e-9 else 0.0
+    return mean, error, float(2 * stats.t.sf(abs(mean) / error, len(values) - 1))
