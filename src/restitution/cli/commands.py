@@ -196,6 +196,7 @@ _EXPERIMENT = """Find e from what was measured, with its uncertainty, and check 
     restitution experiment pucks.csv --kind spheres --speed-error 0.02
     restitution experiment video.csv --format json
     restitution experiment angles.csv -o report.html
+    restitution experiment angles.csv -o law.svg
 
 The table has a header: alpha, beta (degrees to the wall), perhaps u, v; or
 u_A_x, u_A_y, u_B_x, ... v_B_y, perhaps m_A, m_B, line; or t, x, y, perhaps
@@ -657,7 +658,12 @@ def experiment(
     ] = ExperimentFormat.text,
     output: Annotated[
         str | None,
-        typer.Option("--output", "-o", metavar="REPORT", help="A report too: .html or .pdf."),
+        typer.Option(
+            "--output",
+            "-o",
+            metavar="PATH",
+            help="A report too (.html, .pdf), or the picture of the law (.svg, .png).",
+        ),
     ] = None,
 ) -> None:
     """Find e from one table."""

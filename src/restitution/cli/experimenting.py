@@ -35,7 +35,7 @@ class ExperimentFormat(StrEnum):
 
 @dataclass(frozen=True)
 class Experimenting:
-    """What the command was asked for. ``report`` is a path that ends in .html or .pdf."""
+    """What the command was asked for. ``output`` is the path of a report or a picture."""
 
     data: str
     kind: Kind | None = None
@@ -43,12 +43,12 @@ class Experimenting:
     speed_error: float | None = None
     from_normal: bool = False
     form: ExperimentFormat = ExperimentFormat.text
-    report: str | None = None
+    output: str | None = None
 
 
 def experiment(asked: Experimenting) -> int:
     """Do what was asked, and give the exit status. Raises RefusedError."""
-    form = _form_of_report(asked.report)
+    form = _form_of(asked.output)
     try:
         result = _result(asked)
     except StatementError as error:
@@ -63,7 +63,7 @@ def experiment(asked: Experimenting) -> int:
         put(f"{result.json()}\n")
     else:
         put(result.text(terminal_width()))
-    return _write_report(asked, result, form)
+    return _write_file(asked, result, form)
 
 
 def _result(asked: Experimenting) -> Experiment:
@@ -101,22 +101,39 @@ def _tell(file: str, error: RestitutionError) -> None:
         say(f"{shown_name(file)}: {printable(str(other))}")
 
 
-def _form_of_report(path: str | None) -> Literal["html", "pdf"]:
-    ending = "" if path is None else Path(path).suffix.lower()
-    if path is not None and ending not in (".html", ".pdf"):
-        raise RefusedError(f"{path}: the name of a report ends in .html or .pdf", "--output")
-    return "pdf" if ending == ".pdf" else "html"
+_Form = Literal["html", "pdf", "svg", "png"]
+_FORMS: tuple[_Form, ...] = ("html", "pdf", "svg", "png")
 
 
-def _write_report(asked: Experimenting, result: Experiment, form: Literal["html", "pdf"]) -> int:
-    if asked.report is None:
+def _form_of(path: str | None) -> _Form:
+    """What the ending of a name says: a report, or the plot of the law."""
+    ending = ".html" if path is None else Path(path).suffix.lower()
+    for form in _FORMS:
+        if ending == f".{form}":
+            return form
+    message = "the name of a report ends in .html or .pdf, that of a picture in .svg or .png"
+    raise RefusedError(f"{path}: {message}", "--output")
+
+
+def _write_file(asked: Experimenting, result: Experiment, form: _Form) -> int:
+    if asked.output is None:
         return 0
-    from restitution.experiments.report import report
-
     try:
-        content = report(result, form)
+        content = _content(result, form)
     except RestitutionError as error:
         say(error.message)
         return UNANSWERED
-    write_file(asked.report, content, [asked.data])
+    write_file(asked.output, content, [asked.data])
     return 0
+
+
+def _content(result: Experiment, form: _Form) -> bytes:
+    if form == "html" or form == "pdf":
+        from restitution.experiments.report import report
+
+        return report(result, form)
+    from restitution.drawing.convert import converted
+    from restitution.experiments.plots import law_plot
+
+    svg = law_plot(result)
+    return converted(svg, form) if form == "png" else svg.encode()
