@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from restitution.errors import MissingError, UnsupportedError
-from restitution.experiments import walls
+from restitution.experiments import spheres, walls
 from restitution.experiments.numbers import fixed, percent
-from restitution.experiments.patterns import decided
+from restitution.experiments.patterns import TITLES_OF_SPHERES, decided
 from restitution.experiments.records import Table
 from restitution.experiments.results import Experiment, Interval
 from restitution.experiments.samples import LEVEL, Sample
+from restitution.experiments.spheres import Spheres
+from restitution.experiments.walls import Wall
 
 
 def analysed(table: Table) -> Experiment:
@@ -19,11 +22,17 @@ def analysed(table: Table) -> Experiment:
     Raises MissingError where the data do not determine e, and UnsupportedError where the extra
     "experiment" is not installed.
     """
-    if table.kind != "wall":
-        raise UnsupportedError(f"{table.kind}: not yet")
-    wall = walls.wall_of(table.readings, table.units.get("u", "m/s"))
+    if table.kind == "wall":
+        return _of_wall(table, walls.wall_of(table.readings, table.units.get("u", "m/s")))
+    if table.kind == "spheres":
+        unit = table.units.get("u_A", table.units.get("u_A_x", "m/s"))
+        return _of_spheres(table, spheres.spheres_of(table.trials, unit))
+    raise UnsupportedError(f"{table.kind}: not yet")
+
+
+def _of_wall(table: Table, wall: Wall) -> Experiment:
     sample = wall.sample
-    interval = interval_of(sample)
+    interval = interval_of(sample, _BETTER_ANGLES)
     return Experiment(
         table.kind,
         table,
@@ -39,15 +48,37 @@ def analysed(table: Table) -> Experiment:
     )
 
 
-def interval_of(sample: Sample) -> Interval:
-    """The interval of e. Raises MissingError where all of 0 to 1 is left."""
+def _of_spheres(table: Table, measured: Spheres) -> Experiment:
+    sample = measured.sample
+    interval = interval_of(sample, _BETTER_SPEEDS)
+    return Experiment(
+        table.kind,
+        replace(table, faults=(*table.faults, *measured.faults)),
+        sample.e,
+        sample.standard_error,
+        interval,
+        "given" if sample.known else "scatter",
+        None,
+        spheres.class_values(measured),
+        spheres.points(measured),
+        decided(spheres.patterns(measured), TITLES_OF_SPHERES),
+        notes=(*table.notes, *measured.notes, *notes_on(sample, interval)),
+        speed_error=spheres.component_error(measured),
+    )
+
+
+_BETTER_ANGLES = "measure more of them, more exactly, or at angles nearer to 45°"
+_BETTER_SPEEDS = "measure more of them, more exactly, or more nearly head-on"
+
+
+def interval_of(sample: Sample, advice: str) -> Interval:
+    """The interval of e. Raises MissingError, with advice, where all of 0 to 1 is left."""
     low, high = sample.interval
     least, most = max(low, 0.0), min(high, 1.0)
     if most - least > _NOTHING:
         raise MissingError(
             f"these readings do not determine e: anything from {fixed(least, 2)} to "
-            f"{fixed(most, 2)} fits them; measure more of them, more exactly, or at angles nearer "
-            "to 45°"
+            f"{fixed(most, 2)} fits them; {advice}"
         )
     return Interval(low, high, LEVEL, _method(sample))
 

@@ -9,18 +9,27 @@ from restitution.experiments.fitting import Fit
 from restitution.experiments.needs import needed
 from restitution.experiments.numbers import fixed, probability, with_error
 from restitution.experiments.patterns import Pattern, Untested
+from restitution.experiments.records import SpheresTrial, WallReading
 from restitution.experiments.samples import Sample
 
 STRICT = 0.01
 """The level at which scatter is so large that the errors given are not trusted in other tests."""
 
 
-def above_one(sample: Sample, given: Sample, lines: tuple[int, ...], what: str) -> Pattern:
+def place_of(measured: WallReading | SpheresTrial) -> str:
+    """How a sentence names a reading: its trial, or its line in the table."""
+    return f"trial {measured.label}" if measured.label else f"line {measured.line}"
+
+
+def above_one(
+    sample: Sample, given: Sample, places: tuple[str, ...], what: str, advice: str
+) -> Pattern:
     """Whether e is above 1, for all readings or for a single one; one-sided.
 
     ``given`` has the errors as they were given, to which a single reading is put, ``sample`` those
-    in which all are trusted. ``what`` is the sign of it in a reading: "β is larger than α". The two
-    questions are one pattern, so that the smaller p-value counts twice.
+    in which all are trusted. ``places`` name the readings, ``what`` is the sign of it in one of
+    them: "β is larger than α", and ``advice`` a sentence. The two questions are one pattern, so
+    that the smaller p-value counts twice.
     """
     stats = needed("scipy.stats", "a test")
     e, readings = sample.e, sample.readings
@@ -39,13 +48,12 @@ def above_one(sample: Sample, given: Sample, lines: tuple[int, ...], what: str) 
     error = sample.standard_error
     if p_fit <= p_single or e > 1:
         seen = (
-            f"e comes out as {with_error(e, error)}, above 1 ({probability(p)}): the ball would "
-            "leave with more energy than it brought. Look for angles in the wrong columns, or "
-            "measured from the normal."
+            f"e comes out as {with_error(e, error)}, above 1 ({probability(p)}): there would be "
+            f"more energy after the impact than before it. {advice}"
         )
     else:
         seen = (
-            f"In line {lines[worst]} {what} by more than the errors explain ({probability(p)}), "
+            f"In {places[worst]} {what} by more than the errors explain ({probability(p)}), "
             f"though e is {fixed(e, 2)} for all. No impact does that: look at that reading again."
         )
     not_seen = f"Nowhere is it seen that {what} by more than the errors allow ({probability(p)})."
@@ -107,7 +115,7 @@ def speed(
 
 
 def scatter(
-    sample: Sample, wider: list[Fit], lines: tuple[int, ...], what: str
+    sample: Sample, wider: list[Fit], places: tuple[str, ...], what: str
 ) -> Pattern | Untested:
     """Whether the readings lie farther from the law than their errors explain.
 
@@ -131,7 +139,7 @@ def scatter(
     seen = (
         f"The {what} lie {times} times as far from the law as their errors explain "
         f"({probability(p)}): the errors are larger than stated, or a reading is wrong. The one "
-        f"farthest off is in line {lines[far]}, by {fixed(abs(float(sample.residuals[far])), 1)} "
+        f"farthest off is in {places[far]}, by {fixed(abs(float(sample.residuals[far])), 1)} "
         "errors. The interval of e rests on the stated errors, and is too narrow then."
     )
     not_seen = (

@@ -49,10 +49,10 @@ def fitted(readings: Readings, model: Model, start: Array) -> Fit:
     r = readings.covariance / readings.x_variance
     unlike = readings.y_variance - r * readings.covariance
     done = odrpack.odr_fit(
-        lambda x, p: model(x, p) - r * x,
+        lambda x, p: model(x, p - _SHIFT) - r * x,
         readings.x,
         readings.y - r * readings.x,
-        np.asarray(start, dtype=np.float64),
+        np.asarray(start, dtype=np.float64) + _SHIFT,
         weight_x=1 / readings.x_variance,
         weight_y=1 / unlike,
         diff_scheme="central",
@@ -63,11 +63,15 @@ def fitted(readings: Readings, model: Model, start: Array) -> Fit:
     freedom = len(readings) - len(start)
     variance = np.diag(done.cov_beta)  # for errors as given: odrpack scales by the scatter apart
     return Fit(
-        tuple(map(float, done.beta)),
+        tuple(map(float, done.beta - _SHIFT)),
         tuple(map(float, np.sqrt(np.maximum(variance, 0)))),
         float(done.sum_square),
         freedom,
     )
+
+
+_SHIFT = 2.0
+"""odrpack takes its steps relative to a parameter, so none may be near 0 where it looks."""
 
 
 def tail(statistic: float, freedom: int | None) -> float:

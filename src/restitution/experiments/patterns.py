@@ -7,7 +7,7 @@ sequentially rejective multiple test procedure", Scandinavian Journal of Statist
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from restitution.experiments.results import Check
@@ -24,6 +24,10 @@ TITLES = {
     "scatter": "more scatter than the errors explain",
 }
 """The patterns by id, in the order in which they are told."""
+TITLES_OF_SPHERES = TITLES | {
+    "offset": "a line of centres that is turned",
+    "friction": "friction between the spheres",
+}
 
 
 @dataclass(frozen=True)
@@ -48,8 +52,10 @@ class Untested:
     reason: str
 
 
-def decided(patterns: Sequence[Pattern | Untested]) -> tuple[Check, ...]:
-    """The verdicts on all patterns, in the order of TITLES."""
+def decided(
+    patterns: Sequence[Pattern | Untested], titles: Mapping[str, str] = TITLES
+) -> tuple[Check, ...]:
+    """The verdicts on all patterns, in the order of their titles."""
     tested = sorted(
         (each for each in patterns if isinstance(each, Pattern)), key=lambda each: each.p_value
     )
@@ -60,7 +66,7 @@ def decided(patterns: Sequence[Pattern | Untested]) -> tuple[Check, ...]:
         seeing = seeing and each.p_value < threshold
         checks[each.id] = Check(
             each.id,
-            TITLES[each.id],
+            titles[each.id],
             "seen" if seeing else "not seen",
             each.seen if seeing else each.not_seen,
             each.statistic,
@@ -72,5 +78,5 @@ def decided(patterns: Sequence[Pattern | Untested]) -> tuple[Check, ...]:
         )
     for other in patterns:
         if isinstance(other, Untested):
-            checks[other.id] = Check(other.id, TITLES[other.id], "untested", other.reason)
-    return tuple(checks[each] for each in TITLES if each in checks)
+            checks[other.id] = Check(other.id, titles[other.id], "untested", other.reason)
+    return tuple(checks[each] for each in titles if each in checks)

@@ -69,11 +69,16 @@ class Velocity:
 
 @dataclass(frozen=True)
 class MeasuredSphere:
-    """A sphere's velocities before and after, and its mass if known."""
+    """A sphere's velocities before and after, and its mass if known.
+
+    ``cross`` is the covariance of the errors of u and v, [[u_x v_x, u_x v_y], [u_y v_x, u_y v_y]];
+    not zero where both are from one track.
+    """
 
     u: Velocity
     v: Velocity
     m: Measured | None = None
+    cross: tuple[tuple[float, float], tuple[float, float]] = ((0.0, 0.0), (0.0, 0.0))
 
 
 @dataclass(frozen=True)
@@ -84,6 +89,8 @@ class SpheresTrial:
     A: MeasuredSphere
     B: MeasuredSphere
     line_of_centres: Measured | None = None
+    label: str = ""
+    """The trial, where it has a name."""
 
 
 @dataclass(frozen=True)

@@ -130,7 +130,8 @@ class Experiment:
     """The coefficient of restitution from what was measured.
 
     ``error_source`` says where the errors of the readings are from; ``angle_error`` is the error of
-    one angle in degrees where it is the same for all, else None.
+    one angle in degrees where it is the same for all, else None, and ``speed_error`` that of one
+    component of a velocity.
     """
 
     kind: Kind
@@ -145,6 +146,7 @@ class Experiment:
     checks: tuple[Check, ...]
     tracks: tuple[FittedTrack, ...] = ()
     notes: tuple[str, ...] = ()
+    speed_error: float | None = None
 
     def check(self, pattern: str) -> Check:
         """The check of a pattern by its id. Raises KeyError where there is none of it."""

@@ -97,9 +97,9 @@ class _Sheet:
             error = self._error(row, other, given) if given else None
         elif beside:
             error = self._error(row, column, beside)
-        return Measured(value, error or self._usual_error(quantity))
+        return Measured(value, error or self.usual_error(quantity))
 
-    def _usual_error(self, quantity: str) -> float | None:
+    def usual_error(self, quantity: str) -> float | None:
         """What the options have for all values of a dimension."""
         errors = {"angle": self.options.angle_error, "speed": self.options.speed_error}
         return errors.get(DIMENSIONS[quantity])
@@ -318,6 +318,7 @@ def _require_degrees(sheet: _Sheet, readings: tuple[WallReading, ...]) -> None:
 def _spheres(sheet: _Sheet, rows: list[Row]) -> Table:
     _refuse_normal(sheet, "spheres")
     trials = tuple(sheet.each(rows, lambda row: _trial(sheet, row)))
+    _note_half_errors(sheet)
     if "u_B" not in sheet and "u_B_x" not in sheet:
         sheet.notes.append("there is no column for u_B: B is at rest before each impact")
     return Table(
@@ -327,6 +328,23 @@ def _spheres(sheet: _Sheet, rows: list[Row]) -> Table:
         faults=tuple(sheet.faults),
         notes=tuple(sheet.notes),
     )
+
+
+def _note_half_errors(sheet: _Sheet) -> None:
+    """An error of a speed alone, or of an angle alone, is no error of a velocity."""
+    for name in VELOCITIES:
+        if name not in sheet or f"{name}_angle" not in sheet:
+            continue
+        speed, angle = (
+            each in sheet.errors or sheet.usual_error(each) is not None
+            for each in (name, f"{name}_angle")
+        )
+        if speed != angle:
+            there, missing = ("speed", "angle") if speed else ("angle", "speed")
+            sheet.notes.append(
+                f"{name} has an error of its {there} and none of its {missing}; without both "
+                "neither is used"
+            )
 
 
 def _trial(sheet: _Sheet, row: Row) -> SpheresTrial:

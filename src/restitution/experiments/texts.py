@@ -55,14 +55,21 @@ def interval_sentence(interval: Interval, error: float) -> str:
 
 def error_sentence(experiment: Experiment) -> str:
     """From where the errors of the readings are."""
-    angle = experiment.angle_error
-    if experiment.error_source == "scatter":
-        size = f": {angle:.2g}° for an angle" if angle is not None else ""
-        return f"The errors are estimated from the scatter about the law{size}."
     if experiment.kind == "tracks":
         return "The errors are from the scatter of the positions about straight lines."
-    size = f", {angle:.2g}° for each angle" if angle is not None else ""
+    size = _size_of_error(experiment)
+    if experiment.error_source == "scatter":
+        return f"The errors are estimated from the scatter about the law{size}."
     return f"The errors are those that were given{size}."
+
+
+def _size_of_error(experiment: Experiment) -> str:
+    if experiment.angle_error is not None:
+        return f": {experiment.angle_error:.2g}° for an angle"
+    if experiment.speed_error is not None:
+        unit = experiment.table.units.get("u_A", experiment.table.units.get("u_A_x", ""))
+        return f": {experiment.speed_error:.2g} {unit} for a component of a velocity"
+    return ""
 
 
 # --- readings ---------------------------------------------------------------------------------

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from restitution.experiments.common import STRICT, above_one, scatter, speed
+from restitution.experiments.common import STRICT, above_one, place_of, scatter, speed
 from restitution.experiments.curves import WALL, Array, Readings, reflected
 from restitution.experiments.fitting import Fit
 from restitution.experiments.needs import needed
@@ -176,17 +176,17 @@ def _degrees(angle: float) -> str:
 def patterns(wall: Wall) -> list[Pattern | Untested]:
     """The patterns of a wall."""
     sample = wall.sample
-    lines = tuple(each.line for each in wall.readings)
+    places = tuple(place_of(each) for each in wall.readings)
     trend, trend_fit = speed(sample, _speeds(wall), wall.unit, _NO_SPEEDS)
     turned = _turned(wall, sample)
-    spread = scatter(sample, [fit for fit in (trend_fit, turned) if fit], lines, "readings")
+    spread = scatter(sample, [fit for fit in (trend_fit, turned) if fit], places, "readings")
     if isinstance(spread, Pattern) and spread.p_value < STRICT:
         # The errors given are too small, so they are no measure for the other patterns.
         sample = sample.with_scatter()
         trend, _ = speed(sample, _speeds(wall), wall.unit, _NO_SPEEDS)
         turned = _turned(wall, sample)
     return [
-        above_one(sample, wall.sample, lines, "β is larger than α"),
+        above_one(sample, wall.sample, places, "β is larger than α", _COLUMNS),
         trend,
         _offset(wall, sample, turned),
         _friction(wall),
@@ -194,6 +194,7 @@ def patterns(wall: Wall) -> list[Pattern | Untested]:
     ]
 
 
+_COLUMNS = "Look for angles in the wrong columns, or measured from the normal."
 _NO_SPEEDS = "Untested: no column u has the speed before each impact."
 
 

@@ -1,0 +1,389 @@
+"""Two spheres: trials → sample, points, what a class computes, and the patterns."""
+
+from __future__ import annotations
+
+import math
+import statistics
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from restitution.errors import MissingError
+from restitution.experiments.common import STRICT, above_one, place_of, scatter, speed
+from restitution.experiments.curves import SPHERES, Array, Readings
+from restitution.experiments.fitting import Fit
+from restitution.experiments.impacts import Impact, impact_of
+from restitution.experiments.needs import needed
+from restitution.experiments.numbers import percent, probability, with_error
+from restitution.experiments.patterns import Pattern, Untested
+from restitution.experiments.records import Fault, MeasuredSphere, SpheresTrial, Velocity
+from restitution.experiments.regression import Regression, regression
+from restitution.experiments.results import ClassValues, Point
+from restitution.experiments.samples import Sample
+
+
+@dataclass(frozen=True)
+class Spheres:
+    """The impacts that can be used, their sample, and the trials that cannot."""
+
+    impacts: tuple[Impact, ...]
+    sample: Sample
+    unit: str = "m/s"
+    faults: tuple[Fault, ...] = ()
+    notes: tuple[str, ...] = ()
+
+    @property
+    def places(self) -> tuple[str, ...]:
+        return tuple(place_of(each.trial) for each in self.impacts)
+
+
+def spheres_of(
+    trials: tuple[SpheresTrial, ...], unit: str, *, freedom: int | None = None
+) -> Spheres:
+    """The sample of trials: with their errors, or with one error of all components if none has any.
+
+    ``freedom`` are the degrees of freedom of errors that were estimated elsewhere. Raises
+    MissingError where no trial can be used.
+    """
+    usual, notes = _usual_error(trials)
+    known = usual is not None
+    impacts, faults = [], []
+    for trial in trials:
+        impact = impact_of(trial, _covariance(trial, usual or 1.0))
+        rule = _unfit(impact, known=known)
+        if impact is None or rule:
+            faults.append(Fault(trial.line, "", trial.label, rule))
+        else:
+            impacts.append(impact)
+    if not impacts:
+        raise MissingError(f"no trial can be used: {faults[0]}")
+    sample = Sample(_readings(impacts), SPHERES, known, freedom)
+    return Spheres(tuple(impacts), sample, unit, tuple(faults), notes)
+
+
+_UNCLEAR = math.radians(20)
+"""A line of centres with a larger error is not known."""
+
+
+def _unfit(impact: Impact | None, *, known: bool) -> str:
+    """Why an impact cannot be used; "" where it can."""
+    if impact is None:
+        return "no velocity changes, so that there is no line of centres to be seen"
+    if known and not impact.given and impact.direction_error() > _UNCLEAR:
+        return (
+            "the velocities change by so little that the line of centres is known to "
+            f"±{math.degrees(impact.direction_error()):.0f}° only; give it as line"
+        )
+    if impact.approach <= 0:
+        return "before the impact the spheres do not approach each other along the line of centres"
+    return ""
+
+
+def _velocities(trial: SpheresTrial) -> Iterator[Velocity]:
+    for sphere in (trial.A, trial.B):
+        yield from (sphere.u, sphere.v)
+
+
+def _usual_error(trials: tuple[SpheresTrial, ...]) -> tuple[float | None, tuple[str, ...]]:
+    """The error of a component that has none of its own; None where none has any."""
+    components = [each.error for trial in trials for v in _velocities(trial) for each in (v.x, v.y)]
+    given = [each for each in components if each]
+    if not given:
+        return None, ()
+    missing = sum(each is None for each in components)
+    middle = statistics.median(given)
+    if not missing:
+        return middle, ()
+    return middle, (
+        f"components without errors ({missing}) are taken to have {middle:.2g}, the middle one",
+    )
+
+
+def _covariance(trial: SpheresTrial, usual: float) -> Array:
+    """The covariance of all components, of shape (8, 8)."""
+    result = np.zeros((8, 8))
+    for place, sphere in ((0, trial.A), (4, trial.B)):
+        result[place : place + 4, place : place + 4] = _of_sphere(sphere, usual)
+    return result
+
+
+def _of_sphere(sphere: MeasuredSphere, usual: float) -> Array:
+    result = np.zeros((4, 4))
+    for place, velocity in ((0, sphere.u), (2, sphere.v)):
+        errors = [usual if each.error is None else each.error for each in (velocity.x, velocity.y)]
+        result[place, place], result[place + 1, place + 1] = errors[0] ** 2, errors[1] ** 2
+        result[place, place + 1] = result[place + 1, place] = velocity.covariance
+    cross = np.array(sphere.cross)
+    result[:2, 2:], result[2:, :2] = cross, cross.T
+    return result
+
+
+def _readings(impacts: list[Impact]) -> Readings:
+    covariances = np.array([each.along() for each in impacts])
+    return Readings(
+        np.array([each.approach for each in impacts]),
+        np.array([each.separation for each in impacts]),
+        covariances[:, 0, 0],
+        covariances[:, 1, 1],
+        covariances[:, 0, 1],
+    )
+
+
+def component_error(spheres: Spheres) -> float | None:
+    """The error of one component of a velocity where it is the same for all, else None."""
+    diagonals = np.concatenate([np.diag(each.covariance) for each in spheres.impacts])
+    measured = diagonals[diagonals > 0]
+    if measured.max() > measured.min() * (1 + 1e-9):
+        return None
+    return math.sqrt(float(measured[0])) * spheres.sample.factor
+
+
+# --- points, and what a class computes --------------------------------------------------------
+
+
+def points(spheres: Spheres) -> tuple[Point, ...]:
+    """The trials in the picture of the speed of separation against the speed of approach."""
+    sample = spheres.sample
+    arrays = sample.readings.scaled(sample.factor)
+    rows = zip(
+        spheres.impacts,
+        np.sqrt(arrays.x_variance),
+        np.sqrt(arrays.y_variance),
+        sample.x_fitted,
+        sample.residuals,
+    )
+    return tuple(
+        Point(
+            line=impact.trial.line,
+            x=impact.approach,
+            y=impact.separation,
+            x_error=float(x_error),
+            y_error=float(y_error),
+            x_fitted=float(x),
+            y_fitted=sample.e * float(x),
+            residual=float(residual),
+            speed=impact.approach,
+            label=impact.trial.label,
+        )
+        for impact, x_error, y_error, x, residual in rows
+    )
+
+
+def class_values(spheres: Spheres) -> ClassValues:
+    """The mean of separation / approach, the slope of the line through the origin, and why."""
+    arrays = spheres.sample.readings.scaled(spheres.sample.factor)
+    x, y = arrays.x, arrays.y
+    ratios = y / x
+    error = float(ratios.std(ddof=1) / math.sqrt(len(ratios))) if len(ratios) > 1 else None
+    variances = arrays.y_variance - 2 * ratios * arrays.covariance + ratios**2 * arrays.x_variance
+    mean, slope = float(ratios.mean()), float((x * y).sum() / (x * x).sum())
+    return ClassValues(mean, error, slope, _why(spheres, np.sqrt(variances) / x, mean, slope))
+
+
+def _why(spheres: Spheres, errors: Array, mean: float, slope: float) -> str:
+    sample = spheres.sample
+    x = sample.readings.x
+    if len(x) == 1:
+        return "With one trial all of these are the same number."
+    best, worst, top = int(np.argmin(errors)), int(np.argmax(errors)), int(np.argmax(x))
+    share = float(x[top] ** 2 / (x * x).sum())
+    reasons = ""
+    if errors[worst] > 1.2 * errors[best]:
+        reasons += (
+            f"The mean lets every ratio count the same, though that of {spheres.places[worst]} is "
+            f"known to ±{errors[worst]:.2g} and that of {spheres.places[best]} to "
+            f"±{errors[best]:.2g}. "
+        )
+    if share > 1.5 / len(x):
+        reasons += (
+            f"The line leans on the fastest impact: {spheres.places[top]} alone has "
+            f"{percent(share)} of its weight. "
+        )
+    reasons += (
+        "The fit lets each trial count by its own error, in the speed of approach as well as in "
+        "the speed of separation."
+    )
+    if max(abs(mean - sample.e), abs(slope - sample.e)) < 0.5 * sample.standard_error:
+        return f"Here the three agree well within the error. {reasons}"
+    return reasons
+
+
+# --- patterns ---------------------------------------------------------------------------------
+
+
+def patterns(spheres: Spheres) -> list[Pattern | Untested]:
+    """The patterns of two spheres."""
+    sample = spheres.sample
+    speeds = sample.readings.x
+    trend, trend_fit = speed(sample, speeds, spheres.unit, "")
+    wider = [trend_fit, _turned_back(spheres, _across(spheres, sample)[0])]
+    spread = scatter(sample, [each for each in wider if each], spheres.places, "trials")
+    if isinstance(spread, Pattern) and spread.p_value < STRICT and len(spheres.impacts) > 1:
+        # The errors given are too small, so they are no measure for the other patterns.
+        sample = sample.with_scatter()
+        trend, _ = speed(sample, speeds, spheres.unit, "")
+    return [
+        above_one(sample, spheres.sample, spheres.places, _PARTING, _SIGNS),
+        trend,
+        *_across(spheres, sample),
+        _momentum(spheres, sample),
+        spread,
+    ]
+
+
+_PARTING = "the spheres part faster than they approach"
+_SIGNS = "Look for velocities in the wrong columns, and for signs of components."
+_FOUND = (
+    "Untested: the line of centres was found from the velocities, as the line along which they "
+    "change; give it as line."
+)
+
+
+def _turned_back(spheres: Spheres, offset: Pattern | Untested) -> Fit | None:
+    """The fit with the lines of centres turned back, where they are seen to be turned."""
+    if not isinstance(offset, Pattern) or offset.p_value >= STRICT or offset.estimate is None:
+        return None
+    turn = math.radians(offset.estimate)
+    turned = [each.turned(-turn) for each in spheres.impacts]
+    fit = Sample(_readings(turned), SPHERES, spheres.sample.known).fit
+    return replace(fit, degrees_of_freedom=fit.degrees_of_freedom - 1)
+
+
+def _across(spheres: Spheres, sample: Sample) -> list[Pattern | Untested]:
+    """The tests of a line of centres that is turned, and of friction, from what changes across it.
+
+    The relative velocity along the tangent gains (approach + separation) ψ where the line is given
+    turned by ψ, and loses a share of itself by friction. The one that explains more is tested
+    alone, the other beside it, so that one of them does not show as both.
+    """
+    if not all(each.given for each in spheres.impacts):
+        return [Untested("offset", _FOUND), Untested("friction", _FOUND)]
+    gains, variances, means = np.array([each.across() for each in spheres.impacts]).T
+    columns = {"offset": sample.readings.x + sample.readings.y, "friction": -means}
+    if float(np.mean(means**2)) < _OBLIQUE**2 * float(np.mean(variances)) * sample.factor**2:
+        del columns["friction"]
+
+    def fitted(names: Iterable[str]) -> Regression | None:
+        return regression(gains, variances, [columns[each] for each in names], known=sample.known)
+
+    alone = {name: fit for name in columns if (fit := fitted([name]))}
+    both = fitted(columns) if len(alone) == 2 else None
+    better = min(alone, key=lambda name: alone[name].p_values[0], default="")
+    doubt = ""
+    if len(alone) == 2 and (both is None or both.p_values[[*columns].index(better)] > _DOUBT):
+        doubt = f" {_ALIKE}"
+    results: list[Pattern | Untested] = []
+    for name, sentences in (("offset", _offset), ("friction", _friction)):
+        if name == better:
+            results.append(sentences(alone[name], 0, doubt))
+        elif both is not None and name in columns:
+            results.append(sentences(both, [*columns].index(name), ""))
+        else:
+            reason = _ALIKE if name in alone else _FEW[name]
+            results.append(Untested(name, f"Untested: {reason}"))
+    return results
+
+
+_OBLIQUE = 2.5
+"""The velocities along the tangent, in errors of their change, from which friction would show."""
+_FEW = {
+    "offset": "it takes three trials or more, or errors of the velocities.",
+    "friction": "it takes oblique impacts, three or more; these have little velocity across.",
+}
+_DOUBT = 0.05
+"""The level at which the one is needed though the other may be there too."""
+_ALIKE = (
+    "Impacts on one side of the line of centres do not tell friction from a line that was measured "
+    "wrong."
+)
+
+
+def _offset(fit: Regression, index: int, doubt: str) -> Pattern:
+    angle, error, p = (float(each[index]) for each in (fit.coefficients, fit.errors, fit.p_values))
+    angle, error = math.degrees(angle), math.degrees(error)
+    way = "anticlockwise" if angle > 0 else "clockwise"
+    seen = (
+        f"The velocities do not change along the line of centres that is given: it is turned "
+        f"{way} by {with_error(abs(angle), error, '°')} against the impulse ({probability(p)})."
+        f"{doubt} Compare with the result without the column line."
+    )
+    not_seen = (
+        "The velocities change along the line of centres that is given: it is turned against the "
+        f"impulse by {with_error(angle, error, '°')} ({probability(p)})."
+    )
+    z = angle / error if error else 0.0
+    return Pattern("offset", z, p, seen, not_seen, angle, error, "degrees")
+
+
+def _friction(fit: Regression, index: int, doubt: str) -> Pattern:
+    share, error, p = (float(each[index]) for each in (fit.coefficients, fit.errors, fit.p_values))
+    size = f"{percent(abs(share))} ± {percent(error)}"
+    way = "less" if share > 0 else "more"
+    seen = (
+        "The velocities across the line of centres change: after the impact one sphere passes the "
+        f"other {size} {way} fast than before ({probability(p)}), though smooth spheres leave that "
+        f"as it is.{doubt} Spheres that rub begin to spin."
+    )
+    not_seen = (
+        "The velocities across the line of centres stay: after the impact one sphere passes the "
+        f"other {size} {way} fast than before ({probability(p)})."
+    )
+    return Pattern("friction", share / error if error else 0.0, p, seen, not_seen, -share, error)
+
+
+def _momentum(spheres: Spheres, sample: Sample) -> Pattern | Untested:
+    """The test of the momentum before against that after, in all directions and along itself.
+
+    The momentum that is lost in all trials, by χ², or F where errors are from the scatter; and the
+    share of the momentum that is lost. The two are one pattern, so that the smaller p-value counts
+    twice.
+    """
+    stats = needed("scipy.stats", "a test")
+    rows = [each for impact in spheres.impacts if (each := impact.momentum())]
+    if len(rows) < len(spheres.impacts):
+        return Untested("momentum", "Untested: it takes the masses, columns m_A and m_B.")
+    freedom = sample.freedom if sample.known else sample.fit.degrees_of_freedom
+    if sample.exact or (freedom is not None and freedom < 1):
+        return Untested("momentum", "Untested: no errors were given, and there is no scatter.")
+    weighted = [(lost, np.linalg.inv(covariance), mean) for lost, covariance, mean in rows]
+    squares = np.array([float(lost @ weight @ lost) for lost, weight, _ in weighted])
+    scale = sample.factor**2
+    expected = 2 * len(rows)
+    square = float(squares.sum()) / scale
+    certainty = sum(float(mean @ weight @ mean) for _, weight, mean in weighted)
+    share = sum(float(mean @ weight @ lost) for lost, weight, mean in weighted) / certainty
+    error = math.sqrt(scale / certainty)
+    if freedom is None:
+        p_all, p_share = stats.chi2.sf(square, expected), 2 * stats.norm.sf(abs(share) / error)
+    else:
+        p_all = stats.f.sf(square / expected, expected, freedom)
+        p_share = 2 * stats.t.sf(abs(share) / error, freedom)
+    p = min(1.0, 2 * float(min(p_all, p_share)))
+    way = "less" if share > 0 else "more"
+    size = f"{percent(abs(share))} ± {percent(error)}"
+    if p_share <= p_all:
+        seen = (
+            f"Momentum changes: after the impacts there is {size} {way} of it than before "
+            f"({probability(p)}). Weigh both spheres again, and look at the scale of the speeds: "
+            "with no force from outside, momentum stays."
+        )
+    else:
+        far = int(np.argmax(squares))
+        lost, covariance, _ = rows[far]
+        size = with_error(float(np.linalg.norm(lost)), _length_error(lost, covariance * scale))
+        seen = (
+            f"Momentum changes by more than the errors explain ({probability(p)}), most in "
+            f"{spheres.places[far]}, by {size} kg {spheres.unit}. Look for signs of components, "
+            "and for masses that belong to the other sphere."
+        )
+    not_seen = (
+        f"Momentum stays: after the impacts there is {size} {way} of it than before "
+        f"({probability(p)})."
+    )
+    return Pattern("momentum", square, p, seen, not_seen, -share, error)
+
+
+def _length_error(vector: Array, covariance: Array) -> float:
+    along = vector / np.linalg.norm(vector)
+    return math.sqrt(float(along @ covariance @ along))
