@@ -18,6 +18,7 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response, StreamingResponse
 from starlette.routing import Route
 
+from restitution.experiments.records import KINDS
 from restitution.killable import LostError
 from restitution.web import work
 from restitution.web.asking import Kind, RefusedError, asked
@@ -103,6 +104,17 @@ _TASKS = {
     "mistake": _Task(work.played_mistake, {"mistake": (str, ""), "part": (str, None)}),
     "practise": _Task(work.to_practise, about="wanted", kept=False),
     "progress": _Task(work.progress, about="record", kept=False),
+    "experiment": _Task(
+        work.experiment,
+        {
+            "kind": (KINDS, None),
+            "angle_error": (int | float, None),
+            "speed_error": (int | float, None),
+            "from_normal": (bool, False),
+        },
+        about="data",
+        kept=False,
+    ),
 }
 
 

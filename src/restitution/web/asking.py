@@ -32,12 +32,13 @@ async def asked(
 ) -> dict[str, Any]:
     """The object that a request holds: what it is ``about``, and what else it may hold.
 
-    A statement is a text, anything else that it may be about is an object. Raises RefusedError.
+    A statement is a text, so is a table of data; anything else that it may be about is an object.
+    Raises RefusedError.
     """
     kind = request.headers.get("content-type", "").split(";")[0].strip().lower()
     if kind != "application/json":
         raise RefusedError(415, "content type", "send JSON, with Content-Type: application/json")
-    kinds: dict[str, Kind] = {about: str if about == "statement" else dict, **optional}
+    kinds: dict[str, Kind] = {about: str if about in _TEXTS else dict, **optional}
     fields = _object(await _body(request, settings), about)
     if about not in fields:
         raise RefusedError(400, "malformed", f'the object has no "{about}"')
@@ -61,9 +62,12 @@ async def asked(
     return fields
 
 
+_TEXTS = ("statement", "data")
+
 _NAMES: Mapping[type | UnionType, str] = {
     str: "a text",
     int: "a whole number",
+    int | float: "a number",
     bool: "true or false",
     dict: "an object",
     int | dict: "a whole number or an object",

@@ -126,6 +126,8 @@ def routes() -> list[Route]:
         Route("/lab/", without_slash("lab")),
         page("practise", groups=_topics()),
         Route("/practise/", without_slash("practise")),
+        page("experiment"),
+        Route("/experiment/", without_slash("experiment")),
         *map(guide, GUIDES),
         Route("/static/{digest}/{path:path}", file),
         Route("/{path:path}", missing),

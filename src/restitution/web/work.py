@@ -177,6 +177,22 @@ def progress(record: contract.Object, limit: float) -> Made:
     return _tried(lambda: practising.progress(record))
 
 
+def experiment(
+    data: str,
+    limit: float,
+    kind: str | None = None,
+    angle_error: float | None = None,
+    speed_error: float | None = None,
+    from_normal: bool = False,
+) -> Made:
+    """The coefficient of restitution from a table; an error where it cannot be read, or does not determine e."""
+    from restitution.export import experimenting
+
+    return _tried(
+        lambda: experimenting.experiment_of(data, kind, angle_error, speed_error, from_normal)
+    )
+
+
 def given_up(
     about: Any,
     task: Callable[..., Made],

@@ -1,0 +1,102 @@
+// The result of an experiment: e, the readings, what a class computes, the check of the model.
+
+import { html, mathematics } from "../player/elements.js";
+
+const SIGNS = { seen: "!", "not seen": "✓", untested: "?" };
+const VERDICTS = { seen: "seen", "not seen": "not seen", untested: "untested" };
+const MOST_ROWS = 200; // of readings, in the page
+
+const minus = (text) => text.replace("-", "−");
+const fixed = (x, places) => minus(x.toFixed(places));
+
+// So many digits that an error has two; at most six places.
+const places = (error) =>
+  error > 0 ? Math.max(0, Math.min(6, 1 - Math.floor(Math.log10(error)))) : 3;
+
+const withError = (x, error) =>
+  error === null ? minus(String(Number(x.toPrecision(3))))
+    : `${fixed(x, places(error))} ± ${fixed(error, places(error))}`;
+
+const cell = (text) => html("td", {}, text);
+const head = (...words) => html("th", { scope: "col" }, ...words);
+const row = (...cells) => html("tr", {}, ...cells.map(cell));
+
+const ratio = ({ x, y }) => (x ? fixed(y / x, 3) : "–");
+
+function headline({ words }) {
+  const [value, interval, errors] = words;
+  return html("div", { class: "headline" },
+    html("p", { class: "value" }, ...mathematics(value)),
+    html("p", {}, interval),
+    html("p", { class: "quiet" }, errors));
+}
+
+function readings({ points, kind }) {
+  const angles = points[0]?.alpha !== null;
+  const heads = angles
+    ? [["Line"], ["α"], ["β"], ["tan α"], ["tan β"], ["tan β / tan α"]]
+    : [["Line"], ["Approach"], ["Separation"], ["Ratio"]];
+  const rows = points.slice(0, MOST_ROWS).map((point) => {
+    const { line, label, alpha, beta, x, y, residual } = point;
+    const measured = angles
+      ? [`${fixed(alpha, 1)}°`, `${fixed(beta, 1)}°`, fixed(x, 3), fixed(y, 3)]
+      : [minus(String(Number(x.toPrecision(4)))), minus(String(Number(y.toPrecision(4))))];
+    return row(label || String(line), ...measured, ratio(point), fixed(residual, 1));
+  });
+  if (kind === "tracks") heads[0] = ["Trial"];
+  const more = points.length > MOST_ROWS ? `, the first ${MOST_ROWS} of ${points.length}` : "";
+  return html("details", { class: "readings", open: points.length <= 12 },
+    html("summary", {}, `The readings${more}`),
+    html("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "The readings" },
+      html("table", { class: "numbers" },
+        html("thead", {}, html("tr", {},
+          ...heads.map(([words]) => head(...mathematics(words))), head("Distance"))),
+        html("tbody", {}, ...rows))),
+    html("p", { class: "hint" },
+      "Distance from the law, in standard errors; more than 3 is rare."));
+}
+
+function classValues({ class_values: values, e, standard_error: error, points }) {
+  const angles = points[0]?.alpha !== null;
+  const quotient = angles ? "tan β / tan α" : "separation / approach";
+  const line = (words, value) =>
+    html("tr", {}, html("th", { scope: "row" }, ...mathematics(words)), cell(value));
+  return html("section", { class: "class-values" },
+    html("h3", {}, "What a class computes"),
+    html("table", {}, html("tbody", {},
+      line(`Mean of ${quotient}`, withError(values.mean_ratio, values.mean_ratio_error)),
+      line("Slope of the line through the origin", withError(values.slope, null)),
+      line("The fit, with errors in both", withError(e, error)))),
+    html("p", {}, ...mathematics(values.why)));
+}
+
+function check({ title, verdict, sentence }) {
+  const words = sentence.replace(/^Untested: /, "");
+  return html("li", { class: verdict.replace(" ", "-") },
+    html("span", { class: "sign", "aria-hidden": "true" }, SIGNS[verdict]),
+    html("h4", {}, `${title[0].toUpperCase()}${title.slice(1)}: `, html("em", {}, VERDICTS[verdict])),
+    html("p", {}, ...mathematics(words)));
+}
+
+function checks({ checks: all }) {
+  return html("section", { class: "checks" },
+    html("h3", {}, "Check of the model"), html("ul", {}, ...all.map(check)));
+}
+
+function notes({ table, notes: said }) {
+  const faults = table.faults.map(({ message }) => html("li", {}, message));
+  const section = (title, items) =>
+    items.length ? html("section", {}, html("h3", {}, title), html("ul", {}, ...items)) : null;
+  const rows = faults.length === 1 ? "1 row" : `${faults.length} rows`;
+  return [
+    section(`Left out: ${rows}`, faults),
+    section("Notes", said.map((note) => html("li", {}, ...mathematics(note)))),
+  ].filter(Boolean);
+}
+
+// The parts of a page that shows it; `pictures` is where its pictures are.
+export function results(reply, pictures) {
+  return [
+    headline(reply), pictures, checks(reply), classValues(reply), readings(reply), ...notes(reply),
+  ];
+}
