@@ -564,3 +564,97 @@ def test_a_field_that_was_wrong_is_right_again(lab, page):
 def test_numbers_of_an_address_have_bounds(lab, page, mass):
     lab(f"spheres=A,{mass},0.1,0.5,0.5,2,0&seconds=2")
     assert "no scene that can be read" in page.locator(".note").inner_text()
+
+
+# --- measuring ------------------------------------------------------------------------------------
+
+
+def measuring(lab, fragment: str = WALL):
+    page = lab(fragment)
+    page.get_by_role("button", name="Measure", exact=True).click()
+    return page
+
+
+def test_readings_without_error_give_the_e_of_the_wall(lab):
+    page = measuring(lab)
+    page.get_by_label("Error of an angle").select_option("0")
+    page.get_by_role("button", name="Read all impacts").click()
+    # 4 towards the wall and 3 along it become 2 and 3.
+    assert page.get_by_label("α of trial 1").input_value() == "53.1"
+    assert page.get_by_label("β of trial 1").input_value() == "33.7"
+    expect(page.locator(".measure tbody td").nth(2)).to_have_text("0.501")
+    expect(page.locator(".measure .outcome .value")).to_contain_text("e = 0.50", timeout=60_000)
+
+
+def test_readings_have_the_error_that_is_chosen(lab):
+    page = measuring(lab)
+    page.get_by_label("Error of an angle").select_option("2")
+    for _ in range(40):
+        page.get_by_role("button", name="Read all impacts").click()
+    fields = page.get_by_label(re.compile("^α of trial"))
+    values = [float(each.input_value()) for each in fields.all()]
+    assert len(values) == 40
+    assert all(value == int(value) for value in values)
+    mean = sum(values) / 40
+    assert abs(mean - 53.13) < 5 * 2 / 40**0.5
+    spread = math.sqrt(sum((value - mean) ** 2 for value in values) / 39)
+    assert 1 < spread < 3.5  # chance leaves these less than once in 10⁵
+
+
+def test_the_protractor_is_laid_moved_and_turned(lab):
+    page = measuring(lab)
+    page.evaluate("document.getElementById('lab').lab.step()")
+    page.get_by_role("button", name="Lay the protractor").click()
+    protractor = page.locator(".protractor")
+    k = scale(page)
+    label = protractor.get_attribute("aria-label")
+    # P is 0.1 from the wall, 1 + 3 × 0.125 along it; the base line lies along the wall.
+    assert "at 1.38, 0.100 m, its base line at 0°" in label
+    protractor.focus()
+    page.keyboard.press("PageUp")
+    page.keyboard.press("Shift+ArrowRight")
+    label = protractor.get_attribute("aria-label")
+    assert f"at {1.375 + 30 / k:.3g}".rstrip("0") in label
+    assert "base line at 1.00°" in label or "base line at 1°" in label
+    box = page.locator(".protractor .knob .seen").bounding_box()
+    start = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    drag(page, start, (0, -60))
+    turned = re.search(r"base line at ([\d.]+)°", protractor.get_attribute("aria-label"))
+    assert 5 < float(turned[1]) < 60
+
+
+def test_trials_are_typed_kept_and_carried_to_the_experiment(lab):
+    page = measuring(lab)
+    for alpha, beta in (("30", "22"), ("45", "35,5"), ("60", "50")):
+        page.get_by_role("button", name="Add a row").click()
+        row = page.locator(".measure tbody tr").last
+        row.locator("input").nth(0).fill(alpha)
+        row.locator("input").nth(1).fill(beta)
+    expect(page.locator(".measure .outcome .value")).to_contain_text("e = 0.7", timeout=60_000)
+    page.reload()
+    ready(page)
+    page.get_by_role("button", name="Measure", exact=True).click()
+    assert page.get_by_label("β of trial 2").input_value() == "35,5"
+    page.get_by_role("link", name="Open in Experiment").click()
+    expect(page.locator(".readings tbody tr")).to_have_count(3, timeout=60_000)
+
+
+def test_an_unknown_coefficient_is_hidden_until_it_is_asked_for(lab):
+    page = measuring(lab)
+    page.get_by_role("button", name="A wall of unknown e").click()
+    ready(page)
+    (wall,) = scene(page)["walls"]
+    assert 0.3 < wall["e"] < 1
+    assert not page.get_by_label("e of all walls", exact=True).is_visible()
+    page.get_by_role("button", name="Show e of the walls").click()
+    expect(page.locator(".note")).to_contain_text(f"is {wall['e']}")
+    assert page.get_by_label("e of all walls", exact=True).is_visible()
+
+
+@pytest.mark.parametrize(("width", "height"), SCREENS)
+def test_measuring_fits_every_screen(lab, width, height):
+    page = measuring(lab)
+    page.set_viewport_size({"width": width, "height": height})
+    page.get_by_role("button", name="Read all impacts").click()
+    assert not too_wide(page)
+    accessible(page)

@@ -2,10 +2,11 @@
 
 // `message` begins small and ends without a full stop, as the server's own do: see `sentence`.
 class Refused extends Error {
-  constructor(status, message, wait = null) {
+  constructor(status, message, { wait = null, line = null } = {}) {
     super(message);
     this.status = status; // 0 where there is no answer at all
     this.wait = wait; // seconds after which to try again, or null
+    this.line = line; // of the text that was sent, which is to blame, or null
   }
 }
 
@@ -26,7 +27,8 @@ async function post(what, body, signal) {
   const told = await reply.json().catch(() => ({}));
   signal?.throwIfAborted();
   const wait = Number(reply.headers.get("Retry-After")) || null;
-  throw new Refused(reply.status, told.error?.message ?? `the server says ${reply.status}`, wait);
+  const { message = `the server says ${reply.status}`, line = null } = told.error ?? {};
+  throw new Refused(reply.status, message, { wait, line });
 }
 
 // The reply, whole; `onEarly` is told what of it is there before, where that takes its time: then the
@@ -53,7 +55,7 @@ export async function ask(what, body, { signal, onEarly } = {}) {
     unreachable(error); // cut short
   }
   if (made.answer) return made;
-  throw new Refused(503, made.error?.message ?? "the server broke off", null);
+  throw new Refused(503, made.error?.message ?? "the server broke off");
 }
 
 // The same for a file.

@@ -44,8 +44,8 @@ function body() {
   const { data, from_normal: turned } = fields();
   if (data.length > LARGEST) {
     throw new Error(
-      `The table has ${data.length} characters, more than the page takes (${LARGEST}): the command ` +
-      "restitution experiment reads larger ones",
+      `The table has ${data.length} characters, and the page takes ${LARGEST}: the command ` +
+      "restitution experiment reads more",
     );
   }
   const given = Object.entries(errors).filter(([, value]) => value !== null);
@@ -71,7 +71,7 @@ async function analyse() {
     show(reply);
   } catch (error) {
     if (error.name === "AbortError") return;
-    say(sentence(error.message));
+    say(error.line ? `Line ${error.line}: ${sentence(error.message)}` : sentence(error.message));
     $("results").classList.add("stale");
   } finally {
     if (asking === giving) $("results").setAttribute("aria-busy", "false");
@@ -153,8 +153,8 @@ async function open() {
   $("file").value = "";
   if (!file) return;
   if (file.size > 4 * LARGEST) {
-    say(`${file.name} has ${file.size} bytes, more than the page takes: the command restitution ` +
-      "experiment reads larger files.");
+    say(`${file.name} has ${file.size} bytes, too many for the page: the command restitution ` +
+      "experiment reads more.");
     return;
   }
   $("data").value = decoded(await file.arrayBuffer());
@@ -165,7 +165,8 @@ async function open() {
 function decoded(buffer) {
   const [first, second] = new Uint8Array(buffer);
   const wide = (first === 0xff && second === 0xfe) || (first === 0xfe && second === 0xff);
-  return new TextDecoder(wide ? (first === 0xff ? "utf-16le" : "utf-16be") : "utf-8").decode(buffer);
+  const encoding = wide ? (first === 0xff ? "utf-16le" : "utf-16be") : "utf-8";
+  return new TextDecoder(encoding).decode(buffer);
 }
 
 async function copy({ target }) {

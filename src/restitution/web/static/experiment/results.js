@@ -1,6 +1,7 @@
 // The result of an experiment: e, the readings, what a class computes, the check of the model.
 
-import { html, mathematics } from "../player/elements.js";
+import { html } from "../player/elements.js";
+import { capital, prose } from "./prose.js";
 
 const SIGNS = { seen: "!", "not seen": "✓", untested: "?" };
 const VERDICTS = { seen: "seen", "not seen": "not seen", untested: "untested" };
@@ -26,8 +27,8 @@ const ratio = ({ x, y }) => (x ? fixed(y / x, 3) : "–");
 function headline({ words }) {
   const [value, interval, errors] = words;
   return html("div", { class: "headline" },
-    html("p", { class: "value" }, ...mathematics(value)),
-    html("p", {}, interval),
+    html("p", { class: "value" }, ...prose(value)),
+    html("p", {}, ...prose(interval)),
     html("p", { class: "quiet" }, errors));
 }
 
@@ -50,7 +51,7 @@ function readings({ points, kind }) {
     html("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "The readings" },
       html("table", { class: "numbers" },
         html("thead", {}, html("tr", {},
-          ...heads.map(([words]) => head(...mathematics(words))), head("Distance"))),
+          ...heads.map(([words]) => head(...prose(words))), head("Distance"))),
         html("tbody", {}, ...rows))),
     html("p", { class: "hint" },
       "Distance from the law, in standard errors; more than 3 is rare."));
@@ -60,22 +61,22 @@ function classValues({ class_values: values, e, standard_error: error, points })
   const angles = points[0]?.alpha !== null;
   const quotient = angles ? "tan β / tan α" : "separation / approach";
   const line = (words, value) =>
-    html("tr", {}, html("th", { scope: "row" }, ...mathematics(words)), cell(value));
+    html("tr", {}, html("th", { scope: "row" }, ...prose(words)), cell(value));
   return html("section", { class: "class-values" },
     html("h3", {}, "What a class computes"),
     html("table", {}, html("tbody", {},
       line(`Mean of ${quotient}`, withError(values.mean_ratio, values.mean_ratio_error)),
       line("Slope of the line through the origin", withError(values.slope, null)),
       line("The fit, with errors in both", withError(e, error)))),
-    html("p", {}, ...mathematics(values.why)));
+    html("p", {}, ...prose(values.why)));
 }
 
 function check({ title, verdict, sentence }) {
   const words = sentence.replace(/^Untested: /, "");
   return html("li", { class: verdict.replace(" ", "-") },
     html("span", { class: "sign", "aria-hidden": "true" }, SIGNS[verdict]),
-    html("h4", {}, `${title[0].toUpperCase()}${title.slice(1)}: `, html("em", {}, VERDICTS[verdict])),
-    html("p", {}, ...mathematics(words)));
+    html("h4", {}, ...prose(capital(title)), ": ", html("em", {}, VERDICTS[verdict])),
+    html("p", {}, ...prose(words)));
 }
 
 function checks({ checks: all }) {
@@ -90,7 +91,7 @@ function notes({ table, notes: said }) {
   const rows = faults.length === 1 ? "1 row" : `${faults.length} rows`;
   return [
     section(`Left out: ${rows}`, faults),
-    section("Notes", said.map((note) => html("li", {}, ...mathematics(note)))),
+    section("Notes", said.map((note) => html("li", {}, ...prose(note)))),
   ].filter(Boolean);
 }
 

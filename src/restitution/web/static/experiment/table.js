@@ -35,8 +35,7 @@ export function bare(text) {
   const line = firstLine(text).trim();
   if (!line) return null;
   const cells = cellsOf(line);
-  const numbers = cells.length > 1 && cells.length in USUAL && cells.every((cell) => NUMBER.test(cell));
-  return numbers ? cells : null;
+  return cells.length in USUAL && cells.every((cell) => NUMBER.test(cell)) ? cells : null;
 }
 
 // The text with a header above it.

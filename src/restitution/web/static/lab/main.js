@@ -4,8 +4,8 @@ import { Clock } from "../player/clock.js";
 import { check } from "../player/controls.js";
 import { allow, button, html } from "../player/elements.js";
 import { isTyping, listOfKeys, obey } from "../player/keys.js";
-import { spoken } from "../player/motion.js";
-import { seconds } from "../player/numbers.js";
+import { placeAt, spoken } from "../player/motion.js";
+import { dot, figures, seconds } from "../player/numbers.js";
 import { CROWD } from "../player/picture.js";
 import { Card } from "../player/tables.js";
 import { Transport } from "../player/transport.js";
@@ -13,7 +13,9 @@ import { ask, sentence } from "../api.js";
 import { fragment, read } from "./address.js";
 import { Bars } from "./bars.js";
 import { History } from "./history.js";
-import { at, fromRows, still } from "./scene.js";
+import { Instruments } from "./instruments.js";
+import { Measure } from "./measure.js";
+import { at, fromRows, still, withWall } from "./scene.js";
 import { SCENES } from "./scenes.js";
 import { Simulation } from "./simulation.js";
 import { Stage } from "./stage.js";
@@ -61,6 +63,8 @@ class Lab {
     this.bars = new Bars();
     this.values = new ValuesTable(this);
     this.tools = new Tools(this.stage, this);
+    this.instruments = new Instruments(this.stage);
+    this.measure = new Measure(this);
     this.clock = new Clock({
       moved: () => this.draw(),
       met: (event) => this.announce(event),
@@ -96,6 +100,8 @@ class Lab {
     this.watch = html("p", { class: "watch", id: "watch" });
     this.toolButtons = [["move", "Move and throw"], ["wall", "Draw walls"]].map(([tool, label]) =>
       button(label, () => this.take(tool), { "data-tool": tool, "aria-pressed": "false" }));
+    this.measuring = button("Measure", () => this.toMeasure(!this.measure.shown),
+      { "aria-pressed": "false" });
     this.edits = {
       add: button("Add a sphere", () => this.tools.addSphere()),
       wall: button("Add a wall", () => this.tools.addWall()),
@@ -103,7 +109,8 @@ class Lab {
       undo: button("Undo", () => this.undo()),
       redo: button("Redo", () => this.redo()),
     };
-    this.frame = html("div", { class: "frame" }, this.stage.picture.node, this.stage.handles);
+    this.frame = html("div", { class: "frame" }, this.stage.picture.node, this.stage.handles,
+      this.instruments.node);
     this.views = html("div", { class: "views", role: "group", "aria-label": "View" },
       button("+", () => this.zoom(1.25), named("Nearer")),
       button("−", () => this.zoom(0.8), named("Further away")),
@@ -127,13 +134,15 @@ class Lab {
       html("div", { class: "floor" },
         html("div", { class: "left" },
           html("div", { class: "tools", role: "group", "aria-label": "Tools" },
-            ...this.toolButtons, html("span", { class: "gap" }), ...Object.values(this.edits)),
+            ...this.toolButtons, html("span", { class: "gap" }), ...Object.values(this.edits),
+            html("span", { class: "gap" }), this.measuring),
           html("div", { class: "ground" }, this.frame, this.views),
           this.transport.timeline,
           this.transport.node,
           html("div", { class: "options" }, this.slow.node, ...this.shows.map(({ node }) => node)),
           this.note),
         html("div", { class: "right" }, this.card.node, this.make, this.bars.node)),
+      this.measure.node,
       this.values.node,
       this.live,
       this.help,
@@ -371,6 +380,7 @@ class Lab {
       this.fitted = true;
     }
     this.stage.lay(this.clock.motion, this.width, this.height);
+    this.instruments.draw();
     this.transport.lay(this.width);
     this.draw();
   }
@@ -463,6 +473,7 @@ class Lab {
       allow(this.make, shown?.kind === "impact");
       this.card.show(shown, number, moment ? shown.time : now);
       this.bars.show(now);
+      this.measure.look();
       if (!playing) this.look();
       else if (!crowd) this.values.show(this.current(), ` at ${seconds(now)}`);
     }
@@ -475,6 +486,62 @@ class Lab {
     const scene = this.current();
     this.values.showAll(scene, now > 0 ? ` at ${seconds(now)}` : " at the start");
     this.stage.hold(scene);
+  }
+
+  // --- measuring ---------------------------------------------------------------------------------
+
+  // With instruments on the table, and without the true values beside it.
+  toMeasure(on) {
+    this.measuring.setAttribute("aria-pressed", String(on));
+    this.card.node.hidden = on;
+    this.measure.show(on);
+    this.instruments.show(on);
+    if (on && !this.spread) this.instruments.spread();
+    this.spread ||= on;
+    this.measure.look();
+  }
+
+  // The impact with a wall that is shown, or null.
+  impact() {
+    const event = this.shown;
+    return event?.kind === "impact" && event.wall ? event : null;
+  }
+
+  impacts() {
+    return this.clock.motion?.events.filter(({ kind, wall }) => kind === "impact" && wall) ?? [];
+  }
+
+  // Lays the protractor to an impact with a wall, where the ball is as they meet.
+  align(event) {
+    if (!event) return this.say("Nothing hits a wall now. Play until something does.");
+    const [name] = event.bodies;
+    const ball = this.clock.motion.spheres.find((sphere) => sphere.name === name);
+    const sign = dot(event.before[name], event.line) > 0 ? -1 : 1;
+    this.instruments.lay(placeAt(ball, event.time), event.line.map((x) => sign * x));
+  }
+
+  // Gives all walls one coefficient that is not shown. False where there is no wall.
+  conceal() {
+    const scene = this.initial();
+    if (!scene.walls.length) {
+      this.say("There is no wall on the table: draw one.");
+      return false;
+    }
+    const e = Number((0.35 + 0.6 * Math.random()).toFixed(2));
+    this.concealed = true;
+    this.root.classList.add("secret");
+    this.history.put(scene.walls.reduce((made, _, i) => withWall(made, i, { e }), scene));
+    this.renew();
+    this.say("The walls have another e now, which you do not see. Measure it.");
+    return true;
+  }
+
+  reveal() {
+    if (!this.concealed) return;
+    this.concealed = false;
+    this.root.classList.remove("secret");
+    const [{ e } = {}] = this.initial().walls;
+    if (e !== undefined) this.say(`The e of ${this.initial().walls[0].name} is ${figures(e)}.`);
   }
 
   // --- beyond the page ---------------------------------------------------------------------------
