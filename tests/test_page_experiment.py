@@ -46,7 +46,7 @@ def test_an_error_of_reading_changes_where_the_errors_are_from(experiment) -> No
     page = experiment(data=WALL)
     expect(page.locator(".headline")).to_contain_text("estimated from the scatter")
     page.locator("#angle-error").fill("0,5")
-    expect(page.locator(".headline")).to_contain_text("0.5° for each angle")
+    expect(page.locator(".headline")).to_contain_text("0.5°")
     page.locator("#angle-error").fill("-1")
     expect(page.locator("#notice")).to_contain_text("above 0")
     expect(page.locator("#angle-error")).to_have_attribute("aria-invalid", "true")
@@ -104,7 +104,9 @@ def test_each_example_shows_what_it_is_for(experiment) -> None:
     page = experiment()
     for example, verdict in (("wall", None), ("rough", "Friction"), ("askew", "misses the origin")):
         options = page.locator("#example option").all_inner_texts()
-        (chosen,) = [i for i, each in enumerate(options) if example in each.split(",")[0].lower()][:1]
+        (chosen,) = [i for i, each in enumerate(options) if example in each.split(",")[0].lower()][
+            :1
+        ]
         page.locator("#results").evaluate("(node) => node.replaceChildren()")
         page.locator("#example").select_option(index=chosen)
         answered(page)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from typing import Any
+from xml.etree import ElementTree as ET
 
-from restitution.errors import StatementError
+from restitution.errors import StatementError, UnsupportedError
 from restitution.experiments import experiment
 from restitution.experiments.numbers import with_error
 from restitution.experiments.records import KINDS, Kind
@@ -63,4 +64,20 @@ def _error(value: float | None, name: str) -> float | None:
 
 def _pictures(result: Experiment) -> Object:
     """The pictures; or why there are none, which leaves the rest as it is."""
-    return {"pictures": [], "pictures_error": None}
+    from restitution.experiments.plots import law_plot, residual_plot, speed_plot
+
+    try:
+        drawn = [law_plot(result), residual_plot(result), speed_plot(result)]
+    except UnsupportedError as error:
+        return {"pictures": [], "pictures_error": error.message}
+    return {"pictures": [_picture(each) for each in drawn if each], "pictures_error": None}
+
+
+def _picture(svg: str) -> Object:
+    """A picture with the title and the description that stand in it."""
+    root = ET.fromstring(svg)
+    words = {name: root.findtext(f"{_SVG}{name}", "") for name in ("title", "desc")}
+    return {"title": words["title"], "description": words["desc"], "svg": svg}
+
+
+_SVG = "{http://www.w3.org/2000/svg}"

@@ -185,7 +185,7 @@ def experiment(
     speed_error: float | None = None,
     from_normal: bool = False,
 ) -> Made:
-    """The coefficient of restitution from a table; an error where it cannot be read, or does not determine e."""
+    """The coefficient of restitution from a table; an error where the table does not give it."""
     from restitution.export import experimenting
 
     return _tried(

@@ -3,7 +3,7 @@
 import { html } from "../player/elements.js";
 
 // Words in which single letters are quantities, which are set in italics; "a" is a word.
-const LETTER = /(?<![A-Za-zα-ω])([euvpmxyt]|[αβ])(?![A-Za-zα-ω])/;
+const LETTER = /(?<![A-Za-zα-ω])([euvpxyt]|[αβ])(?![A-Za-zα-ω])/;
 
 export const prose = (text) =>
   text.split(LETTER).map((piece, i) => (i % 2 ? html("var", {}, piece) : piece));

@@ -72,7 +72,7 @@ function classValues({ class_values: values, e, standard_error: error, points })
 }
 
 function check({ title, verdict, sentence }) {
-  const words = sentence.replace(/^Untested: /, "");
+  const words = capital(sentence.replace(/^Untested: /, ""));
   return html("li", { class: verdict.replace(" ", "-") },
     html("span", { class: "sign", "aria-hidden": "true" }, SIGNS[verdict]),
     html("h4", {}, ...prose(capital(title)), ": ", html("em", {}, VERDICTS[verdict])),
@@ -91,7 +91,7 @@ function notes({ table, notes: said }) {
   const rows = faults.length === 1 ? "1 row" : `${faults.length} rows`;
   return [
     section(`Left out: ${rows}`, faults),
-    section("Notes", said.map((note) => html("li", {}, ...prose(note)))),
+    section("Notes", said.map((note) => html("li", {}, ...prose(`${capital(note)}.`)))),
   ].filter(Boolean);
 }
 
