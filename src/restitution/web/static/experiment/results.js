@@ -3,8 +3,10 @@
 import { html } from "../player/elements.js";
 import { capital, prose } from "./prose.js";
 
-const SIGNS = { seen: "!", "not seen": "✓", untested: "?" };
-const VERDICTS = { seen: "seen", "not seen": "not seen", untested: "untested" };
+// Of each verdict its sign and its class.
+const VERDICTS = {
+  seen: ["!", "seen"], "not seen": ["✓", "unseen-pattern"], untested: ["?", "untested"],
+};
 const MOST_ROWS = 200; // of readings, in the page
 
 const minus = (text) => text.replace("-", "−");
@@ -73,9 +75,10 @@ function classValues({ class_values: values, e, standard_error: error, points })
 
 function check({ title, verdict, sentence }) {
   const words = capital(sentence.replace(/^Untested: /, ""));
-  return html("li", { class: verdict.replace(" ", "-") },
-    html("span", { class: "sign", "aria-hidden": "true" }, SIGNS[verdict]),
-    html("h4", {}, ...prose(capital(title)), ": ", html("em", {}, VERDICTS[verdict])),
+  const [sign, kind] = VERDICTS[verdict];
+  return html("li", { class: kind },
+    html("span", { class: "sign", "aria-hidden": "true" }, sign),
+    html("h4", {}, ...prose(capital(title)), ": ", html("em", {}, verdict)),
     html("p", {}, ...prose(words)));
 }
 

@@ -117,7 +117,7 @@ class Instrument {
   }
 }
 
-export class Protractor extends Instrument {
+class Protractor extends Instrument {
   constructor(stage) {
     super("protractor", stage);
   }
@@ -152,7 +152,7 @@ export class Protractor extends Instrument {
   }
 }
 
-export class Ruler extends Instrument {
+class Ruler extends Instrument {
   constructor(stage) {
     super("ruler", stage);
   }
