@@ -56,7 +56,7 @@ export class Measure {
     this.heads = html("tr");
     this.table = html("div", { class: "scroll", role: "group", "aria-label": "Trials" },
       html("table", {}, html("thead", {}, this.heads), this.body));
-    this.outcome = html("div", { class: "outcome", "aria-live": "polite" });
+    this.outcome = html("div", { class: "outcome", role: "status" });
     this.node = html("section", { class: "measure", hidden: true },
       html("h2", {}, "Measure"),
       html("p", {}, "Play, stop at an impact with a wall, lay the protractor to it, and type the " +
