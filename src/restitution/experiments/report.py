@@ -1,17 +1,229 @@
-"""An experiment as a report on paper-ready sheets."""
+"""An experiment as a report on A4: the value, pictures, the check of the model, all readings."""
 
 from __future__ import annotations
 
-from html import escape
+import math
+from collections.abc import Iterator
 from typing import Literal
 
-from restitution.errors import UnsupportedError
-from restitution.experiments.results import Experiment
+from restitution.counting import counted
+from restitution.drawing.labels import place
+from restitution.drawing.svg import render
+from restitution.experiments.numbers import fixed, with_error
+from restitution.experiments.plots import law_plot, residual_plot, speed_plot
+from restitution.experiments.results import Check, Experiment, Point
+from restitution.experiments.texts import TITLES, error_sentence, interval_sentence
+from restitution.experiments.track_scenes import track_scenes
+from restitution.render.document import (
+    Block,
+    Document,
+    Heading,
+    Inline,
+    Item,
+    Listing,
+    Paragraph,
+    Picture,
+    Table,
+)
+from restitution.render.layout import Fraction, Function, Layout, Letter, Phrase, Words
+
+MOST_ROWS = 500
+"""Readings that are printed; more are counted."""
+MOST_PICTURES = 12
+"""Trials of which the tracks are drawn."""
+
+ALPHA, BETA = Letter("alpha"), Letter("beta")
+TAN_ALPHA, TAN_BETA = Function("tan", ALPHA), Function("tan", BETA)
+
+_LAW, _OTHER = 125.0, 120.0  # widths of the plots, in millimetres
+_TRACK = 84.0
 
 
 def report(experiment: Experiment, form: Literal["html", "pdf"]) -> bytes:
-    """The words of an experiment as a page. Raises UnsupportedError for a PDF."""
+    """The report as one page of HTML or as a PDF of A4 pages; the same bytes for the same result.
+
+    Raises UnsupportedError where Matplotlib, or typst for a PDF, is not installed.
+    """
+    document = document_of(experiment)
     if form == "pdf":
-        raise UnsupportedError("a report is not made as PDF yet: take .html, and print it")
-    title = "<!doctype html><html lang=en><meta charset=utf-8><title>Experiment</title>"
-    return f"{title}<pre>{escape(experiment.text())}</pre></html>\n".encode()
+        from restitution.render.document.typst import to_pdf
+
+        return to_pdf(document)
+    from restitution.render.document.html import to_html
+
+    return to_html(document).encode()
+
+
+def document_of(experiment: Experiment) -> Document:
+    """The report as a document. Raises UnsupportedError where Matplotlib is not installed."""
+    blocks = [
+        *_result(experiment),
+        *_checks(experiment),
+        *_class(experiment),
+        *_plots(experiment),
+        *_tracks(experiment),
+        *_readings(experiment),
+        *_left_out(experiment),
+        *_notes(experiment),
+    ]
+    return Document(TITLES[experiment.kind], tuple(blocks))
+
+
+def _result(experiment: Experiment) -> Iterator[Block]:
+    interval, error = experiment.interval, experiment.standard_error
+    result = with_error(experiment.e, error)
+    yield Paragraph(("Coefficient of restitution ", Letter("e"), f" = {result}"), "result")
+    count = counted(len(experiment.points), "reading")
+    left_out = len(experiment.table.faults)
+    beside = f", {counted(left_out, 'row')} left out" if left_out else ""
+    yield Paragraph(
+        f"From {count}{beside}. {interval_sentence(interval, error)} {error_sentence(experiment)}"
+    )
+    yield Picture(law_plot(experiment), _LAW)
+
+
+def _plots(experiment: Experiment) -> Iterator[Block]:
+    yield Heading("Distances from the fit")
+    yield Picture(residual_plot(experiment), _OTHER)
+    speeds = speed_plot(experiment)
+    if speeds is not None:
+        yield Heading("e and speed")
+        yield Picture(speeds, _OTHER)
+
+
+def _tracks(experiment: Experiment) -> Iterator[Block]:
+    scenes = track_scenes(experiment)
+    if scenes:
+        yield Heading("Tracks")
+    for scene in scenes[:MOST_PICTURES]:
+        placed = place(scene)
+        width = placed.box[2] - placed.box[0]
+        yield Picture(render(placed), max(_TRACK, min(width, _OTHER)), scene.title)
+    if len(scenes) > MOST_PICTURES:
+        yield Paragraph(f"{len(scenes) - MOST_PICTURES} more trials are not drawn.", "remark")
+
+
+# --- words ------------------------------------------------------------------------------------
+
+
+def _checks(experiment: Experiment) -> Iterator[Block]:
+    yield Heading("Check of the model")
+    rows = tuple((each.title, _verdict(each), _sentence(each)) for each in experiment.checks)
+    yield Table(("pattern", "verdict", "what the readings say"), rows, "lcl")
+
+
+def _verdict(check: Check) -> str:
+    return check.verdict.upper() if check.verdict == "seen" else check.verdict
+
+
+def _sentence(check: Check) -> str:
+    sentence = check.sentence.removeprefix("Untested: ")
+    return sentence[:1].upper() + sentence[1:]
+
+
+def _class(experiment: Experiment) -> Iterator[Block]:
+    values = experiment.class_values
+    ratio: Inline = Fraction(TAN_BETA, TAN_ALPHA) if _walls(experiment) else "separation / approach"
+    yield Heading("What a class computes")
+    yield Table(
+        ("", "value"),
+        (
+            (_joined("mean of ", ratio), with_error(values.mean_ratio, values.mean_ratio_error)),
+            ("slope of the line through the origin", f"{values.slope:.3g}"),
+            ("fit with errors in both", with_error(experiment.e, experiment.standard_error)),
+        ),
+        "lr",
+        narrow=True,
+    )
+    yield Paragraph(values.why)
+
+
+def _notes(experiment: Experiment) -> Iterator[Block]:
+    yield Heading("Notes")
+    method = experiment.interval.method
+    words = [f"The interval: {method}", *experiment.notes]
+    yield Listing(tuple(Item(_full_sentence(each)) for each in words if each))
+
+
+def _full_sentence(words: str) -> str:
+    return words[:1].upper() + words[1:] + ("" if words.endswith(".") else ".")
+
+
+# --- tables -----------------------------------------------------------------------------------
+
+
+def _readings(experiment: Experiment) -> Iterator[Block]:
+    yield Heading("Readings")
+    points = experiment.points[:MOST_ROWS]
+    columns = list(_columns(experiment))
+    rows = tuple(tuple(cell(each) for _, cell in columns) for each in points)
+    yield Table(tuple(head for head, _ in columns), rows, "r" * len(columns))
+    if len(experiment.points) > MOST_ROWS:
+        more = len(experiment.points) - MOST_ROWS
+        yield Paragraph(f"{more} more are not printed.", "remark")
+    far = "The distance is that from the fit, in standard errors; more than 3 is rare."
+    yield Paragraph(far, "remark")
+
+
+_Column = tuple[Inline, "_Cell"]
+
+
+class _Cell:
+    """What a column says of a reading: its kind, with so many places."""
+
+    def __init__(self, quantity: str, places: int = 3, unit: str = "") -> None:
+        self.quantity, self.places, self.unit = quantity, places, unit
+
+    def __call__(self, point: Point) -> str:
+        value = point.y / point.x if self.quantity == "ratio" and point.x else _value(point, self)
+        if value is None or not math.isfinite(value):
+            return "–"
+        if abs(value) >= 1000:
+            return "large"
+        return f"{fixed(value, self.places)}{self.unit}"
+
+
+def _value(point: Point, cell: _Cell) -> float | None:
+    if cell.quantity == "ratio":
+        return None
+    value: float | None = getattr(point, cell.quantity)
+    return value
+
+
+def _columns(experiment: Experiment) -> Iterator[tuple[Inline, _Cell]]:
+    yield "line", _Cell("line", 0)
+    points = experiment.points
+    if _walls(experiment):
+        yield ALPHA, _Cell("alpha", 1, "°")
+        yield BETA, _Cell("beta", 1, "°")
+        yield TAN_ALPHA, _Cell("x")
+        yield TAN_BETA, _Cell("y")
+        yield Fraction(TAN_BETA, TAN_ALPHA), _Cell("ratio")
+    else:
+        yield "approach", _Cell("x")
+        yield "separation", _Cell("y")
+        yield "ratio", _Cell("ratio")
+    if any(each.speed is not None for each in points):
+        yield Letter("u"), _Cell("speed")
+    yield "distance", _Cell("residual", 1)
+
+
+def _left_out(experiment: Experiment) -> Iterator[Block]:
+    faults = experiment.table.faults
+    if not faults:
+        return
+    yield Heading("Left out")
+    rows = tuple(
+        (str(each.line), each.column, each.value, each.rule) for each in faults[:MOST_ROWS]
+    )
+    yield Table(("line", "column", "value", "why"), rows, "rlll")
+    if len(faults) > MOST_ROWS:
+        yield Paragraph(f"{len(faults) - MOST_ROWS} more are not printed.", "remark")
+
+
+def _walls(experiment: Experiment) -> bool:
+    return experiment.points[0].alpha is not None
+
+
+def _joined(words: str, rest: Inline) -> Inline:
+    return (words, *rest) if isinstance(rest, tuple) else (words, rest)

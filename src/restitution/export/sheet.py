@@ -12,7 +12,7 @@ from html import escape
 from typing import TYPE_CHECKING, Literal
 
 from restitution.render.page import page
-from restitution.render.typst import compiled, literal, words
+from restitution.render.typst import NAME, compiled, literal, paper
 
 if TYPE_CHECKING:
     from restitution.explaining.marks import Style
@@ -125,13 +125,7 @@ _LONG = 4000  # characters of markup that a page may not hold
 
 # --- typst --------------------------------------------------------------------------------------
 
-_PAGE = """\
-#set document(title: TITLE, date: none)
-#set page(paper: "a4", margin: (x: 20mm, top: 24mm, bottom: 20mm), numbering: "1 of 1",
-  header: [#set text(size: 9pt); #text(TITLE) #h(1fr) HEAD #v(-0.6em) #line(length: 100%,
-    stroke: 0.4pt)])
-#set text(font: "New Computer Modern", size: 11pt, lang: "en", region: "GB")
-#set par(justify: false, leading: 0.62em)
+_SETUP = """\
 #let numbered(number, title, body) = block(above: 1.6em, breakable: true, grid(
   columns: (1.8em, 1fr), strong[#number], [#if title != none { block(sticky: true, strong(title)) }
   #body]))
@@ -153,13 +147,9 @@ def to_pdf(entries: Sequence[Entry], title: str | None, options: Options) -> byt
 def _typst_document(entries: Sequence[Entry], title: str, options: Options) -> str:
     from restitution.workings.typst import PREAMBLE
 
-    head = words(
-        ""
-        if options.solutions or options.scheme
-        else "Name ........................................"
-    )
-    setup = _PAGE.replace("TITLE", literal(title)).replace("HEAD", head)
-    blocks = [setup.replace("WIDTH", f"{FIGURE}mm"), PREAMBLE]
+    head = "" if options.solutions or options.scheme else NAME
+    setup = paper(title, head) + _SETUP.replace("WIDTH", f"{FIGURE}mm")
+    blocks = [setup, PREAMBLE]
     alone = len(entries) == 1
     for number, each in enumerate(entries, 1):
         blocks.append(_typst_numbered(number, each.title, each.question, alone, title))

@@ -138,6 +138,25 @@ def _unit_number(inside: Layout) -> str:
     return f"lr(({body}))" if isinstance(inside, Fraction) else body
 
 
+_PAPER = """\
+#set document(title: TITLE, date: none)
+#set page(paper: "a4", margin: (x: 20mm, top: 24mm, bottom: 20mm), numbering: "1 of 1",
+  header: [#set text(size: 9pt); #text(TITLE) #h(1fr) HEAD #v(-0.6em) #line(length: 100%,
+    stroke: 0.4pt)])
+#set text(font: "New Computer Modern", size: 11pt, lang: "en", region: "GB")
+#set par(justify: false, leading: 0.62em)
+"""
+
+
+NAME = "Name ........................................"
+"""What stands above a sheet that is handed in."""
+
+
+def paper(title: str, head: str) -> str:
+    """The beginning of a document on A4: its title and ``head`` stand above every page."""
+    return _PAPER.replace("HEAD", words(head)).replace("TITLE", literal(title))
+
+
 def compiled(
     source: str, form: Literal["pdf", "png"], instead: str, sharpness: float | None = None
 ) -> bytes:
