@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import html
+import io
 import math
 import re
+import unicodedata
 import xml.etree.ElementTree as ET
 
 import matplotlib as mpl
 import numpy as np
+import pypdf
 import pytest
 from commands import run
 from hypothesis import given, settings
@@ -18,6 +22,7 @@ from restitution.drawing.svg import INK
 from restitution.experiments.frames import frame_of, outlying
 from restitution.experiments.plots import law_plot, residual_plot, speed_plot
 from restitution.experiments.records import Table
+from restitution.experiments.report import report
 from restitution.experiments.results import Check, ClassValues, Experiment, Interval, Point
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -209,3 +214,62 @@ def test_the_command_writes_the_picture_of_the_law(tmp_path):
     assert (tmp_path / "law.png").read_bytes().startswith(b"\x89PNG")
     status, _, messages = run("experiment", *usual, "-o", tmp_path / "law.gif")
     assert status == 2 and ".svg" in messages
+
+
+# --- reports ----------------------------------------------------------------------------------
+
+TABLE = "alpha,beta,u\n30,21,1\n45,34,2\n60,49,1.5\nforty,21,1\n50,40.5,\n"
+
+
+def plain(pdf: bytes) -> str:
+    """The text of a PDF of A4 pages, letters of mathematical alphabets as plain ones."""
+    read = pypdf.PdfReader(io.BytesIO(pdf))
+    assert all(tuple(map(round, page.mediabox[2:])) == (595, 842) for page in read.pages)
+    text = "\n".join(page.extract_text() for page in read.pages)
+    return " ".join(unicodedata.normalize("NFKC", text).split())
+
+
+def test_a_report_has_the_value_the_readings_the_checks_and_what_was_left_out():
+    result = r.experiment(TABLE, angle_error=1)
+    assert result.table.faults
+    page = report(result, "html").decode()
+    bare = re.sub(r"(?s)<svg.*?</svg>|<style.*?</style>|<[^>]+>", " ", page)
+    text = " ".join(html.unescape(bare).split())
+    printed = plain(report(result, "pdf"))
+    for wanted in (
+        f"{result.e:.3f} ± {result.standard_error:.3f}",
+        "2 rows left out" if len(result.table.faults) == 2 else "1 row left out",
+        "forty",
+        "45.0°",
+        *(each.title for each in result.checks),
+    ):
+        assert wanted in text
+        assert wanted in printed
+    for each in result.checks:
+        words = each.sentence.removeprefix("Untested: ")[1:].split()
+        assert " ".join(words) in text
+    assert page.count("<svg") == 2 + (speed_plot(result) is not None)
+    assert page.count("<h2>") == len(re.findall(r"<h2>[^<]+</h2>", page))
+
+
+def test_a_report_is_the_same_each_time_and_escapes_what_was_typed():
+    result = r.experiment("alpha,beta\n30,21\n45,34\n<b>&,#set page()\n", angle_error=1)
+    page = report(result, "html")
+    assert page == report(result, "html") and report(result, "pdf") == report(result, "pdf")
+    assert b"<b>" not in page and b"&lt;b&gt;&amp;" in page
+    assert "<b>&" in plain(report(result, "pdf"))
+
+
+def test_of_many_readings_some_are_counted():
+    data = {"alpha": np.linspace(20, 60, 620), "beta": np.linspace(15, 52, 620)}
+    page = report(r.experiment(data, angle_error=1), "html").decode()
+    assert page.count("<tr>") < 540 and "120 more are not printed" in page
+
+
+def test_the_command_writes_reports(tmp_path):
+    table = tmp_path / "angles.csv"
+    table.write_text(TABLE, encoding="utf-8")
+    for ending, start in ((".html", b"<!DOCTYPE html>"), (".pdf", b"%PDF")):
+        path = tmp_path / f"report{ending}"
+        assert run("experiment", table, "--angle-error", "1", "-o", path)[0] == 0
+        assert path.read_bytes().startswith(start)

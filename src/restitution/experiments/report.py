@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Literal
 
 from restitution.counting import counted
-from restitution.drawing.labels import place
-from restitution.drawing.svg import render
+from restitution.drawing.svg import abreast
 from restitution.experiments.numbers import fixed, with_error
 from restitution.experiments.plots import law_plot, residual_plot, speed_plot
 from restitution.experiments.results import Check, Experiment, Point
@@ -25,7 +24,7 @@ from restitution.render.document import (
     Picture,
     Table,
 )
-from restitution.render.layout import Fraction, Function, Layout, Letter, Phrase, Words
+from restitution.render.layout import Function, Letter, Phrase
 
 MOST_ROWS = 500
 """Readings that are printed; more are counted."""
@@ -35,8 +34,10 @@ MOST_PICTURES = 12
 ALPHA, BETA = Letter("alpha"), Letter("beta")
 TAN_ALPHA, TAN_BETA = Function("tan", ALPHA), Function("tan", BETA)
 
+RATIO = Phrase((TAN_BETA, TAN_ALPHA), " / ")
+
 _LAW, _OTHER = 125.0, 120.0  # widths of the plots, in millimetres
-_TRACK = 84.0
+_ONE, _TWO = 84.0, 168.0  # of tracks, one or two beside each other
 
 
 def report(experiment: Experiment, form: Literal["html", "pdf"]) -> bytes:
@@ -95,10 +96,10 @@ def _tracks(experiment: Experiment) -> Iterator[Block]:
     scenes = track_scenes(experiment)
     if scenes:
         yield Heading("Tracks")
-    for scene in scenes[:MOST_PICTURES]:
-        placed = place(scene)
-        width = placed.box[2] - placed.box[0]
-        yield Picture(render(placed), max(_TRACK, min(width, _OTHER)), scene.title)
+    for index in range(0, min(len(scenes), MOST_PICTURES), 2):
+        two = scenes[index : index + 2]
+        width = _TWO if len(two) == 2 else _ONE
+        yield Picture(abreast(two, [each.title for each in two]), width)
     if len(scenes) > MOST_PICTURES:
         yield Paragraph(f"{len(scenes) - MOST_PICTURES} more trials are not drawn.", "remark")
 
@@ -117,13 +118,13 @@ def _verdict(check: Check) -> str:
 
 
 def _sentence(check: Check) -> str:
-    sentence = check.sentence.removeprefix("Untested: ")
-    return sentence[:1].upper() + sentence[1:]
+    reason = check.sentence.removeprefix("Untested: ")
+    return check.sentence if reason == check.sentence else _capital(reason)
 
 
 def _class(experiment: Experiment) -> Iterator[Block]:
     values = experiment.class_values
-    ratio: Inline = Fraction(TAN_BETA, TAN_ALPHA) if _walls(experiment) else "separation / approach"
+    ratio: Inline = RATIO if _walls(experiment) else "separation / approach"
     yield Heading("What a class computes")
     yield Table(
         ("", "value"),
@@ -146,7 +147,12 @@ def _notes(experiment: Experiment) -> Iterator[Block]:
 
 
 def _full_sentence(words: str) -> str:
-    return words[:1].upper() + words[1:] + ("" if words.endswith(".") else ".")
+    return _capital(words) + ("" if words.endswith(".") else ".")
+
+
+def _capital(words: str) -> str:
+    """Words as a sentence begins, unless with a letter that stands for a quantity."""
+    return words if words[1:2] == " " else words[:1].upper() + words[1:]
 
 
 # --- tables -----------------------------------------------------------------------------------
@@ -165,47 +171,38 @@ def _readings(experiment: Experiment) -> Iterator[Block]:
     yield Paragraph(far, "remark")
 
 
-_Column = tuple[Inline, "_Cell"]
-
-
-class _Cell:
-    """What a column says of a reading: its kind, with so many places."""
-
-    def __init__(self, quantity: str, places: int = 3, unit: str = "") -> None:
-        self.quantity, self.places, self.unit = quantity, places, unit
-
-    def __call__(self, point: Point) -> str:
-        value = point.y / point.x if self.quantity == "ratio" and point.x else _value(point, self)
-        if value is None or not math.isfinite(value):
-            return "–"
-        if abs(value) >= 1000:
-            return "large"
-        return f"{fixed(value, self.places)}{self.unit}"
-
-
-def _value(point: Point, cell: _Cell) -> float | None:
-    if cell.quantity == "ratio":
-        return None
-    value: float | None = getattr(point, cell.quantity)
-    return value
+_Cell = Callable[[Point], str]
 
 
 def _columns(experiment: Experiment) -> Iterator[tuple[Inline, _Cell]]:
-    yield "line", _Cell("line", 0)
+    """The heads of the table of readings, each with what it says of one."""
+    yield "line", lambda point: str(point.line)
     points = experiment.points
+    if any(each.label for each in points):
+        yield "trial", lambda point: point.label
     if _walls(experiment):
-        yield ALPHA, _Cell("alpha", 1, "°")
-        yield BETA, _Cell("beta", 1, "°")
-        yield TAN_ALPHA, _Cell("x")
-        yield TAN_BETA, _Cell("y")
-        yield Fraction(TAN_BETA, TAN_ALPHA), _Cell("ratio")
+        yield ALPHA, lambda point: _number(point.alpha, 1, "°")
+        yield BETA, lambda point: _number(point.beta, 1, "°")
+        yield TAN_ALPHA, lambda point: _number(point.x)
+        yield TAN_BETA, lambda point: _number(point.y)
+        yield RATIO, _ratio
     else:
-        yield "approach", _Cell("x")
-        yield "separation", _Cell("y")
-        yield "ratio", _Cell("ratio")
+        yield "approach", lambda point: _number(point.x)
+        yield "separation", lambda point: _number(point.y)
+        yield "ratio", _ratio
     if any(each.speed is not None for each in points):
-        yield Letter("u"), _Cell("speed")
-    yield "distance", _Cell("residual", 1)
+        yield "speed", lambda point: _number(point.speed)
+    yield "distance", lambda point: _number(point.residual, 1)
+
+
+def _ratio(point: Point) -> str:
+    return _number(point.y / point.x if point.x else None)
+
+
+def _number(value: float | None, places: int = 3, unit: str = "") -> str:
+    if value is None or not math.isfinite(value):
+        return "–"
+    return "large" if abs(value) >= 1000 else f"{fixed(value, places)}{unit}"
 
 
 def _left_out(experiment: Experiment) -> Iterator[Block]:

@@ -77,19 +77,18 @@ def _table(table: Table) -> str:
         "  " + ", ".join(f"[{inline(each)}]" for each in row) + ",\n" for row in table.rows
     )
     # The last column of words takes the room that is left.
-    wide = table.align.rfind("l")
-    kinds = [
-        "auto" if table.narrow or (index != wide and wide >= 0) else "1fr"
-        for index in range(len(table.align))
-    ]
+    kinds = ["auto"] * len(table.align)
+    if "l" in table.align and not table.narrow:
+        kinds[table.align.rfind("l")] = "1fr"
     sides = ", ".join(_ALIGNED[each] for each in table.align)
     lines = "0.4pt" if table.ruled else "(x, y) => (bottom: if y == 0 { 0.8pt } else { 0.25pt })"
     height = "" if table.height is None else f"rows: (auto, {table.height:g}mm), "
     columns = ", ".join(kinds)
-    return (
-        f"#table(columns: ({columns},), {height}stroke: {lines}, inset: 4pt, "
+    table_of = (
+        f"table(columns: ({columns},), {height}stroke: {lines}, inset: (x: 6pt, y: 4pt), "
         f"align: ({sides},),\n  table.header({heads}),\n{rows})"
     )
+    return f"#block(breakable: false, {table_of})" if table.narrow else f"#{table_of}"
 
 
 def _listing(listing: Listing) -> str:

@@ -1,0 +1,120 @@
+"""Documents: what they hold stands in HTML and in print, and nothing of it is read as markup."""
+
+from __future__ import annotations
+
+import io
+import re
+import unicodedata
+from html.parser import HTMLParser
+
+import pypdf
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from restitution.render.document import (
+    Document,
+    Heading,
+    Item,
+    Listing,
+    NewPage,
+    Paragraph,
+    Picture,
+    Table,
+)
+from restitution.render.document.html import to_html
+from restitution.render.document.typst import to_markup, to_pdf
+from restitution.render.layout import Function, Letter
+
+SVG = (
+    '<svg xmlns="http://www.w3.org/2000/svg" id="rabc" width="10mm" height="5mm" '
+    'viewBox="0 0 10 5"><path d="M0 0L10 5" stroke="#1a1a1a"/></svg>\n'
+)
+TAN = Function("tan", Letter("alpha"))
+ALL = Document(
+    "A <title> of #all",
+    (
+        Heading("First"),
+        Paragraph(("where ", TAN, " grows"), "result"),
+        Paragraph("a remark", "remark"),
+        Table(("n", TAN), (("1", "0.577"), ("2", "")), "lr", height=8, ruled=True),
+        Picture(SVG, 60, "beneath"),
+        Listing((Item("one", 20), Item("two")), numbered=True, first=3),
+        Listing((Item("dot"),)),
+        NewPage(),
+        Heading("Second"),
+    ),
+    "Name",
+)
+
+
+def printed(document: Document) -> list[str]:
+    read = pypdf.PdfReader(io.BytesIO(to_pdf(document)))
+    return [
+        " ".join(unicodedata.normalize("NFKC", page.extract_text()).split()) for page in read.pages
+    ]
+
+
+def test_all_blocks_are_printed_in_order():
+    first, second = printed(ALL)
+    places = [
+        first.index(each)
+        for each in ("Name", "A <title> of #all", "First", "where tan", "a remark", "0.577")
+    ]
+    assert places[0] < places[2] < places[3] < places[4] < places[5]
+    assert re.search(r"3\. one\s+4\. two", first) and "• dot" in first
+    assert "Second" in second and "Second" not in first
+
+
+def test_all_blocks_stand_on_the_page():
+    text = to_html(ALL)
+    for wanted in (
+        "<title>A &lt;title&gt; of #all</title>",
+        "<h2>First</h2>",
+        '<p class="result">where <math',
+        '<ol start="3"><li>one<div style="height:20mm"></div></li><li>two</li></ol>',
+        '<tr style="height:8mm"><td class="l">1</td><td class="r">0.577</td></tr>',
+        'width:60mm" xmlns',
+        "<figcaption>beneath</figcaption>",
+        '<div class="break"></div>',
+    ):
+        assert wanted in text
+
+
+def test_a_row_without_a_cell_is_refused():
+    with pytest.raises(ValueError):
+        to_html(Document("", (Table(("a", "b"), (("1",),), "ll"),)))
+
+
+class _Tags(HTMLParser):
+    """The names of all elements of a page."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.names: set[str] = set()
+
+    def handle_starttag(self, tag: str, attrs: object) -> None:
+        self.names.add(tag)
+
+
+def of_words(words: str) -> Document:
+    return Document("t", (Paragraph(words), Table((words,), ((words,),), "l")))
+
+
+@given(st.text(min_size=1, max_size=40))
+@settings(max_examples=80)
+def test_words_are_never_markup(words):
+    tags, usual = _Tags(), _Tags()
+    tags.feed(to_html(of_words(words)))
+    usual.feed(to_html(of_words("usual")))
+    assert tags.names == usual.names
+    literals = re.compile(r'"(?:\\.|[^"\\])*"')
+    bare, other = (literals.sub('""', to_markup(of_words(each))) for each in (words, "usual"))
+    assert bare == other
+    assert to_pdf(of_words(words))
+
+
+@pytest.mark.parametrize("words", ["#set page()", "*bold*", "$x$", "\\", '"', "[", "]"])
+def test_signs_of_typst_are_printed_as_they_are(words):
+    (page,) = printed(Document("t", (Paragraph(f"before {words} after"),)))
+    assert f"before {words} after" in page.replace("”", '"').replace("“", '"')
