@@ -72,25 +72,48 @@ def nearest(readings: Readings, law: Law, e: Array | float) -> Array:
     the method of Gauss and Newton, from the reading itself, in steps that are halved while they
     lead away.
     """
-    x = np.array(np.broadcast_to(readings.x, np.broadcast_shapes(np.shape(e), readings.x.shape)))
-    here = squared_distance(readings, law, x, e)
-    xx, xy, yy = _weights(readings)
+    shape = np.broadcast_shapes(np.shape(e), readings.x.shape)
+    parts = (readings.x, readings.y, *_weights(readings), np.asarray(e, dtype=np.float64))
+    rows = np.stack([np.broadcast_to(each, shape).ravel() for each in parts])
+    x = rows[0].copy()
+    here = _distances(rows, law, x)
+    active = np.arange(x.size)  # those that are not there yet
     for _ in range(_STEPS):
-        bend = law.slope(x, e)
-        dx, dy = readings.x - x, readings.y - law.value(x, e)
-        gradient = (xx + xy * bend) * dx + (xy + yy * bend) * dy
-        step = gradient / (xx + 2 * xy * bend + yy * bend**2)
-        for _ in range(_HALVINGS):
-            there = squared_distance(readings, law, x + step, e)
-            worse = there > here * (1 + _ROUNDING)
-            if not worse.any():
-                break
-            step = np.where(worse, step / 2, step)
-        x = np.where(worse, x, x + step)
-        here = np.where(worse, here, there)
-        if not np.any(np.abs(step) > _NEAR * (1 + np.abs(x))):
+        some = rows[:, active]
+        step, there, worse = _step(some, law, x[active], here[active])
+        ahead = active[~worse]
+        x[ahead] += step[~worse]
+        here[ahead] = there[~worse]
+        active = ahead[np.abs(step[~worse]) > _NEAR * (1 + np.abs(x[ahead]))]
+        if not active.size:
             break
-    return x
+    result: Array = x.reshape(shape)
+    return result
+
+
+def _step(rows: Array, law: Law, x: Array, here: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """The steps of Gauss and Newton, the squared distances after them, and which lead away."""
+    x0, y0, xx, xy, yy, e = rows
+    bend = law.slope(x, e)
+    dx, dy = x0 - x, y0 - law.value(x, e)
+    gradient = (xx + xy * bend) * dx + (xy + yy * bend) * dy
+    step = gradient / (xx + 2 * xy * bend + yy * bend**2)
+    there = _distances(rows, law, x + step)
+    worse = there > here * (1 + _ROUNDING)
+    for _ in range(_HALVINGS):
+        if not worse.any():
+            break
+        step[worse] /= 2
+        there[worse] = _distances(rows[:, worse], law, (x + step)[worse])
+        worse = there > here * (1 + _ROUNDING)
+    return step, there, worse
+
+
+def _distances(rows: Array, law: Law, x: Array) -> Array:
+    x0, y0, xx, xy, yy, e = rows
+    dx, dy = x0 - x, y0 - law.value(x, e)
+    result: Array = xx * dx**2 + 2 * xy * dx * dy + yy * dy**2
+    return result
 
 
 _STEPS, _HALVINGS = 30, 8
