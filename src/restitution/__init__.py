@@ -32,7 +32,7 @@ if TYPE_CHECKING:
         TimeLimitError,
         UnsupportedError,
     )
-    from restitution.experiments import experiment
+    from restitution.experiments import experiment, experiment_plan
     from restitution.explaining.consequences import solve_as
     from restitution.export.player import play
     from restitution.gas import Gas
@@ -70,6 +70,7 @@ __all__ = [
     "draw",
     "ensemble",
     "experiment",
+    "experiment_plan",
     "explain",
     "impact",
     "impacts",
@@ -106,7 +107,7 @@ _NAMES_OF_MODULES = {
     "gas": ("Gas",),
     "batch.impacts": ("impacts",),
     "batch.ensemble": ("ensemble",),
-    "experiments": ("experiment",),
+    "experiments": ("experiment", "experiment_plan"),
     "practice.questions.generate": ("PracticeQuestion", "practice_question"),
     "problem": ("Point", "Problem", "Sphere", "Wall"),
     "solving": ("solve",),

@@ -16,7 +16,12 @@ import typer
 
 from restitution.cli import experimenting, solving
 from restitution.cli.asking import answer, worker_of
-from restitution.cli.experimenting import ExperimentFormat, Experimenting, ExperimentKind
+from restitution.cli.experimenting import (
+    ExperimentFormat,
+    Experimenting,
+    ExperimentKind,
+    Planning,
+)
 from restitution.cli.files import hint, parse, pointed, read, say, shown_name
 from restitution.cli.output import (
     Format,
@@ -197,11 +202,13 @@ _EXPERIMENT = """Find e from what was measured, with its uncertainty, and check 
     restitution experiment video.csv --format json
     restitution experiment angles.csv -o report.html
     restitution experiment angles.csv -o law.svg
+    restitution experiment --plan --e 0.7 --angle-error 1 --trials 10
 
 The table has a header: alpha, beta (degrees to the wall), perhaps u, v; or
 u_A_x, u_A_y, u_B_x, ... v_B_y, perhaps m_A, m_B, line; or t, x, y, perhaps
 body, trial, wall. An error stands beside, as alpha_error. Needs the extra
-"experiment": pip install 'restitution[experiment]'. Exit status: 0 fitted; 1
+"experiment": pip install 'restitution[experiment]'. With --plan, at which angles
+to measure, and how well e will be known. Exit status: 0 fitted; 1
 these data give no value of e; 2 they cannot be read.
 """
 
@@ -638,7 +645,9 @@ def serve(
 
 @app.command(help=_EXPERIMENT)
 def experiment(
-    data: Annotated[str, typer.Argument(metavar="DATA.csv", help="A table; - is standard input.")],
+    data: Annotated[
+        str | None, typer.Argument(metavar="DATA.csv", help="A table; - is standard input.")
+    ] = None,
     kind: Annotated[
         ExperimentKind | None, typer.Option("--kind", help="Else the columns tell it.")
     ] = None,
@@ -665,8 +674,28 @@ def experiment(
             help="A report too (.html, .pdf), or the picture of the law (.svg, .png).",
         ),
     ] = None,
+    plan: Annotated[
+        bool, typer.Option("--plan", help="Plan angles and trials at a wall; takes no table.")
+    ] = False,
+    e: Annotated[
+        float | None, typer.Option("--e", metavar="E", help="What is expected, with --plan.")
+    ] = None,
+    trials: Annotated[
+        int | None, typer.Option("--trials", metavar="N", help="With --plan; else 10.")
+    ] = None,
+    seed: Annotated[
+        int | None, typer.Option("--seed", metavar="S", help="Of the simulation, with --plan.")
+    ] = None,
 ) -> None:
-    """Find e from one table."""
+    """Find e from one table, or plan how to measure it."""
+    with _refusing():
+        if plan:
+            others = (data, kind, speed_error, from_normal or None, output)
+            planning = Planning(e, angle_error, trials, seed, form)
+            raise typer.Exit(experimenting.plan(planning, others))
+        experimenting.require_no_plan(e, trials, seed)
+    if data is None:
+        raise typer.BadParameter("a table is missing, or --plan", param_hint="DATA.csv")
     asked = Experimenting(
         data,
         None if kind is None else kind.value,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
@@ -44,6 +45,55 @@ class Experimenting:
     from_normal: bool = False
     form: ExperimentFormat = ExperimentFormat.text
     output: str | None = None
+
+
+@dataclass(frozen=True)
+class Planning:
+    """What a plan was asked for; what was left out is None."""
+
+    e: float | None
+    angle_error: float | None
+    trials: int | None
+    seed: int | None
+    form: ExperimentFormat = ExperimentFormat.text
+
+
+def plan(asked: Planning, others: Sequence[object]) -> int:
+    """Print a plan, and give the exit status. Raises RefusedError.
+
+    ``others`` are the arguments that have no meaning for a plan: None if they were not given.
+    """
+    if any(each is not None for each in others):
+        message = "a plan takes --e, --angle-error, --trials, --seed and --format alone, no table"
+        raise RefusedError(message, "--plan")
+    if asked.e is None:
+        raise RefusedError("a plan needs the e that is expected: --e 0.7", "--plan")
+    from restitution.experiments import experiment_plan
+
+    try:
+        result = experiment_plan(
+            asked.e,
+            angle_error=1.0 if asked.angle_error is None else asked.angle_error,
+            trials=10 if asked.trials is None else asked.trials,
+            seed=1 if asked.seed is None else asked.seed,
+        )
+    except RestitutionError as error:
+        say(error.message)
+        return UNREADABLE
+    put(
+        f"{result.json()}\n"
+        if asked.form is ExperimentFormat.json
+        else result.text(terminal_width())
+    )
+    return 0
+
+
+def require_no_plan(e: float | None, trials: int | None, seed: int | None) -> None:
+    """Raises RefusedError for options of a plan where none is asked for."""
+    given = {"--e": e, "--trials": trials, "--seed": seed}
+    for option, value in given.items():
+        if value is not None:
+            raise RefusedError("this has a meaning with --plan alone", option)
 
 
 def experiment(asked: Experimenting) -> int:

@@ -11,9 +11,14 @@ the first fit; they come with the extra "experiment".
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from restitution.experiments.records import Kind
 from restitution.experiments.results import Experiment
 from restitution.experiments.rows import Data
+
+if TYPE_CHECKING:
+    from restitution.experiments.planning import Plan
 
 
 def experiment(
@@ -41,3 +46,20 @@ def experiment(
 
     options = Options(kind, from_normal, angle_error, speed_error)
     return analysed(table_of(rows_of(data), options))
+
+
+def experiment_plan(e: float, *, angle_error: float = 1.0, trials: int = 10, seed: int = 1) -> Plan:
+    """Which angles to measure at with a wall, and how well e will be known.
+
+        >>> import restitution as r
+        >>> round(r.experiment_plan(0.7, angle_error=1, trials=10).best_angle)
+        50
+
+    ``e`` is what is expected, in [0, 1]; ``angle_error`` the standard error of one angle in
+    degrees. Experiments are simulated from the ``seed`` and fitted as those that were measured.
+
+    Raises StatementError for what no experiment has.
+    """
+    from restitution.experiments.planning import planned
+
+    return planned(e, angle_error, trials, seed)
