@@ -73,3 +73,17 @@ def test_a_bad_row_is_left_out_and_named(client) -> None:
     (fault,) = content["table"]["faults"]
     assert fault["message"] == "line 5, column beta: 'x': this is no number"
     assert len(content["points"]) == 3
+
+
+def test_a_report_is_a_pdf_or_says_why_there_is_none(client) -> None:
+    from io import BytesIO
+
+    from pypdf import PdfReader
+
+    reply = client.post("/api/report", json={"data": WALL, "angle_error": 1})
+    assert reply.headers["content-type"] == "application/pdf"
+    text = "".join(page.extract_text() for page in PdfReader(BytesIO(reply.content)).pages)
+    assert "Check of the model" in text
+    reply = client.post("/api/report", json={"data": "alpha,beta\nx,y"})
+    assert reply.status_code == 422
+    assert "no row can be read" in reply.json()["error"]["message"]

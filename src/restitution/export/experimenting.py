@@ -21,23 +21,28 @@ def experiment_of(
     angle_error: float | None,
     speed_error: float | None,
     from_normal: bool,
-) -> Object:
+) -> Experiment:
     """The result of a table in CSV, or as it is copied from a spreadsheet.
-
-    The keys of `Experiment.data`, and beside them::
-
-        {"words": ["e = 0.70 ± 0.02", "With 95% confidence …", "The errors are …"],
-         "pictures": [{"title", "description", "svg"}], "pictures_error": null or a sentence}
 
     Raises StatementError, MissingError and UnsupportedError, as `restitution.experiment` does.
     """
-    result = experiment(
+    return experiment(
         data,
         kind=_kind(kind),
         angle_error=_error(angle_error, "angle_error"),
         speed_error=_error(speed_error, "speed_error"),
         from_normal=from_normal,
     )
+
+
+def shown(result: Experiment) -> Object:
+    """The result as a page shows it.
+
+    The keys of `Experiment.data`, and beside them::
+
+        {"words": ["e = 0.70 ± 0.02", "With 95% confidence …", "The errors are …"],
+         "pictures": [{"title", "description", "svg"}], "pictures_error": null or a sentence}
+    """
     words = [
         f"e = {with_error(result.e, result.standard_error)}",
         interval_sentence(result.interval, result.standard_error),
@@ -64,13 +69,23 @@ def _error(value: float | None, name: str) -> float | None:
 
 def _pictures(result: Experiment) -> Object:
     """The pictures; or why there are none, which leaves the rest as it is."""
+    from restitution.drawing.svg import to_svg
     from restitution.experiments.plots import law_plot, residual_plot, speed_plot
+    from restitution.experiments.track_scenes import track_scenes
 
     try:
-        drawn = [law_plot(result), residual_plot(result), speed_plot(result)]
+        plots = [law_plot(result), residual_plot(result), speed_plot(result)]
+        tracks = [to_svg(scene) for scene in track_scenes(result)[:MOST_TRACKS]]
     except UnsupportedError as error:
         return {"pictures": [], "pictures_error": error.message}
-    return {"pictures": [_picture(each) for each in drawn if each], "pictures_error": None}
+    return {
+        "pictures": [_picture(each) for each in (*plots, *tracks) if each],
+        "pictures_error": None,
+    }
+
+
+MOST_TRACKS = 12
+"""Trials whose tracks are drawn."""
 
 
 def _picture(svg: str) -> Object:

@@ -74,6 +74,13 @@ class _Task:
 
 _STYLES = ("fm1", "m4", "caie", "none")
 
+_OF_A_TABLE: Mapping[str, tuple[Kind, Any]] = {
+    "kind": (KINDS, None),
+    "angle_error": (int | float, None),
+    "speed_error": (int | float, None),
+    "from_normal": (bool, False),
+}
+
 _TASKS = {
     "solve": _Task(
         work.solved, {"part": (str, None), "working": (bool, False), "marks": (_STYLES, "fm1")}
@@ -104,17 +111,8 @@ _TASKS = {
     "mistake": _Task(work.played_mistake, {"mistake": (str, ""), "part": (str, None)}),
     "practise": _Task(work.to_practise, about="wanted", kept=False),
     "progress": _Task(work.progress, about="record", kept=False),
-    "experiment": _Task(
-        work.experiment,
-        {
-            "kind": (KINDS, None),
-            "angle_error": (int | float, None),
-            "speed_error": (int | float, None),
-            "from_normal": (bool, False),
-        },
-        about="data",
-        kept=False,
-    ),
+    "experiment": _Task(work.experiment, _OF_A_TABLE, about="data", kept=False),
+    "report": _Task(work.report, _OF_A_TABLE, about="data", kept=False),
 }
 
 

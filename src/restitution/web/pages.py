@@ -126,7 +126,7 @@ def routes() -> list[Route]:
         Route("/lab/", without_slash("lab")),
         page("practise", groups=_topics()),
         Route("/practise/", without_slash("practise")),
-        page("experiment"),
+        page("experiment", served={"sheet": find_spec("typst") is not None}),
         Route("/experiment/", without_slash("experiment")),
         *map(guide, GUIDES),
         Route("/static/{digest}/{path:path}", file),

@@ -188,9 +188,27 @@ def experiment(
     """The coefficient of restitution from a table; an error where the table does not give it."""
     from restitution.export import experimenting
 
-    return _tried(
-        lambda: experimenting.experiment_of(data, kind, angle_error, speed_error, from_normal)
-    )
+    asked = (data, kind, angle_error, speed_error, from_normal)
+    return _tried(lambda: experimenting.shown(experimenting.experiment_of(*asked)))
+
+
+def report(
+    data: str,
+    limit: float,
+    kind: str | None = None,
+    angle_error: float | None = None,
+    speed_error: float | None = None,
+    from_normal: bool = False,
+) -> Made:
+    """The report of an experiment as a PDF; or the error, as JSON, where there is none."""
+    from restitution.experiments.report import report as written
+    from restitution.export import experimenting
+
+    asked = (data, kind, angle_error, speed_error, from_normal)
+    try:
+        return Made(written(experimenting.experiment_of(*asked), "pdf"), "application/pdf")
+    except RestitutionError as error:
+        return _failed(error)
 
 
 def given_up(

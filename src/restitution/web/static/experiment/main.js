@@ -1,6 +1,6 @@
 // The page of experiments: a table that was pasted, and what comes of it, at once.
 
-import { ask, sentence } from "../api.js";
+import { ask, fetched, sentence } from "../api.js";
 import { button, html } from "../player/elements.js";
 import { makePictures } from "../solve/pictures.js";
 import { fragment, hold, read } from "./address.js";
@@ -175,6 +175,19 @@ async function copy({ target }) {
   target.textContent = "Link copied";
 }
 
+// The report as a file.
+async function download({ target }) {
+  target.textContent = "The report is being made …";
+  try {
+    const address = URL.createObjectURL(await fetched("report", body()));
+    html("a", { href: address, download: "experiment.pdf" }).click();
+    setTimeout(() => URL.revokeObjectURL(address), 60_000);
+  } catch (error) {
+    say(sentence(error.message));
+  }
+  target.textContent = "Report as PDF";
+}
+
 EXAMPLES.forEach(({ title }, i) => $("example").append(html("option", { value: i }, title)));
 $("example").addEventListener("change", ({ target }) => {
   const chosen = EXAMPLES[target.value];
@@ -183,7 +196,11 @@ $("example").addEventListener("change", ({ target }) => {
 });
 $("open").addEventListener("click", () => $("file").click());
 $("file").addEventListener("change", open);
-$("going").append(button("Copy link", copy), button("Print", () => print()));
+const { sheet } = JSON.parse($("served").textContent);
+$("going").append(
+  button("Copy link", copy), button("Print", () => print()),
+  ...(sheet ? [button("Report as PDF", download)] : []),
+);
 $("going").hidden = true;
 for (const id of ["data", "angle-error", "speed-error"]) $(id).addEventListener("input", soon);
 $("data").addEventListener("paste", () => setTimeout(analyse));
