@@ -273,7 +273,7 @@ def test_pattern_without_its_columns_is_untested():
     untested = {check.id: check.sentence for check in result.checks if check.verdict == "untested"}
     assert set(untested) == {"momentum", "friction", "offset", "scatter"}
     assert "m_A and m_B" in untested["momentum"]
-    assert "give it as line" in untested["friction"]
+    assert "give a column line" in untested["friction"]
 
 
 def test_one_side_does_not_tell_friction_from_a_turned_line():
@@ -282,7 +282,7 @@ def test_one_side_does_not_tell_friction_from_a_turned_line():
     result = r.experiment(one_side, speed_error=0.02, angle_error=0.5)
     seen = [check for check in result.checks if check.verdict == "seen"]
     assert [each.id for each in seen if each.id in ("offset", "friction")]
-    assert "do not tell friction from a line" in " ".join(each.sentence for each in seen)
+    assert "do not tell friction from a direction" in " ".join(each.sentence for each in seen)
 
 
 def test_direct_impacts_have_no_friction_to_show():

@@ -3,16 +3,25 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import replace
 
-from restitution.errors import MissingError, UnsupportedError
-from restitution.experiments import spheres, walls
+from restitution.errors import MissingError
+from restitution.experiments import spheres, tracks, walls
 from restitution.experiments.numbers import fixed, percent
-from restitution.experiments.patterns import TITLES_OF_SPHERES, decided
+from restitution.experiments.patterns import (
+    TITLES_OF_SPHERES,
+    TITLES_OF_TRACKS,
+    TITLES_OF_TWO_TRACKS,
+    Pattern,
+    Untested,
+    decided,
+)
 from restitution.experiments.records import Table
 from restitution.experiments.results import Experiment, Interval
 from restitution.experiments.samples import LEVEL, Sample
 from restitution.experiments.spheres import Spheres
+from restitution.experiments.tracks import Tracks
 from restitution.experiments.walls import Wall
 
 
@@ -27,7 +36,7 @@ def analysed(table: Table) -> Experiment:
     if table.kind == "spheres":
         unit = table.units.get("u_A", table.units.get("u_A_x", "m/s"))
         return _of_spheres(table, spheres.spheres_of(table.trials, unit))
-    raise UnsupportedError(f"{table.kind}: not yet")
+    return _of_tracks(table, tracks.tracks_of(table))
 
 
 def _of_wall(table: Table, wall: Wall) -> Experiment:
@@ -48,7 +57,12 @@ def _of_wall(table: Table, wall: Wall) -> Experiment:
     )
 
 
-def _of_spheres(table: Table, measured: Spheres) -> Experiment:
+def _of_spheres(
+    table: Table,
+    measured: Spheres,
+    titles: Mapping[str, str] = TITLES_OF_SPHERES,
+    more: tuple[Pattern | Untested, ...] = (),
+) -> Experiment:
     sample = measured.sample
     interval = interval_of(sample, _BETTER_SPEEDS)
     return Experiment(
@@ -61,10 +75,19 @@ def _of_spheres(table: Table, measured: Spheres) -> Experiment:
         None,
         spheres.class_values(measured),
         spheres.points(measured),
-        decided(spheres.patterns(measured), TITLES_OF_SPHERES),
+        decided([*spheres.patterns(measured), *more], titles),
         notes=(*table.notes, *measured.notes, *notes_on(sample, interval)),
         speed_error=spheres.component_error(measured),
     )
+
+
+def _of_tracks(table: Table, measured: Tracks) -> Experiment:
+    impacts = measured.spheres
+    titles = TITLES_OF_TWO_TRACKS if impacts.words.masses else TITLES_OF_TRACKS
+    table = replace(table, faults=(*table.faults, *measured.faults))
+    experiment = _of_spheres(table, impacts, titles, (measured.slowing,))
+    notes = (*measured.notes, *experiment.notes)
+    return replace(experiment, tracks=measured.fitted, notes=notes)
 
 
 _BETTER_ANGLES = "measure more of them, more exactly, or at angles nearer to 45°"

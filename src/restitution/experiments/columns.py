@@ -15,7 +15,7 @@ from typing import Literal
 Dimension = Literal["angle", "speed", "length", "time", "mass", "name"]
 
 WALL = ("alpha", "beta", "u", "v")
-TRACKS = ("t", "x", "y", "body", "trial", "wall")
+TRACKS = ("t", "x", "y", "body", "trial", "wall", "m")
 VELOCITIES = ("u_A", "u_B", "v_A", "v_B")
 SPHERES = (
     "m_A",
@@ -27,7 +27,7 @@ DIMENSIONS: dict[str, Dimension] = {
     **dict.fromkeys(("alpha", "beta", "line", "wall"), "angle"),
     **dict.fromkeys(("u", "v"), "speed"),
     **{name: "angle" if name.endswith("_angle") else "speed" for name in SPHERES[2:-1]},
-    **dict.fromkeys(("m_A", "m_B"), "mass"),
+    **dict.fromkeys(("m_A", "m_B", "m"), "mass"),
     **dict.fromkeys(("x", "y"), "length"),
     "t": "time",
     **dict.fromkeys(("body", "trial"), "name"),
@@ -47,6 +47,7 @@ _OTHER_NAMES = {
     "sphere": "body",
     "puck": "body",
     "run": "trial",
+    "mass": "m",
     "line_of_centres": "line",
     "line_of_centers": "line",
 }

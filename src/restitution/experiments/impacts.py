@@ -150,9 +150,10 @@ def _with_line_of_impulse(trial: SpheresTrial, z: Array, covariance: Array) -> I
 
 
 def _weight(covariance: Array, before: slice, after: slice) -> float:
-    """2 / the trace of the covariance of the change of a velocity."""
+    """2 / the trace of the covariance of the change of a velocity; 0 for a wall, that has none."""
     change = covariance[before, before] + covariance[after, after] - 2 * covariance[before, after]
-    return 2 / float(np.trace(change))
+    trace = float(np.trace(change))
+    return 2 / trace if trace > 0 else 0.0
 
 
 def _components(sphere: MeasuredSphere) -> tuple[float, ...]:

@@ -28,6 +28,11 @@ TITLES_OF_SPHERES = TITLES | {
     "offset": "a line of centres that is turned",
     "friction": "friction between the spheres",
 }
+TITLES_OF_TRACKS = TITLES | {
+    "offset": "a wall that is turned",
+    "slowing": "bodies that slow down on their way",
+}
+TITLES_OF_TWO_TRACKS = TITLES_OF_SPHERES | {"slowing": TITLES_OF_TRACKS["slowing"]}
 
 
 @dataclass(frozen=True)

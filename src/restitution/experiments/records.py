@@ -69,16 +69,11 @@ class Velocity:
 
 @dataclass(frozen=True)
 class MeasuredSphere:
-    """A sphere's velocities before and after, and its mass if known.
-
-    ``cross`` is the covariance of the errors of u and v, [[u_x v_x, u_x v_y], [u_y v_x, u_y v_y]];
-    not zero where both are from one track.
-    """
+    """A sphere's velocities before and after, and its mass if known."""
 
     u: Velocity
     v: Velocity
     m: Measured | None = None
-    cross: tuple[tuple[float, float], tuple[float, float]] = ((0.0, 0.0), (0.0, 0.0))
 
 
 @dataclass(frozen=True)
@@ -111,7 +106,9 @@ class Track:
     body: str
     positions: tuple[Position, ...]
     wall: float | None = None
-    """The direction of the wall in degrees from x, where it is given."""
+    """The direction of the wall in degrees from x, where it is given; of two bodies, of their
+    common tangent."""
+    m: Measured | None = None
 
 
 @dataclass(frozen=True)

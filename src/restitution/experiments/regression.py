@@ -25,18 +25,24 @@ class Regression:
 
 
 def regression(
-    y: Array, variances: Array, columns: list[Array], *, known: bool
+    y: Array,
+    variances: Array,
+    columns: list[Array],
+    *,
+    known: bool,
+    freedom: int | None = None,
 ) -> Regression | None:
     """The regression of y on columns, all of shape (n,), weighted by 1/variances.
 
     None where the readings do not determine it. Where errors are not known, ``variances`` are so
-    up to a factor.
+    up to a factor; ``freedom`` are the degrees of freedom of errors that were
+    estimated elsewhere.
     """
     stats = needed("scipy.stats", "a test")
     X = np.column_stack(columns) / np.sqrt(variances)[:, np.newaxis]
     target = y / np.sqrt(variances)
-    freedom = len(y) - len(columns)
-    if freedom < (0 if known else 1):
+    spare = len(y) - len(columns)
+    if spare < (0 if known else 1):
         return None
     sizes = np.linalg.norm(X, axis=0)
     if np.any(sizes == 0) or np.linalg.cond(X / sizes) > _ALIKE:
@@ -46,10 +52,11 @@ def regression(
     square = float(((target - X @ coefficients) ** 2).sum())
     errors = np.sqrt(np.diag(inverse))
     if not known:
-        errors = errors * math.sqrt(square / freedom)
+        errors = errors * math.sqrt(square / spare)
     sure = np.where(coefficients == 0, 0.0, np.inf)
     z = np.divide(np.abs(coefficients), errors, out=sure, where=errors > 0)
-    p = 2 * (stats.norm.sf(z) if known else stats.t.sf(z, freedom))
+    freedom = freedom if known else spare
+    p = 2 * (stats.norm.sf(z) if freedom is None else stats.t.sf(z, freedom))
     return Regression(coefficients, errors, square, p)
 
 

@@ -78,7 +78,7 @@ class ClassValues:
 class Check:
     """One pattern that the model does not have, and whether the data have it.
 
-    ``id`` is one of "above-one", "speed", "offset", "friction", "momentum", "scatter".
+    ``id`` is one of "above-one", "speed", "offset", "friction", "momentum", "scatter", "slowing".
     ``estimate`` is the size of the pattern with its standard error, in ``unit``. ``threshold`` is
     what ``p_value`` was compared with; all of these are None where the pattern is untested.
     """
@@ -147,6 +147,14 @@ class Experiment:
     tracks: tuple[FittedTrack, ...] = ()
     notes: tuple[str, ...] = ()
     speed_error: float | None = None
+
+    @property
+    def speed_unit(self) -> str:
+        """The unit of speeds: that of the columns, or of positions and times."""
+        units = self.table.units
+        if self.kind == "tracks":
+            return f"{units.get('x', 'm')}/s"
+        return next((units[each] for each in ("u", "u_A", "u_A_x") if each in units), "m/s")
 
     def check(self, pattern: str) -> Check:
         """The check of a pattern by its id. Raises KeyError where there is none of it."""

@@ -12,7 +12,6 @@ import numpy as np
 from restitution.errors import MissingError
 from restitution.experiments.common import STRICT, above_one, place_of, scatter, speed
 from restitution.experiments.curves import SPHERES, Array, Readings
-from restitution.experiments.fitting import Fit
 from restitution.experiments.impacts import Impact, impact_of
 from restitution.experiments.needs import needed
 from restitution.experiments.numbers import percent, probability, with_error
@@ -24,6 +23,41 @@ from restitution.experiments.samples import Sample
 
 
 @dataclass(frozen=True)
+class Words:
+    """How sentences name what is along an impact and what is across it, of spheres or of a wall."""
+
+    line: str
+    column: str
+    parting: str
+    passing: str
+    smooth: str
+    approaching: str
+    masses: bool
+
+
+OF_SPHERES = Words(
+    line="the line of centres",
+    column="line",
+    parting="the spheres part faster than they approach",
+    passing="after the impact one sphere passes the other",
+    smooth="smooth spheres leave",
+    approaching="before the impact the spheres do not approach each other",
+    masses=True,
+)
+OF_TWO_TRACKS = replace(OF_SPHERES, column="wall")
+OF_WALL = Words(
+    line="the normal of the wall",
+    column="wall",
+    parting="the ball leaves the wall faster than it comes",
+    passing="after the impact the ball moves along the wall",
+    smooth="a smooth wall leaves",
+    approaching="before the impact the ball does not approach the wall",
+    masses=False,
+)
+"""A wall is a sphere B that stays at rest."""
+
+
+@dataclass(frozen=True)
 class Spheres:
     """The impacts that can be used, their sample, and the trials that cannot."""
 
@@ -32,51 +66,68 @@ class Spheres:
     unit: str = "m/s"
     faults: tuple[Fault, ...] = ()
     notes: tuple[str, ...] = ()
+    words: Words = OF_SPHERES
 
     @property
     def places(self) -> tuple[str, ...]:
         return tuple(place_of(each.trial) for each in self.impacts)
 
 
-def spheres_of(
-    trials: tuple[SpheresTrial, ...], unit: str, *, freedom: int | None = None
-) -> Spheres:
+def spheres_of(trials: tuple[SpheresTrial, ...], unit: str) -> Spheres:
     """The sample of trials: with their errors, or with one error of all components if none has any.
 
-    ``freedom`` are the degrees of freedom of errors that were estimated elsewhere. Raises
-    MissingError where no trial can be used.
+    Raises MissingError where no trial can be used.
     """
     usual, notes = _usual_error(trials)
-    known = usual is not None
+    covariances = [_covariance(trial, usual or 1.0) for trial in trials]
+    return impacts_of(trials, unit, covariances, known=usual is not None, notes=notes)
+
+
+def impacts_of(
+    trials: tuple[SpheresTrial, ...],
+    unit: str,
+    covariances: list[Array],
+    *,
+    known: bool,
+    freedom: int | None = None,
+    notes: tuple[str, ...] = (),
+    words: Words = OF_SPHERES,
+) -> Spheres:
+    """The sample of trials whose components have covariances of shape (8, 8).
+
+    ``known`` is False where these are so up to a factor, and ``freedom`` are the degrees of freedom
+    with which they were estimated elsewhere. Raises MissingError where no trial can be used.
+    """
     impacts, faults = [], []
-    for trial in trials:
-        impact = impact_of(trial, _covariance(trial, usual or 1.0))
-        rule = _unfit(impact, known=known)
+    for trial, covariance in zip(trials, covariances):
+        impact = impact_of(trial, covariance)
+        rule = _unfit(impact, words, known=known)
         if impact is None or rule:
-            faults.append(Fault(trial.line, "", trial.label, rule))
+            name = f"trial {trial.label}: " if trial.label else ""
+            faults.append(Fault(trial.line, "", "", f"{name}{rule}"))
         else:
             impacts.append(impact)
     if not impacts:
         raise MissingError(f"no trial can be used: {faults[0]}")
     sample = Sample(_readings(impacts), SPHERES, known, freedom)
-    return Spheres(tuple(impacts), sample, unit, tuple(faults), notes)
+    return Spheres(tuple(impacts), sample, unit, tuple(faults), notes, words)
 
 
 _UNCLEAR = math.radians(20)
 """A line of centres with a larger error is not known."""
 
 
-def _unfit(impact: Impact | None, *, known: bool) -> str:
+def _unfit(impact: Impact | None, words: Words, *, known: bool) -> str:
     """Why an impact cannot be used; "" where it can."""
     if impact is None:
-        return "no velocity changes, so that there is no line of centres to be seen"
+        return f"no velocity changes, so that {words.line} is not to be seen"
     if known and not impact.given and impact.direction_error() > _UNCLEAR:
         return (
-            "the velocities change by so little that the line of centres is known to "
-            f"±{math.degrees(impact.direction_error()):.0f}° only; give it as line"
+            f"the velocities change by so little that {words.line} is known to "
+            f"±{math.degrees(impact.direction_error()):.0f}° only; give a column {words.column}"
         )
     if impact.approach <= 0:
-        return "before the impact the spheres do not approach each other along the line of centres"
+        return words.approaching
     return ""
 
 
@@ -114,8 +165,6 @@ def _of_sphere(sphere: MeasuredSphere, usual: float) -> Array:
         errors = [usual if each.error is None else each.error for each in (velocity.x, velocity.y)]
         result[place, place], result[place + 1, place + 1] = errors[0] ** 2, errors[1] ** 2
         result[place, place + 1] = result[place + 1, place] = velocity.covariance
-    cross = np.array(sphere.cross)
-    result[:2, 2:], result[2:, :2] = cross, cross.T
     return result
 
 
@@ -215,39 +264,41 @@ def _why(spheres: Spheres, errors: Array, mean: float, slope: float) -> str:
 def patterns(spheres: Spheres) -> list[Pattern | Untested]:
     """The patterns of two spheres."""
     sample = spheres.sample
-    speeds = sample.readings.x
-    trend, trend_fit = speed(sample, speeds, spheres.unit, "")
-    wider = [trend_fit, _turned_back(spheres, _across(spheres, sample)[0])]
-    spread = scatter(sample, [each for each in wider if each], spheres.places, "trials")
+    straight = _turned_back(spheres, sample)
+    spread = _scatter(spheres, straight)
     if isinstance(spread, Pattern) and spread.p_value < STRICT and len(spheres.impacts) > 1:
         # The errors given are too small, so they are no measure for the other patterns.
         sample = sample.with_scatter()
-        trend, _ = speed(sample, speeds, spheres.unit, "")
-    return [
-        above_one(sample, spheres.sample, spheres.places, _PARTING, _SIGNS),
-        trend,
+        straight = _turned_back(spheres, sample)
+    words = spheres.words
+    tested = [
+        above_one(sample, spheres.sample, spheres.places, words.parting, _SIGNS),
+        speed(straight, straight.readings.x, spheres.unit, "")[0],
         *_across(spheres, sample),
-        _momentum(spheres, sample),
         spread,
     ]
+    return [*tested, _momentum(spheres, sample)] if words.masses else tested
 
 
-_PARTING = "the spheres part faster than they approach"
 _SIGNS = "Look for velocities in the wrong columns, and for signs of components."
-_FOUND = (
-    "Untested: the line of centres was found from the velocities, as the line along which they "
-    "change; give it as line."
-)
 
 
-def _turned_back(spheres: Spheres, offset: Pattern | Untested) -> Fit | None:
-    """The fit with the lines of centres turned back, where they are seen to be turned."""
+def _turned_back(spheres: Spheres, sample: Sample) -> Sample:
+    """The sample with the lines of centres turned back, where they are seen to be turned.
+
+    Against it e is tested with speed, and scatter, so that a line that was measured wrong is not
+    seen as these too.
+    """
+    offset = _across(spheres, sample)[0]
     if not isinstance(offset, Pattern) or offset.p_value >= STRICT or offset.estimate is None:
-        return None
-    turn = math.radians(offset.estimate)
-    turned = [each.turned(-turn) for each in spheres.impacts]
-    fit = Sample(_readings(turned), SPHERES, spheres.sample.known).fit
-    return replace(fit, degrees_of_freedom=fit.degrees_of_freedom - 1)
+        return sample
+    turned = [each.turned(-math.radians(offset.estimate)) for each in spheres.impacts]
+    return replace(sample, readings=_readings(turned))
+
+
+def _scatter(spheres: Spheres, straight: Sample) -> Pattern | Untested:
+    trend = speed(straight, straight.readings.x, spheres.unit, "")[1]
+    return scatter(straight, [trend] if trend else [], spheres.places, "trials")
 
 
 def _across(spheres: Spheres, sample: Sample) -> list[Pattern | Untested]:
@@ -257,30 +308,37 @@ def _across(spheres: Spheres, sample: Sample) -> list[Pattern | Untested]:
     turned by ψ, and loses a share of itself by friction. The one that explains more is tested
     alone, the other beside it, so that one of them does not show as both.
     """
+    words = spheres.words
     if not all(each.given for each in spheres.impacts):
-        return [Untested("offset", _FOUND), Untested("friction", _FOUND)]
+        reason = (
+            f"Untested: {words.line} was found from the velocities, as the line along which they "
+            f"change; give a column {words.column}."
+        )
+        return [Untested("offset", reason), Untested("friction", reason)]
     gains, variances, means = np.array([each.across() for each in spheres.impacts]).T
     columns = {"offset": sample.readings.x + sample.readings.y, "friction": -means}
     if float(np.mean(means**2)) < _OBLIQUE**2 * float(np.mean(variances)) * sample.factor**2:
         del columns["friction"]
 
     def fitted(names: Iterable[str]) -> Regression | None:
-        return regression(gains, variances, [columns[each] for each in names], known=sample.known)
+        chosen = [columns[each] for each in names]
+        freedom = sample.freedom
+        return regression(gains, variances, chosen, known=sample.known, freedom=freedom)
 
     alone = {name: fit for name in columns if (fit := fitted([name]))}
     both = fitted(columns) if len(alone) == 2 else None
     better = min(alone, key=lambda name: alone[name].p_values[0], default="")
     doubt = ""
     if len(alone) == 2 and (both is None or both.p_values[[*columns].index(better)] > _DOUBT):
-        doubt = f" {_ALIKE}"
+        doubt = f" {_alike(words)}"
     results: list[Pattern | Untested] = []
     for name, sentences in (("offset", _offset), ("friction", _friction)):
         if name == better:
-            results.append(sentences(alone[name], 0, doubt))
+            results.append(sentences(words, alone[name], 0, doubt))
         elif both is not None and name in columns:
-            results.append(sentences(both, [*columns].index(name), ""))
+            results.append(sentences(words, both, [*columns].index(name), ""))
         else:
-            reason = _ALIKE if name in alone else _FEW[name]
+            reason = _alike(words) if name in alone else _FEW[name]
             results.append(Untested(name, f"Untested: {reason}"))
     return results
 
@@ -293,41 +351,43 @@ _FEW = {
 }
 _DOUBT = 0.05
 """The level at which the one is needed though the other may be there too."""
-_ALIKE = (
-    "Impacts on one side of the line of centres do not tell friction from a line that was measured "
-    "wrong."
-)
 
 
-def _offset(fit: Regression, index: int, doubt: str) -> Pattern:
+def _alike(words: Words) -> str:
+    return (
+        f"Impacts on one side of {words.line} do not tell friction from a direction that was "
+        "measured wrong."
+    )
+
+
+def _offset(words: Words, fit: Regression, index: int, doubt: str) -> Pattern:
     angle, error, p = (float(each[index]) for each in (fit.coefficients, fit.errors, fit.p_values))
     angle, error = math.degrees(angle), math.degrees(error)
     way = "anticlockwise" if angle > 0 else "clockwise"
     seen = (
-        f"The velocities do not change along the line of centres that is given: it is turned "
+        f"The velocities do not change along {words.line} that is given: it is turned "
         f"{way} by {with_error(abs(angle), error, '°')} against the impulse ({probability(p)})."
-        f"{doubt} Compare with the result without the column line."
+        f"{doubt} Compare with the result without the column {words.column}."
     )
     not_seen = (
-        "The velocities change along the line of centres that is given: it is turned against the "
+        f"The velocities change along {words.line} that is given: it is turned against the "
         f"impulse by {with_error(angle, error, '°')} ({probability(p)})."
     )
     z = angle / error if error else 0.0
     return Pattern("offset", z, p, seen, not_seen, angle, error, "degrees")
 
 
-def _friction(fit: Regression, index: int, doubt: str) -> Pattern:
+def _friction(words: Words, fit: Regression, index: int, doubt: str) -> Pattern:
     share, error, p = (float(each[index]) for each in (fit.coefficients, fit.errors, fit.p_values))
     size = f"{percent(abs(share))} ± {percent(error)}"
-    way = "less" if share > 0 else "more"
+    way = "slower" if share > 0 else "faster"
     seen = (
-        "The velocities across the line of centres change: after the impact one sphere passes the "
-        f"other {size} {way} fast than before ({probability(p)}), though smooth spheres leave that "
-        f"as it is.{doubt} Spheres that rub begin to spin."
+        f"The velocity across {words.line} changes: {words.passing} {size} {way} than before "
+        f"({probability(p)}), though {words.smooth} that as it is.{doubt} What rubs begins to spin."
     )
     not_seen = (
-        "The velocities across the line of centres stay: after the impact one sphere passes the "
-        f"other {size} {way} fast than before ({probability(p)})."
+        f"The velocity across {words.line} stays: {words.passing} {size} {way} than before "
+        f"({probability(p)})."
     )
     return Pattern("friction", share / error if error else 0.0, p, seen, not_seen, -share, error)
 

@@ -35,6 +35,8 @@ from restitution.experiments.records import (
 )
 from restitution.experiments.rows import Row, number_of, printable, shown
 
+MAX_NAME = 40
+"""Characters of the name of a trial or of a body."""
 _T = TypeVar("_T")
 _QUANTITIES = {"wall": WALL, "spheres": SPHERES, "tracks": TRACKS}
 
@@ -114,11 +116,11 @@ class _Sheet:
         return self.measured(row, quantity)
 
     def name(self, row: Row, quantity: str) -> str:
-        """The text of a cell, "" where there is none."""
+        """The text of a cell as it can be printed, "" where there is none."""
         if quantity not in self.values:
             return ""
         index = self.values[quantity][0]
-        return row.cells[index] if index < len(row.cells) else ""
+        return printable(row.cells[index])[:MAX_NAME] if index < len(row.cells) else ""
 
     def require(self, row: Row, quantity: str, good: bool, rule: str) -> None:
         """Raises _FaultError where a value is not what it can be."""
@@ -399,6 +401,7 @@ def _tracks(sheet: _Sheet, rows: list[Row]) -> Table:
         raise StatementError("x and y are in units of one kind: both lengths, or both px")
     positions: dict[tuple[str, str], list[Position]] = {}
     walls: dict[tuple[str, str], list[float]] = {}
+    masses: dict[tuple[str, str], list[Measured]] = {}
 
     def place(row: Row) -> None:
         position = Position(row.line, *(sheet.measured(row, name).value for name in "txy"))
@@ -407,11 +410,20 @@ def _tracks(sheet: _Sheet, rows: list[Row]) -> Table:
         positions.setdefault(key, []).append(position)
         if wall is not None:
             walls.setdefault(key, []).append(wall.value)
+        mass = sheet.optional(row, "m")
+        if mass is not None:
+            sheet.require(row, "m", mass.value > 0, "a mass is more than 0")
+            masses.setdefault(key, []).append(mass)
 
     for _ in sheet.each(rows, place):
         pass
     tracks = tuple(
-        Track(*key, _in_order(sheet, each), _wall_of(sheet, key, walls.get(key)))
+        Track(
+            *key,
+            _in_order(sheet, each),
+            _wall_of(key, walls.get(key)),
+            _mass_of(key, masses.get(key)),
+        )
         for key, each in positions.items()
     )
     return Table(
@@ -436,14 +448,25 @@ def _in_order(sheet: _Sheet, positions: list[Position]) -> tuple[Position, ...]:
     return tuple(ordered)
 
 
-def _wall_of(sheet: _Sheet, key: tuple[str, str], walls: list[float] | None) -> float | None:
+def _wall_of(key: tuple[str, str], walls: list[float] | None) -> float | None:
     if not walls:
         return None
-    if max(walls) - min(walls) > 1e-9:
-        name = f"trial {key[0]}: " if key[0] else ""
-        rule = "a wall has one direction in a trial"
-        raise StatementError(f"{printable(name)}wall {min(walls):g} and {max(walls):g}: {rule}")
+    _require_one(key, "wall", walls, "a wall has one direction in a trial")
     return statistics.fmean(walls)
+
+
+def _mass_of(key: tuple[str, str], masses: list[Measured] | None) -> Measured | None:
+    if not masses:
+        return None
+    _require_one(key, "m", [each.value for each in masses], "a body has one mass in a trial")
+    return masses[0]
+
+
+def _require_one(key: tuple[str, str], quantity: str, values: list[float], rule: str) -> None:
+    low, high = min(values), max(values)
+    if high - low > 1e-9 * max(abs(low), abs(high)):
+        name = f"trial {key[0]}: " if key[0] else ""
+        raise StatementError(f"{printable(name)}{quantity} {low:g} and {high:g}: {rule}")
 
 
 def _refuse_normal(sheet: _Sheet, kind: Kind) -> None:

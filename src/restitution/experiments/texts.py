@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import textwrap
 from collections.abc import Iterator
 
 from restitution.counting import counted
 from restitution.experiments.numbers import decimals, fixed, with_error
 from restitution.experiments.records import Kind
-from restitution.experiments.results import Experiment, Interval, Point
+from restitution.experiments.results import Experiment, Interval, Point, StraightLine
 
 TITLES: dict[Kind, str] = {
     "wall": "Impacts with a wall",
@@ -18,6 +19,7 @@ TITLES: dict[Kind, str] = {
 MAX_POINTS = 30
 """Rows of the table of readings; more are counted."""
 MAX_FAULTS = 10
+MAX_NOTES = 20
 
 
 def written(experiment: Experiment, width: int) -> str:
@@ -25,6 +27,7 @@ def written(experiment: Experiment, width: int) -> str:
     blocks = [
         _heading(experiment),
         _result(experiment, width),
+        _tracks(experiment),
         _readings(experiment),
         _class(experiment, width),
         _checks(experiment, width),
@@ -67,8 +70,8 @@ def _size_of_error(experiment: Experiment) -> str:
     if experiment.angle_error is not None:
         return f": {experiment.angle_error:.2g}° for an angle"
     if experiment.speed_error is not None:
-        unit = experiment.table.units.get("u_A", experiment.table.units.get("u_A_x", ""))
-        return f": {experiment.speed_error:.2g} {unit} for a component of a velocity"
+        error, unit = experiment.speed_error, experiment.speed_unit
+        return f": {error:.2g} {unit} for a component of a velocity"
     return ""
 
 
@@ -77,26 +80,71 @@ def _size_of_error(experiment: Experiment) -> str:
 
 def _readings(experiment: Experiment) -> Iterator[str]:
     points = experiment.points
+    name, width = _place_column([each.label for each in points])
+    unit = experiment.speed_unit
     if points[0].alpha is None:
-        yield "  line   approach  separation   ratio   distance from the law"
+        yield f"  {name}   approach  separation   ratio   distance from the law"
     else:
-        yield "  line       α        β     tan α    tan β   tan β/tan α   distance from the law"
+        yield f"  {name}       α        β     tan α    tan β   tan β/tan α   distance from the law"
     for point in points[:MAX_POINTS]:
-        yield _row(point)
+        yield _row(point, width)
     if len(points) > MAX_POINTS:
         yield f"  … and {len(points) - MAX_POINTS} more"
+    if points[0].alpha is None:
+        yield f"  (speeds along the line of the impulse, in {unit})"
     yield "  (distance from the law: in standard errors; more than 3 is rare)"
 
 
-def _row(point: Point) -> str:
+def _place_column(labels: list[str]) -> tuple[str, int]:
+    """The head of the column that names readings, and its width."""
+    if not any(labels):
+        return "line", 4
+    width = max(len("trial"), *(len(each[:MAX_LABEL]) for each in labels))
+    return f"{'trial':>{width}}", width
+
+
+MAX_LABEL = 12
+
+
+def _row(point: Point, width: int) -> str:
+    place = point.label[:MAX_LABEL] or str(point.line)
     ratio = _number(point.y / point.x, 3) if point.x else "–"
     distance = f"{fixed(point.residual, 1):>6}"
     if point.alpha is None or point.beta is None:
         shown = f"{point.x:>9.4g}  {point.y:>10.4g}   {ratio:>5}"
-        return f"  {point.line:>4}  {shown}   {distance}"
+        return f"  {place:>{width}}  {shown}   {distance}"
     angles = f"{fixed(point.alpha, 1):>6}°  {fixed(point.beta, 1):>6}°"
     tangents = f"{_number(point.x, 3):>8} {_number(point.y, 3):>8}"
-    return f"  {point.line:>4}  {angles}  {tangents}   {ratio:>11}   {distance}"
+    return f"  {place:>{width}}  {angles}  {tangents}   {ratio:>11}   {distance}"
+
+
+def _tracks(experiment: Experiment) -> Iterator[str]:
+    """Of each track when the impact was, and the speeds before and after."""
+    tracks = experiment.tracks
+    if not tracks:
+        return
+    unit = experiment.speed_unit
+    yield f"Straight lines, uniform in time (speeds in {unit}, directions in degrees from x)"
+    name, width = _place_column([each.trial for each in tracks])
+    names = [each.body[:MAX_LABEL] for each in tracks]
+    bodies = max(len("body"), *map(len, names)) + 2 if any(names) else 0
+    head = f"  {name}  {'body' if bodies else '':<{bodies}}impact at"
+    yield f"{head}      speed before   →      speed after   →"
+    for track, body in zip(tracks[:MAX_POINTS], names):
+        sides = "  ".join(_side(line) for line in (track.before, track.after))
+        place = f"  {track.trial[:MAX_LABEL] or '–':>{width}}  {body:<{bodies}}"
+        yield f"{place}{track.t:>7.4g} s  {sides}"
+    if len(tracks) > MAX_POINTS:
+        yield f"  … and {len(tracks) - MAX_POINTS} more"
+
+
+def _side(line: StraightLine) -> str:
+    speed = math.hypot(line.velocity_x, line.velocity_y)
+    size = with_error(speed, line.velocity_error)
+    if speed < 3 * line.velocity_error:
+        return f"{size:>16} {'–':>5}"
+    direction = math.degrees(math.atan2(line.velocity_y, line.velocity_x))
+    return f"{size:>16} {fixed(direction, 0) + '°':>5}"
 
 
 def _number(value: float, places: int) -> str:
@@ -141,8 +189,10 @@ def _notes(experiment: Experiment, width: int) -> Iterator[str]:
             yield f"  … and {len(faults) - MAX_FAULTS} more"
     if experiment.notes:
         yield "Notes"
-        for note in experiment.notes:
+        for note in experiment.notes[:MAX_NOTES]:
             yield from _wrapped(note, width, "  ")
+        if len(experiment.notes) > MAX_NOTES:
+            yield f"  … and {len(experiment.notes) - MAX_NOTES} more"
 
 
 def _wrapped(text: str, width: int, indent: str = "  ") -> list[str]:
