@@ -148,9 +148,12 @@ def bench_of(question: Problem | Solution, part: str | None) -> Bench:
     return bench
 
 
-def _numbers(found: Any) -> Iterator[Fraction]:
+def _numbers(expressions: Any) -> Iterator[Fraction]:
     return (
-        node.value for tree in found for node in walk(tree) if isinstance(node, Number | Degrees)
+        node.value
+        for tree in expressions
+        for node in walk(tree)
+        if isinstance(node, Number | Degrees)
     )
 
 
@@ -260,19 +263,19 @@ class _Sitting:
 
 def _factors_in(line: ScriptLine) -> Iterator[Fraction]:
     """The numbers of a line, each once; exponents, 1 and 2 are none."""
-    found: dict[Fraction, None] = {}
+    values: dict[Fraction, None] = {}
     for link in line.links:
         for side in (link.readings[0].left, link.readings[0].right):
             pending = [side]
             while pending:
                 each = pending.pop()
                 if isinstance(each, Number | Degrees):
-                    found[each.value] = None
+                    values[each.value] = None
                 elif isinstance(each, Binary) and each.op == "^":
                     pending.append(each.left)
                 else:
                     pending.extend(children(each))
-    return (value for value in found if value not in (1, 2))
+    return (value for value in values if value not in (1, 2))
 
 
 def _as_misread(lines: Sequence[JudgedLine], at: str) -> Iterator[JudgedLine]:

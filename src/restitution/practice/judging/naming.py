@@ -101,27 +101,27 @@ class Names:
         near = () if judge.uses_of_entry(entry) else _near(entry, judge, mended)
         return Explained(variants, _slip(entry, judge, mended), at, near)
 
-    def named(self, found: Explained, stated: Stated, confirmed: frozenset[str]) -> Mistake:
+    def named(self, explained: Explained, stated: Stated, confirmed: frozenset[str]) -> Mistake:
         """The mistake by its name.
 
         Of several altered laws those stay that a line below is an instance of too (``confirmed``
         are their ids), and those that contradict no law which is stated rightly.
         """
-        variants = [each for each in found.variants if each.id in confirmed] or [
-            each for each in found.variants if not _contradicts(each, stated)
+        variants = [each for each in explained.variants if each.id in confirmed] or [
+            each for each in explained.variants if not _contradicts(each, stated)
         ]
         variants.sort(key=lambda each: 0 if each.event.wall else len(each.laws))
         ids = tuple(dict.fromkeys(each.id for each in variants))
         families = tuple(dict.fromkeys(each.mistake for each in variants))
         if not families:
-            return Mistake(found.slip, "slip", at=found.at) if found.slip else NO_NAME
+            return Mistake(explained.slip, "slip", at=explained.at) if explained.slip else NO_NAME
         wall = variants[0].event.wall
         usual = {**_BEFORE, **(_BEFORE_AT_A_WALL if wall else _BEFORE_OF_SPHERES)}
         likely = [each for each in families if not set(families) & usual.get(each, set())]
         name = likely[0] if len(likely) == 1 else None
         dull = _OF_SPEEDS if name in _PLAINER else frozenset()
         also = tuple(each for each in families if each != name and each not in dull)
-        return Mistake(name, "misconception", ids, also, found.at, sure=not also)
+        return Mistake(name, "misconception", ids, also, explained.at, sure=not also)
 
     # --- misconceptions -----------------------------------------------------------------------
 
@@ -139,8 +139,8 @@ class Names:
         if is_numeric(entry.claim.left) and is_numeric(entry.claim.right):
             return ()
         blocking = [each for each in mended if not self._is_familiar(each, entry, judge)]
-        found = list(self._results(entry, judge)) or list(self._worlds(entry, judge))
-        return tuple(dict.fromkeys(each for each in found if _stands(each, blocking)))
+        variants = list(self._results(entry, judge)) or list(self._worlds(entry, judge))
+        return tuple(dict.fromkeys(each for each in variants if _stands(each, blocking)))
 
     def _results(self, entry: Entry, judge: Judge) -> Iterator[VariantAt]:
         """By a result: the claim gives a quantity the value that an altered definition gives it."""
@@ -183,10 +183,10 @@ class Names:
         """The numbers of the story: those of the statement, and its quantities."""
         world = judge.base
         if world.solution not in self._familiar:
-            found = [float(value) for value in numbers_of(self.problem)]
+            values = [float(value) for value in numbers_of(self.problem)]
             for candidate in candidates(self.problem, world.part):
-                found += _numbers_in(world, candidate.quantity)
-            self._familiar[world.solution] = tuple(dict.fromkeys(each for each in found if each))
+                values += _numbers_in(world, candidate.quantity)
+            self._familiar[world.solution] = tuple(dict.fromkeys(each for each in values if each))
         return self._familiar[world.solution]
 
 
@@ -222,13 +222,13 @@ def _contradicts(variant: VariantAt, stated: Stated) -> bool:
 
 def _near(entry: Entry, judge: Judge, mended: Sequence[Correction]) -> tuple[Use, ...]:
     """The laws of a claim with the first correction that makes it an instance of one."""
-    found: tuple[Use, ...] = ()
+    near: tuple[Use, ...] = ()
     for correction in mended[:_TRIED]:
         uses = judge.uses_of_entry(replace(entry, claim=correction.claim, wrong=False, right=True))
         if uses and uses[0].principle in _LAWS:
             return uses
-        found = found or uses
-    return found
+        near = near or uses
+    return near
 
 
 def _is_law(correction: Correction, entry: Entry, judge: Judge) -> bool:

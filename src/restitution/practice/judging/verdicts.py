@@ -58,7 +58,7 @@ class Naming(Protocol):
     def explained(self, entry: Entry, judge: Judge) -> Explained:
         """What explains a claim that is false."""
 
-    def named(self, found: Explained, stated: Stated, confirmed: frozenset[str]) -> Mistake:
+    def named(self, explained: Explained, stated: Stated, confirmed: frozenset[str]) -> Mistake:
         """The mistake by its name."""
 
 
@@ -128,12 +128,12 @@ class Judge:
         """A false line with the name of its mistake, in the light of all lines."""
         if line.verdict != "false":
             return line
-        found = self._explained.get(line.line.number)
-        if found is None:
+        explained = self._explained.get(line.line.number)
+        if explained is None:
             return replace(line, mistake=Mistake(None))
         confirmed = frozenset(self._confirmed.get(line.line.number, ()))
-        mistake = self.naming.named(found, self.stated(), confirmed)
-        return replace(line, mistake=mistake, uses=line.uses or found.near)
+        mistake = self.naming.named(explained, self.stated(), confirmed)
+        return replace(line, mistake=mistake, uses=line.uses or explained.near)
 
     def is_true(self, script: Script) -> bool:
         """Whether every relation of a script holds in one of the solutions."""
@@ -201,13 +201,13 @@ class Judge:
             remark=next((link.remark for link in links if link.remark), None),
         )
 
-    def _explain(self, number: int, found: Explained) -> None:
+    def _explain(self, number: int, explained: Explained) -> None:
         """Keep what explains a false line; altered laws of which two lines are instances stand."""
         for other, earlier in self._explained.items():
-            same = {each.id for each in earlier.variants} & {each.id for each in found.variants}
+            same = {each.id for each in earlier.variants} & {each.id for each in explained.variants}
             for line in (other, number) if same else ():
                 self._confirmed.setdefault(line, set()).update(same)
-        self._explained[number] = found
+        self._explained[number] = explained
 
     # --- a link -------------------------------------------------------------------------------
 
@@ -258,13 +258,13 @@ class Judge:
             world = self._base
             stages = range(len(world.events) + 1)
             trees = read_phrase(phrase, world.problem)
-            found = [
+            meanings = [
                 staged(tree, world.problem, world.part, now)
                 for tree in trees
                 if _kind(tree) == _kind(trees[0])
                 for now in stages
             ]
-            self._phrases[phrase] = tuple(dict.fromkeys(found))
+            self._phrases[phrase] = tuple(dict.fromkeys(meanings))
         return self._phrases[phrase]
 
     def _holds(
@@ -480,14 +480,14 @@ class Judge:
     # --- laws ---------------------------------------------------------------------------------
 
     def _uses(self, line: ScriptLine, links: Sequence[JudgedLink]) -> tuple[Use, ...]:
-        found: dict[Use, None] = {}
+        uses: dict[Use, None] = {}
         for link, judged in zip(line.links, links, strict=True):
             if judged.verdict in ("true", "follows", "false", "unsupported"):
                 entry = self._entry(line, link, judged)
-                found.update(dict.fromkeys(self.uses_of_entry(entry)))
-        if len(found) > 1:
-            found.pop(Use("arithmetic"), None)
-        return tuple(found)
+                uses.update(dict.fromkeys(self.uses_of_entry(entry)))
+        if len(uses) > 1:
+            uses.pop(Use("arithmetic"), None)
+        return tuple(uses)
 
     def uses_of_entry(self, entry: Entry) -> tuple[Use, ...]:
         """The laws of which an entry is an instance; altered ones where it is false."""

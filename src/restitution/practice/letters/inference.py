@@ -260,7 +260,7 @@ def _arranged(states: Sequence[State], items: Sequence[Item], slots: Sequence[Sl
 
     Senses and the order of bodies are told by the lines that no line above decides.
     """
-    told = [
+    worths = [
         sum(
             item.weight
             for number, item in enumerate(items)
@@ -273,11 +273,11 @@ def _arranged(states: Sequence[State], items: Sequence[Item], slots: Sequence[Sl
         for state in states
     ]
     best: dict[Any, float] = {}
-    for key, worth in zip(keys, told, strict=True):
+    for key, worth in zip(keys, worths, strict=True):
         best[key] = max(worth, best.get(key, 0.0))
     return [
         replace(state, score=state.score - _WORSE) if worth < best[key] - 0.5 else state
-        for state, key, worth in zip(states, keys, told, strict=True)
+        for state, key, worth in zip(states, keys, worths, strict=True)
     ]
 
 
@@ -416,13 +416,13 @@ def _rows(slot: Slot, states: Sequence[State], place: int) -> tuple[Nature, list
 
 def _truth(item: Item, put: Mapping[str, Value], tester: Tester) -> Array | None:
     """What an item is worth for every meaning: 1 where it is true, less in an unusual reading."""
-    found: Array | None = None
+    truth: Array | None = None
     for place, reading in enumerate(item.readings):
         held = tester.holds(reading, put, item.decimals, item.frame)
         if held is not None:
             true = everywhere(held) * (_UNUSUAL if place else 1.0)
-            found = true if found is None else np.maximum(found, true)
-    return found
+            truth = true if truth is None else np.maximum(truth, true)
+    return truth
 
 
 def _held(item: Item, states: Sequence[State], slots: Sequence[Slot], tester: Tester) -> Array:

@@ -59,14 +59,14 @@ class Instances:
     def _ways(self, item: Item, slots: Sequence[Slot], used: Sequence[int]) -> Ways:
         if len(used) > 3 or item.readings[0].sign != "=":
             return {}
-        found: dict[tuple[int, ...], float] = {}
+        shares: dict[tuple[int, ...], float] = {}
         for natures in product(*(list(slots[s].values) for s in used)):
             chosen = dict(zip(used, natures, strict=True))
-            found.update(dict.fromkeys(self._of_law(item, slots, chosen), _SHARE))
+            shares.update(dict.fromkeys(self._of_law(item, slots, chosen), _SHARE))
             for result in (s for s in used if _stands_alone(item, s)):
                 ways = self._of_result(item, slots, chosen, result)
-                found.update(dict.fromkeys(ways, _SHARE))
-        return found
+                shares.update(dict.fromkeys(ways, _SHARE))
+        return shares
 
     # --- laws ---------------------------------------------------------------------------------
 
@@ -97,11 +97,11 @@ class Instances:
     ) -> list[Array]:
         """Where the readings of an item hold, for every option and sample."""
         put = {name: values[s] for name, s in item.slots.items()}
-        found = [
+        truths = [
             tester.holds(reading, put, item.decimals, item.frame) for reading in item.readings[:3]
         ]
         whole = (*shape, tester.world.samples)
-        return [np.broadcast_to(held, whole) for held in found if held is not None]
+        return [np.broadcast_to(held, whole) for held in truths if held is not None]
 
     # --- results ------------------------------------------------------------------------------
 
@@ -158,7 +158,7 @@ class Instances:
         """True values of results in the world, each with one that a mistake gives it."""
         world = self.true.world
         events = events_of(world.problem)
-        found: list[tuple[Value, Value]] = []
+        pairs: list[tuple[Value, Value]] = []
         for event in events[: len(world.events)]:
             for variant in variants_at(event, events):
                 for result in variant.results:
@@ -168,8 +168,8 @@ class Instances:
                     if isinstance(true, Angle) and not isinstance(value, Angle | Vector):
                         value = angle(value)
                     if isinstance(true, Angle) == isinstance(value, Angle):
-                        found.append((true, value))
-        return found
+                        pairs.append((true, value))
+        return pairs
 
 
 def _stands_alone(item: Item, slot: int) -> bool:

@@ -87,15 +87,15 @@ def meanings_of(
     fixed = all_fixed(own, letters_of(problem, solution.parts[part].part))
     if worlds is None or fixed:
         worlds = true_worlds(solution, part, fixed)
-    found: list[Interpretation] = []
+    interpretations: list[Interpretation] = []
     for world in worlds[:4]:
         surroundings = Surroundings(problem, solution.parts[part].part, world)
-        found += _interpretations(own, surroundings, declared or {})
-    if not found:
+        interpretations += _interpretations(own, surroundings, declared or {})
+    if not interpretations:
         return Interpretations(Interpretation())
-    found.sort(key=lambda each: -each.score)
-    best = found[0]
-    rivals = [each for each in found[1:] if each.score >= best.score - NEARLY]
+    interpretations.sort(key=lambda each: -each.score)
+    best = interpretations[0]
+    rivals = [each for each in interpretations[1:] if each.score >= best.score - NEARLY]
     return Interpretations(best, tuple(_distinct(best, rivals))[:_RIVALS])
 
 
@@ -118,13 +118,13 @@ def _interpretations(
     script: Script, around: Surroundings, declared: Mapping[str, Any]
 ) -> list[Interpretation]:
     search_ = _Search(script, around, *declarations(script, around, declared))
-    found = search_.interpretations(())
+    interpretations = search_.interpretations(())
     if search_.headings:
-        found += search_.interpretations(search_.headings)
+        interpretations += search_.interpretations(search_.headings)
     else:
-        found += search_.reused()
-    found.sort(key=lambda each: -each.score)
-    return [each for each in found if each.score >= found[0].score - NEARLY]
+        interpretations += search_.reused()
+    interpretations.sort(key=lambda each: -each.score)
+    return [each for each in interpretations if each.score >= interpretations[0].score - NEARLY]
 
 
 @dataclass(frozen=True)
@@ -175,16 +175,16 @@ class _Search:
         claims = [
             claim for line in self.lines for link in line.links for claim in link.readings[:1]
         ]
-        found = frozenset[str]().union(
+        angular = frozenset[str]().union(
             *(inside_angles(side) for claim in claims for side in (claim.left, claim.right))
         )
         for claim in claims:
-            known = found | self.around.world.angles
+            known = angular | self.around.world.angles
             for one, other in ((claim.left, claim.right), (claim.right, claim.left)):
                 angle = is_angle(other, known) and letters(other) <= known
                 if isinstance(one, Letter) and angle:
-                    found |= {one.name}
-        return found
+                    angular |= {one.name}
+        return angular
 
     def meanings(self, number: int) -> dict[str, Expression]:
         """The trees of letters whose declaration is certain, in a line."""
@@ -311,16 +311,18 @@ class _Search:
                     items.append(self._item(link, line, used))
         items = self._weighed(items)
         states = search(items, slots, self.around.tester, self.around.broken)
-        found = []
+        interpretations = []
         for state in states[: 2 * _RIVALS]:
             lines = {item.line for k, item in enumerate(items) if k in state.satisfied}
             whole = self._interpretation(state, slots, firsts)
-            found.append(replace(whole, score=whole.score - self._cost(whole, breaks, lines)))
-        if found:
-            best = max(range(len(found)), key=lambda k: found[k].score)
+            interpretations.append(
+                replace(whole, score=whole.score - self._cost(whole, breaks, lines))
+            )
+        if interpretations:
+            best = max(range(len(interpretations)), key=lambda k: interpretations[k].score)
             held = states[best].satisfied
             self.failing = {item.line for k, item in enumerate(items) if k not in held}
-        return found
+        return interpretations
 
     def _cost(self, whole: Interpretation, breaks: Sequence[_Break], lines: Iterable[int]) -> float:
         """What it costs that letters change their meanings, less where several lines say so."""
@@ -418,7 +420,7 @@ class _Search:
 
     def reused(self) -> list[Interpretation]:
         """The interpretations where letters come again with another meaning, at one line or two."""
-        found: list[Interpretation] = []
+        interpretations: list[Interpretation] = []
         breaks: tuple[_Break, ...] = ()
         for _ in range(2):
             if not self.failing or len(self.around.events) < 2:
@@ -428,14 +430,14 @@ class _Search:
                 if all(number != each.line for each in breaks):
                     one = _Break(number, _BREAK, _ALONE)
                     new = self.interpretations(sorted((*breaks, one), key=lambda b: b.line))
-                    found += new
+                    interpretations += new
                     score = max((each.score for each in new), default=0.0)
                     tried.append((score, one, set(self.failing)))
             if not tried:
                 break
             _, one, self.failing = max(tried, key=lambda each: each[0])
             breaks = (*breaks, one)
-        return found
+        return interpretations
 
     def _places(self) -> list[int]:
         """The lines, the failing first, at which letters from above come again."""

@@ -58,17 +58,19 @@ def letters_box(
     if not solved.branches:
         return ()
     try:
-        told = model(problem, solved.part, solved.branches[0], solved.roles)
+        letters_model = model(problem, solved.part, solved.branches[0], solved.roles)
     except _FAILURES:
         return ()
-    return tuple(_rows(problem, solved.part, told))
+    return tuple(_rows(problem, solved.part, letters_model))
 
 
-def _rows(problem: Problem, part: Part, told: Model) -> Iterator[BoxRow]:
-    taken = set(letters_of(problem, part)) | {each.symbol.name for each in told.components.values()}
-    events = [n for n, step in enumerate(told.story.happenings, 1)]
-    for (number, body), component in told.components.items():
-        quantity = _component(told, number, body)
+def _rows(problem: Problem, part: Part, letters_model: Model) -> Iterator[BoxRow]:
+    taken = set(letters_of(problem, part)) | {
+        each.symbol.name for each in letters_model.components.values()
+    }
+    events = [n for n, step in enumerate(letters_model.story.happenings, 1)]
+    for (number, body), component in letters_model.components.items():
+        quantity = _component(letters_model, number, body)
         yield _row(component.symbol.name, quantity, problem, sensed=True)
     if not _in_angles(problem):
         return
@@ -77,10 +79,10 @@ def _rows(problem: Problem, part: Part, told: Model) -> Iterator[BoxRow]:
     angles = (name for name in _ANGLES if name not in taken)
     speeds = (name for name in _SPEEDS if name not in taken)
     for number in events:
-        step = told.story.happenings[number - 1].step
+        step = letters_model.story.happenings[number - 1].step
         if not isinstance(step, Impact):
             continue
-        for body in told.spheres(number):
+        for body in letters_model.spheres(number):
             for letters, quantity in (
                 (speeds, Quantity("speed", (Name(body),), number)),
                 (angles, _angle(step, number, body, problem)),
@@ -113,18 +115,18 @@ def _angle(step: Impact, number: int, body: str, problem: Problem) -> Expression
     return Quantity("angle", (velocity(body, number), line))
 
 
-def _component(told: Model, number: int, body: str) -> Expression:
+def _component(letters_model: Model, number: int, body: str) -> Expression:
     """The component of a letter of the working: along i or j, or along the line of centres."""
-    frame, of = told.frames[number], velocity(body, number)
+    frame, of = letters_model.frames[number], velocity(body, number)
     if frame.axis is not None:
         unit = Unit(frame.axis)
         size = frame.n.x if frame.axis == "i" else frame.n.y
         value = Quantity("along", (of, unit))
-        return value if told.sign(size) > 0 else Negate(value)
-    return _along_line(told, frame, number, of)
+        return value if letters_model.sign(size) > 0 else Negate(value)
+    return _along_line(letters_model, frame, number, of)
 
 
-def _along_line(told: Model, frame: Frame, number: int, of: Expression) -> Expression:
+def _along_line(letters_model: Model, frame: Frame, number: int, of: Expression) -> Expression:
     value = Quantity("along", (of, Quantity("line_of_centres", (), number)))
-    same = told.sign(frame.n.dot(told.happening(number).oriented())) > 0
+    same = letters_model.sign(frame.n.dot(letters_model.happening(number).oriented())) > 0
     return value if same else Negate(value)

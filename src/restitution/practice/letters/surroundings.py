@@ -156,13 +156,13 @@ def declarations(
     script: Script, around: Surroundings, declared: Mapping[str, Any]
 ) -> tuple[list[DeclaredLetter], list[FixedLetter]]:
     """What is declared in the box and in lines; letters of the statement that are fixed."""
-    found: list[DeclaredLetter] = []
+    letters_declared: list[DeclaredLetter] = []
     fixed: list[FixedLetter] = []
     for letter, trees_ in declared.items():
         each = trees_ if isinstance(trees_, tuple | list) else (trees_,)
         whole = tuple(around.staged(tree, ANYWHERE) for tree in each)
         if whole:
-            found.append(DeclaredLetter(letter, whole, "", 0))
+            letters_declared.append(DeclaredLetter(letter, whole, "", 0))
     for line in script.lines:
         for one in line.declarations:
             if one.letter in around.letters:
@@ -170,10 +170,12 @@ def declarations(
                 continue
             whole = tuple(around.staged(tree, line.scope) for tree in one.meanings)
             if whole:
-                first = all(one.letter != known.letter for known in found)
+                first = all(one.letter != known.letter for known in letters_declared)
                 since = 0 if first else line.number
-                found.append(DeclaredLetter(one.letter, whole, one.words, since, line.scope))
-    return found, fixed
+                letters_declared.append(
+                    DeclaredLetter(one.letter, whole, one.words, since, line.scope)
+                )
+    return letters_declared, fixed
 
 
 def _fixed(

@@ -111,12 +111,12 @@ class Tester:
 
         None where the claim makes no sense with values of this nature.
         """
-        found: Array | None = None
+        truth: Array | None = None
         for right in (claim.right, *claim.others):
             held = self._holds(claim.left, claim.sign, right, put, decimals, frame)
             if held is not None:
-                found = held if found is None else found | held
-        return found
+                truth = held if truth is None else truth | held
+        return truth
 
     def _holds(
         self,

@@ -168,18 +168,18 @@ def _add(usual: dict[tuple[str | None, int], list[str]], solution: Solution, nam
         for part, solved in solution.parts.items():
             for place, item in enumerate(solved.items):
                 changed = next((each for each in world.items if each.true is item), None)
-                told = usual.setdefault((part, place), [])
+                wrong_answers = usual.setdefault((part, place), [])
                 if (
                     changed is None
                     or (part, place) in seen
                     or not changed.altered.answers
-                    or len(told) >= _MOST_WRONG
+                    or len(wrong_answers) >= _MOST_WRONG
                     or item.kind not in ("value", "vector")
                 ):
                     continue
                 seen.add((part, place))
                 shown = changed.altered.display.split(" = ")
                 display = shown[-1] if changed.altered.answers[0].angle else shown[0]
-                if all(not each.startswith(f"{display} (") for each in told):
+                if all(not each.startswith(f"{display} (") for each in wrong_answers):
                     title = MISCONCEPTIONS[name].title
-                    told.append(f"{display} ({title[:1].lower() + title[1:]})")
+                    wrong_answers.append(f"{display} ({title[:1].lower() + title[1:]})")

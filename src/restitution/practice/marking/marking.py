@@ -213,8 +213,8 @@ def _with_consequence(judgement: Judgement, solution: Solution, part: str | None
         if mistake is None or mistake.kind != "misconception" or not mistake.variants:
             continue
         leads_to = _consequence(mistake.variants[0], solution, part)
-        told = replace(line, mistake=replace(mistake, leads_to=leads_to))
-        lines = (*judgement.lines[:place], told, *judgement.lines[place + 1 :])
+        explained = replace(line, mistake=replace(mistake, leads_to=leads_to))
+        lines = (*judgement.lines[:place], explained, *judgement.lines[place + 1 :])
         return replace(judgement, lines=lines)
     return judgement
 

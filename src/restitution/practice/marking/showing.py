@@ -32,17 +32,17 @@ _WIDTH = 80
 def to_text(marking: Marking, width: int = _WIDTH) -> str:
     """A marking for a terminal, ``width`` characters wide."""
     rows: list[str] = [] if marking.part is None else [f"({marking.part})"]
-    said: dict[int | None, list[str]] = {}
+    texts: dict[int | None, list[str]] = {}
     for message in marking.messages:
-        said.setdefault(message.line, []).append(message.text)
+        texts.setdefault(message.line, []).append(message.text)
     margin = len(str(max((line.line.number for line in marking.lines), default=1)))
     for line in marking.lines:
         number = line.line.number
         start = f"{number:>{margin}} {SIGNS[line.verdict]} "
         rows += _wrapped(line.line.text.strip(), start, width)
-        for text in said.get(number, ()):
+        for text in texts.get(number, ()):
             rows += _wrapped(text, " " * len(start) + "  ", width)
-    for text in said.get(None, ()):
+    for text in texts.get(None, ()):
         rows += ["", *_wrapped(text, "", width)]
     rows += ["" for _ in marking.asks[:1]]
     for ask in marking.asks:
@@ -72,17 +72,17 @@ def _wrapped(text: str, start: str, width: int) -> list[str]:
 
 def to_html(marking: Marking) -> str:
     """A marking as a fragment of HTML."""
-    said: dict[int | None, list[str]] = {}
+    texts: dict[int | None, list[str]] = {}
     for message in marking.messages:
-        said.setdefault(message.line, []).append(message.text)
+        texts.setdefault(message.line, []).append(message.text)
     lines = "".join(
         f"<tr><td>{line.line.number}</td><td>{SIGNS[line.verdict]}</td>"
         f"<td><code>{escape(line.line.text.strip())}</code>"
-        + "".join(f"<br>{escape(text)}" for text in said.get(line.line.number, ()))
+        + "".join(f"<br>{escape(text)}" for text in texts.get(line.line.number, ()))
         + "</td></tr>"
         for line in marking.lines
     )
-    rest = "".join(f"<p>{escape(text)}</p>" for text in said.get(None, ()))
+    rest = "".join(f"<p>{escape(text)}</p>" for text in texts.get(None, ()))
     asks = "".join(f"<p>{escape(ask.text)}</p>" for ask in marking.asks)
     points = "".join(
         f"<tr><td><b>{each.point.kind}</b></td><td>{_STATES[each.state]}</td>"

@@ -79,28 +79,28 @@ def fitted(
     By Broyden's method from the values given; the least change where facts leave room.
     """
     current = dict(values)
-    told = _told(problem, part, current)
-    if told is None or _is_met(told.errors, current):
-        return None if told is None else told.story
-    slopes = _slopes(problem, part, current, sought, told.errors)
+    trial = _trial(problem, part, current)
+    if trial is None or _is_met(trial.errors, current):
+        return None if trial is None else trial.story
+    slopes = _slopes(problem, part, current, sought, trial.errors)
     for _ in range(_MOST_STEPS if slopes is not None else 0):
         assert slopes is not None
-        change = np.linalg.lstsq(slopes, -told.errors, rcond=None)[0]
+        change = np.linalg.lstsq(slopes, -trial.errors, rcond=None)[0]
         if not np.all(np.isfinite(change)):
             return None
         for name, by in zip(sought, change, strict=True):
             current[name] += float(by)
-        moved = _told(problem, part, current)
-        if moved is None or moved.errors.shape != told.errors.shape:
+        moved = _trial(problem, part, current)
+        if moved is None or moved.errors.shape != trial.errors.shape:
             return None
         if _is_met(moved.errors, current):
             return moved.story
         square = float(change @ change)
         if square == 0.0:
             return None
-        off = moved.errors - told.errors - slopes @ change
+        off = moved.errors - trial.errors - slopes @ change
         slopes = slopes + np.outer(off, change) / square
-        told = moved
+        trial = moved
     return None
 
 
@@ -108,19 +108,19 @@ _MOST_STEPS = 16
 
 
 @dataclass(frozen=True)
-class _Told:
+class _Trial:
     story: Story
     errors: Any
 
 
-def _told(problem: Problem, part: Part, values: Mapping[str, float]) -> _Told | None:
+def _trial(problem: Problem, part: Part, values: Mapping[str, float]) -> _Trial | None:
     """The story and what should vanish, an array; None where something cannot be."""
     try:
         story = tell(problem, part, values)
         errors = np.array(residuals(problem, part, story), dtype=float)
     except REFUSALS:
         return None
-    return _Told(story, errors) if np.all(np.isfinite(errors)) else None
+    return _Trial(story, errors) if np.all(np.isfinite(errors)) else None
 
 
 def _is_met(errors: Any, values: Mapping[str, float]) -> bool:
@@ -139,7 +139,7 @@ def _slopes(
     columns = []
     for name in sought:
         step = 1e-6 * max(abs(values[name]), 0.1)
-        moved = _told(problem, part, {**values, name: values[name] + step})
+        moved = _trial(problem, part, {**values, name: values[name] + step})
         if moved is None or moved.errors.shape != errors.shape:
             return None
         columns.append((moved.errors - errors) / step)

@@ -18,7 +18,7 @@ from restitution.practice.questions.nice import (
 from restitution.practice.questions.one_wall import Recipe
 
 
-def _found(d: Dice, *asked: str) -> str:
+def _one_velocity_given(d: Dice, *asked: str) -> str:
     """The velocity of one sphere after the collision, of which the line of centres follows."""
     c = slanted(d, at_rest=d.below(3) == 0, denominators=1)
     second = f"velocity {vector(*c.u2)}" if any(c.u2) else "at rest"
@@ -32,11 +32,11 @@ def _found(d: Dice, *asked: str) -> str:
 
 
 def _line_1(d: Dice) -> str:
-    return _found(d, "part a", "find impulse(B)", "part b", "find velocity(B)")
+    return _one_velocity_given(d, "part a", "find impulse(B)", "part b", "find velocity(B)")
 
 
 def _line_2(d: Dice) -> str:
-    return _found(d, "part a", "find line_of_centres", "part b", "find velocity(B), e")
+    return _one_velocity_given(d, "part a", "find line_of_centres", "part b", "find velocity(B), e")
 
 
 def _line_3(d: Dice) -> str:
@@ -63,7 +63,7 @@ def _line_3(d: Dice) -> str:
 
 def _line_4(d: Dice) -> str:
     last = d.of(("find energy_lost", "find deflection(A), energy_lost", "find deflection(B)"))
-    return _found(
+    return _one_velocity_given(
         d, "part a", "find line_of_centres", "part b", "find velocity(B), e", "part c", last
     )
 

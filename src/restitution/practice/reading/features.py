@@ -54,47 +54,47 @@ def words_of(text: str) -> tuple[str, ...]:
     return tuple(_WORD.findall(text.replace("k.e.", "KE").replace("K.E.", "KE")))
 
 
-def features(words: Sequence[str], problem: Problem) -> Features:
+def features_of(words: Sequence[str], problem: Problem) -> Features:
     """What the words say; those that say nothing are passed over."""
     spheres = {each.name for each in problem.spheres}
     walls = {each.name for each in problem.walls}
     known = spheres | walls | {each.name for each in problem.points}
-    found = Features()
+    features = Features()
     previous = ""
     for place, word in enumerate(words):
         low = word.lower()
         if word in known or (len(word) == 1 and word.upper() in known and _is_name(words, place)):
-            found = _with_name(found, word if word in known else word.upper(), previous)
+            features = _with_name(features, word if word in known else word.upper(), previous)
         elif _is_pair_of(word, spheres):
-            found = replace(found, names=(*found.names, *word))
+            features = replace(features, names=(*features.names, *word))
         elif low in ("i", "j", "x", "y") and _is_axis(words, place):
             axis = AXES[low]
-            found = replace(found, axis=Negate(axis) if previous == "-" else axis)
+            features = replace(features, axis=Negate(axis) if previous == "-" else axis)
             if "direction" in [each.lower() for each in words[max(0, place - 3) : place]]:
-                found = replace(found, sense="axis")
+                features = replace(features, sense="axis")
         elif low in HEADS and not (low == "direction" and _is_filler(words, place)):
-            found = replace(found, heads=found.heads | {HEADS[low]})
+            features = replace(features, heads=features.heads | {HEADS[low]})
         elif low in DIRECTIONS:
-            found = _with_direction(found, DIRECTIONS[low])
+            features = _with_direction(features, DIRECTIONS[low])
         elif low in STAGES:
-            found = replace(found, stage=STAGES[low])
+            features = replace(features, stage=STAGES[low])
         elif low in ORDINALS and _counts_events(words, place):
-            found = replace(found, event=ORDINALS[low])
+            features = replace(features, event=ORDINALS[low])
         elif low in ("wall", "cushion", "barrier"):
-            found = replace(found, wall=True)
+            features = replace(features, wall=True)
         elif low in ("total", "both", "system", "overall", "combined"):
-            found = replace(found, both=True)
+            features = replace(features, both=True)
         elif len(low) == 2 and low[0] in "uvw" and low[1] in "xy":
-            found = replace(found, axis=AXES[low[1]])
+            features = replace(features, axis=AXES[low[1]])
         elif low in ("u", "v", "w") and len(words) == 2:
-            found = replace(found, heads=found.heads | {"velocity"})
+            features = replace(features, heads=features.heads | {"velocity"})
         elif low == "relative":
-            found = replace(found, heads=found.heads | {"relative"})
-        elif low in ("rebounds", "hits", "collides") and not found.stage:
-            found = replace(found, stage="after")
+            features = replace(features, heads=features.heads | {"relative"})
+        elif low in ("rebounds", "hits", "collides") and not features.stage:
+            features = replace(features, stage="after")
         if low not in ("the", "of", "sphere", "ball", "particle", "point"):
             previous = low
-    return found
+    return features
 
 
 def _is_name(words: Sequence[str], place: int) -> bool:
@@ -125,21 +125,21 @@ def _counts_events(words: Sequence[str], place: int) -> bool:
     return any(each.lower() in EVENT_WORDS for each in words[place + 1 : place + 3])
 
 
-def _with_name(found: Features, name: str, previous: str) -> Features:
+def _with_name(features: Features, name: str, previous: str) -> Features:
     if previous in ("towards", "toward", "from", "away"):
-        return replace(found, target=name)
+        return replace(features, target=name)
     if previous in ("along", "parallel", "perp", "perpendicular", "to", "at", "wall", "with"):
-        return replace(found, names=(*found.names, name), target=found.target or name)
-    return replace(found, names=(*found.names, name))
+        return replace(features, names=(*features.names, name), target=features.target or name)
+    return replace(features, names=(*features.names, name))
 
 
-def _with_direction(found: Features, word: str) -> Features:
+def _with_direction(features: Features, word: str) -> Features:
     if word in ("horizontal", "vertical"):
-        return replace(found, axis=AXES[word])
+        return replace(features, axis=AXES[word])
     if word in _SENSES:
-        return replace(found, sense=word)
+        return replace(features, sense=word)
     if word == "centres":
-        return replace(found, direction=f"{found.direction or 'along'} centres")
-    if found.direction and found.direction.endswith("centres"):
-        return replace(found, direction=f"{word} centres")
-    return replace(found, direction=word)
+        return replace(features, direction=f"{features.direction or 'along'} centres")
+    if features.direction and features.direction.endswith("centres"):
+        return replace(features, direction=f"{word} centres")
+    return replace(features, direction=word)

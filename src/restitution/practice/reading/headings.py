@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
 
-from restitution.practice.reading.features import features, words_of
+from restitution.practice.reading.features import features_of, words_of
 from restitution.practice.reading.tokens import Token, Usage
 from restitution.practice.reading.vocabulary import EVENT_WORDS, ORDINALS, STAGES
 from restitution.practice.script import Scope
@@ -90,12 +90,12 @@ def scope_of(words: str, problem: Problem, current: Scope) -> Scope | None:
     """The scope that the words of a heading open, or None where they are no heading."""
     listed = words_of(words)
     low = [each.lower() for each in listed]
-    found = features(listed, problem)
-    if found.heads - {"direction"} or len(listed) > 9:
+    features = features_of(listed, problem)
+    if features.heads - {"direction"} or len(listed) > 9:
         return None
     spheres = {each.name for each in problem.spheres}
-    event = _event_of(listed, problem, current, found.event)
-    bodies = [each for each in found.names if each in spheres]
+    event = _event_of(listed, problem, current, features.event)
+    bodies = [each for each in features.names if each in spheres]
     stage = _stage(low)
     body = bodies[0] if len(bodies) == 1 and (event is None or "wall" in low) else None
     if event is None and body is None and stage is None:
@@ -128,8 +128,8 @@ def _event_of(
             struck = [n for n in impacts if _met(events[n - 1]) & walls]
             return struck[counted - 1] if counted <= len(struck) else None
         return impacts[counted - 1] if 0 < counted <= len(impacts) else None
-    found = features(words, problem)
-    named = set(found.names) | ({found.target} if found.target else set())
+    features = features_of(words, problem)
+    named = set(features.names) | ({features.target} if features.target else set())
     pair = [n for n in impacts if len(named) == 2 and _met(events[n - 1]) == named]
     wall = [n for n in impacts if _met(events[n - 1]) & walls & named]
     if not wall and ("wall" in low or "cushion" in low) and not named & walls:

@@ -45,7 +45,7 @@ _CLOSING = frozenset(("number", "letter", "name", "unit", "pi", ")", "phrase", "
 
 def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[Token]:
     """The tokens, with the words that name a quantity made one token each."""
-    found: list[Token] = []
+    merged: list[Token] = []
     place = 0
     tokens = [each for n, each in enumerate(tokens) if not _is_kind_of_body(tokens, n)]
     while place < len(tokens):
@@ -62,27 +62,27 @@ def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[T
         if energy is not None:
             joined = energy, place + 1
         if joined is not None:
-            found.append(joined[0])
+            merged.append(joined[0])
             place = joined[1]
             continue
         end = _phrase_end(tokens, place, problem)
         if end > place:
             first = place
-            if len(found) > 1 and found[-1].word in ("has", "had") and found[-2].kind == "name":
-                found.pop()
+            if len(merged) > 1 and merged[-1].word in ("has", "had") and merged[-2].kind == "name":
+                merged.pop()
                 first -= 1
-            if found and _is_owner(found, tokens[place]):
-                found.pop()
+            if merged and _is_owner(merged, tokens[place]):
+                merged.pop()
                 first -= 1
             end = _with_letter(tokens, end)
-            found.append(_phrase(tokens[first:end], text))
+            merged.append(_phrase(tokens[first:end], text))
             place = end
             continue
         token = tokens[place]
-        found.append(_prose_name(found, token, tokens[place + 1 : place + 2]))
+        merged.append(_prose_name(merged, token, tokens[place + 1 : place + 2]))
         place += 1
-    found = [each for n, each in enumerate(found) if not _is_article(found, n)]
-    return _with_order([_equality(found, place) for place in range(len(found))])
+    merged = [each for n, each in enumerate(merged) if not _is_article(merged, n)]
+    return _with_order([_equality(merged, place) for place in range(len(merged))])
 
 
 def tokens_behind(tokens: Sequence[Token], place: int) -> int:
@@ -200,11 +200,11 @@ def _has_stage(tokens: Sequence[Token], place: int) -> bool:
     return tokens[place + 1].kind == "word" and tokens[place + 1].word in STAGES
 
 
-def _is_owner(found: Sequence[Token], token: Token) -> bool:
+def _is_owner(merged: Sequence[Token], token: Token) -> bool:
     """Whether the last token is the name of a body before its quantity: ``B perp``, ``A's KE``."""
-    if found[-1].kind != "name" or not token.gap:
+    if merged[-1].kind != "name" or not token.gap:
         return False
-    return len(found) == 1 or found[-2].kind in (",", ";", ":", "arrow", "stop")
+    return len(merged) == 1 or merged[-2].kind in (",", ";", ":", "arrow", "stop")
 
 
 def _is_article(tokens: Sequence[Token], place: int) -> bool:
@@ -292,14 +292,14 @@ def _is_trailing(tokens: Sequence[Token], place: int) -> bool:
     return token.kind == "-" or (token.kind == "word" and token.word in _TRAILING)
 
 
-def _prose_name(found: Sequence[Token], token: Token, behind: Sequence[Token]) -> Token:
+def _prose_name(merged: Sequence[Token], token: Token, behind: Sequence[Token]) -> Token:
     """A name behind a word of prose is one itself: ``after AB``, ``so B moves``."""
-    if token.kind != "name" or not found or found[-1].kind != "word":
+    if token.kind != "name" or not merged or merged[-1].kind != "word":
         return token
     if behind and behind[0].kind in ("relation", "+", "-", "*", "/", "^", ":"):
-        owner = found[-1].text in _OF and behind[0].kind == "relation"
+        owner = merged[-1].text in _OF and behind[0].kind == "relation"
         return replace(token, kind="word") if owner else token
-    return replace(token, kind="word") if found[-1].text in _NEAR_A_NAME else token
+    return replace(token, kind="word") if merged[-1].text in _NEAR_A_NAME else token
 
 
 def _equality(tokens: Sequence[Token], place: int) -> Token:

@@ -26,7 +26,7 @@ from restitution.expression.tree import (
     Quantity,
     Stage,
 )
-from restitution.practice.reading.features import AXES, Features, features, words_of
+from restitution.practice.reading.features import AXES, Features, features_of, words_of
 from restitution.problem import Impact, Problem
 
 __all__ = ["is_phrase", "names_quantity", "read_phrase", "words_of"]
@@ -39,10 +39,10 @@ _DIRECTION = re.compile(
 
 def names_quantity(words: Sequence[str], problem: Problem) -> bool:
     """Whether words name a quantity: they have a head, or a direction and nothing strange."""
-    found = features(words, problem)
-    if found.heads == {"change"} or found.heads == {"gain"}:
+    features = features_of(words, problem)
+    if features.heads == {"change"} or features.heads == {"gain"}:
         return False
-    return bool(found.heads or found.direction or found.axis is not None)
+    return bool(features.heads or features.direction or features.axis is not None)
 
 
 def is_phrase(name: str) -> bool:
@@ -65,11 +65,11 @@ def read_phrase(words: str, problem: Problem) -> tuple[Expression, ...]:
     direction = _exact(axis[2].strip(), problem) if axis else None
     if axis is not None and direction is not None:
         text = text[: axis.start(2)] + text[axis.end() :]
-    found = features(words_of(text)[:40], problem)
+    features = features_of(words_of(text)[:40], problem)
     if direction is not None:
-        found = replace(found, axis=direction)
+        features = replace(features, axis=direction)
     stages: tuple[Literal["after", "before"], ...] = ("after", "before")
-    staged = [found] if found.stage else [replace(found, stage=each) for each in stages]
+    staged = [features] if features.stage else [replace(features, stage=each) for each in stages]
     return _unique(chain.from_iterable(_Reader(each, problem).candidates() for each in staged))
 
 
@@ -83,26 +83,26 @@ def _exact(text: str, problem: Problem) -> Expression | None:
 
 
 def _unique(candidates: Iterator[Expression]) -> tuple[Expression, ...]:
-    found: dict[Expression, None] = {}
+    trees: dict[Expression, None] = {}
     for each in candidates:
-        found.setdefault(each)
-        if len(found) >= MAX_CANDIDATES:
+        trees.setdefault(each)
+        if len(trees) >= MAX_CANDIDATES:
             break
-    return tuple(found)
+    return tuple(trees)
 
 
 class _Reader:
     """The candidates of one phrase."""
 
-    def __init__(self, found: Features, problem: Problem) -> None:
-        self.found, self.problem = found, problem
+    def __init__(self, features: Features, problem: Problem) -> None:
+        self.features, self.problem = features, problem
         self.events = problem.events
         self.spheres = tuple(each.name for each in problem.spheres)
         self.walls = tuple(each.name for each in problem.walls)
 
     def candidates(self) -> Iterator[Expression]:
         """What the phrase may mean, the most natural first; the same quantity may come twice."""
-        heads = self.found.heads
+        heads = self.features.heads
         for event in self.numbers():
             if "ratio" in heads:
                 yield from self.ratio(event)
@@ -124,23 +124,23 @@ class _Reader:
                 yield from self.momentum(event)
             elif "change" in heads and heads & {"velocity", "component"}:
                 yield from self.change(event)
-            elif self.found.direction or self.found.axis is not None or "component" in heads:
+            elif self.features.direction or self.features.axis is not None or "component" in heads:
                 yield from self.component(event)
             elif "speed" in heads:
                 yield from self.speed(event)
-            elif heads == {"magnitude"} and not self.found.names:
+            elif heads == {"magnitude"} and not self.features.names:
                 yield from self.impulse(event)
                 yield from self.velocity(event)
-            elif heads & {"velocity", "magnitude"} or self.found.sense:
+            elif heads & {"velocity", "magnitude"} or self.features.sense:
                 yield from self.velocity(event)
             elif "direction" in heads:
                 yield from (self.of("direction", each, event) for each in self.bodies(event))
             elif "time" in heads:
                 yield Quantity("time", (), event)
-            elif "distance" in heads and len(self.found.names) == 2:
-                first, second = self.found.names
+            elif "distance" in heads and len(self.features.names) == 2:
+                first, second = self.features.names
                 yield Quantity("distance", (Name(first), Name(second)))
-            elif self.found.names:
+            elif self.features.names:
                 yield from self.velocity(event)
 
     # -- events, bodies, stages ---------------------------------------------------------------
@@ -148,13 +148,13 @@ class _Reader:
     def numbers(self) -> list[int]:
         """The events of which the phrase may speak, the latest first."""
         impacts = [n for n, each in enumerate(self.events, 1) if isinstance(each, Impact)]
-        if self.found.event is not None and self.found.event <= len(impacts):
-            return [impacts[self.found.event - 1]]
-        named = [n for n in impacts if self.met(n) and self.met(n) <= set(self.found.names)]
+        if self.features.event is not None and self.features.event <= len(impacts):
+            return [impacts[self.features.event - 1]]
+        named = [n for n in impacts if self.met(n) and self.met(n) <= set(self.features.names)]
         if named and len(named) < len(impacts):
             return named
-        bodies = {each for each in self.found.names if each in self.spheres}
-        walled = [n for n in impacts if self.met(n) & set(self.walls) & set(self.found.names)]
+        bodies = {each for each in self.features.names if each in self.spheres}
+        walled = [n for n in impacts if self.met(n) & set(self.walls) & set(self.features.names)]
         if walled:
             return list(reversed(walled))
         taking_part = [n for n in impacts if not bodies or bodies & self.met(n)] or impacts
@@ -167,9 +167,9 @@ class _Reader:
 
     def bodies(self, event: int) -> list[str]:
         """The spheres of which the phrase may speak."""
-        named = [each for each in self.found.names if each in self.spheres]
-        if self.found.target in named and len(named) > 1:
-            named.remove(self.found.target or "")
+        named = [each for each in self.features.names if each in self.spheres]
+        if self.features.target in named and len(named) > 1:
+            named.remove(self.features.target or "")
         if named:
             return named[:1]
         if 0 < event <= len(self.events) and isinstance(self.events[event - 1], Impact):
@@ -180,7 +180,7 @@ class _Reader:
 
     def stage(self, event: int) -> Stage:
         """The stage of which the phrase speaks: after the event unless it says *before*."""
-        if self.found.stage == "before":
+        if self.features.stage == "before":
             return event - 1
         return None if event == len(self.events) else event
 
@@ -198,7 +198,7 @@ class _Reader:
 
     def wall(self, event: int) -> Expression | None:
         """The wall that is named, or that is struck."""
-        named = [each for each in self.found.names if each in self.walls]
+        named = [each for each in self.features.names if each in self.walls]
         if named:
             return Name(named[0])
         struck = self.met(event) & set(self.walls)
@@ -216,10 +216,10 @@ class _Reader:
 
     def velocity(self, event: int) -> Iterator[Expression]:
         """Velocities, their sizes, and their components along the line of centres."""
-        if "magnitude" in self.found.heads:
+        if "magnitude" in self.features.heads:
             yield from (self.of("speed", each, event) for each in self.bodies(event))
             return
-        if self.found.sense:
+        if self.features.sense:
             yield from self.component(event)
         for body in self.bodies(event):
             velocity = self.of("velocity", body, event)
@@ -234,26 +234,26 @@ class _Reader:
             velocity = self.of("velocity", body, event)
             for value in self.components(velocity, event, body):
                 yield value
-                if not self.found.sense:
+                if not self.features.sense:
                     yield value.operand if isinstance(value, Negate) else Negate(value)
 
     def components(self, velocity: Expression, event: int, body: str) -> Iterator[Expression]:
-        found, line, wall = self.found, self.line(event), self.wall(event)
-        named = found.direction or ""
+        features, line, wall = self.features, self.line(event), self.wall(event)
+        named = features.direction or ""
         sense = self.along_sense(event, body)
-        if found.axis is not None and "perpendicular" not in named:
-            yield Quantity("along", (velocity, found.axis))
-        elif found.axis is not None:
-            yield Quantity("across", (velocity, found.axis))
+        if features.axis is not None and "perpendicular" not in named:
+            yield Quantity("along", (velocity, features.axis))
+        elif features.axis is not None:
+            yield Quantity("across", (velocity, features.axis))
         elif "centres" in named and "perpendicular" not in named:
-            if sense is not None and found.sense not in ("towards", "away"):
+            if sense is not None and features.sense not in ("towards", "away"):
                 yield Quantity("along", (velocity, sense))
-            turned = found.sense == "opposite" or self.turned(event, body)
+            turned = features.sense == "opposite" or self.turned(event, body)
             value = Quantity("along", (velocity, line))
             yield Negate(value) if turned else value
         elif "centres" in named:
             yield Quantity("across", (velocity, line))
-        elif found.sense in ("towards", "away"):
+        elif features.sense in ("towards", "away"):
             value = Quantity("along", (velocity, line))
             yield Negate(value) if self.turned(event, body) else value
         elif sense is not None:
@@ -276,16 +276,16 @@ class _Reader:
             yield Quantity("along", (velocity, wall))
             return
         into = Quantity("along", (velocity, line))
-        yield into if self.found.stage == "before" else Negate(into)
+        yield into if self.features.stage == "before" else Negate(into)
         yield Quantity("across", (velocity, wall))
 
     def along_sense(self, event: int, body: str) -> Expression | None:
         """The direction of *to the left* and its like."""
-        return AXES.get(self.found.sense or "")
+        return AXES.get(self.features.sense or "")
 
     def turned(self, event: int, body: str) -> bool:
         """Whether *towards B*, *away from the wall* is against the line of centres."""
-        sense, target = self.found.sense, self.found.target
+        sense, target = self.features.sense, self.features.target
         if sense not in ("towards", "away") or not 0 < event <= len(self.events):
             return False
         impact = self.events[event - 1]
@@ -297,8 +297,8 @@ class _Reader:
     def relative(self, event: int) -> Iterator[Expression]:
         """Speeds of approach and of separation."""
         bodies = self.bodies_met(event)
-        heads = self.found.heads
-        approach = "approach" in heads or ("relative" in heads and self.found.stage == "before")
+        heads = self.features.heads
+        approach = "approach" in heads or ("relative" in heads and self.features.stage == "before")
         stage: Stage = event - 1 if approach else self.after(event)
         velocities = [Quantity("velocity", (Name(each),), stage) for each in bodies]
         if not velocities:
@@ -335,18 +335,18 @@ class _Reader:
             after = Quantity("velocity", (Name(body),), self.after(event))
             before = Quantity("velocity", (Name(body),), event - 1)
             difference = Binary("-", after, before)
-            if self.found.direction or self.found.axis is not None:
+            if self.features.direction or self.features.axis is not None:
                 yield from self.components(difference, event, body)
             yield difference
             yield Apply("abs", difference)
 
     def energy(self, event: int) -> Iterator[Expression]:
         """Kinetic energies, and what is lost of them."""
-        named = [each for each in self.found.names if each in self.spheres]
-        body = named[0] if len(named) == 1 and not self.found.both else None
+        named = [each for each in self.features.names if each in self.spheres]
+        body = named[0] if len(named) == 1 and not self.features.both else None
         after, before = self.after(event), event - 1
-        if self.found.heads & {"loss", "gain", "change"}:
-            gain = "gain" in self.found.heads
+        if self.features.heads & {"loss", "gain", "change"}:
+            gain = "gain" in self.features.heads
             if body is not None:
                 lost = Binary(
                     "-",
@@ -362,7 +362,7 @@ class _Reader:
                     yield Quantity("total_energy_lost", (), after)
                 yield value if gain else Negate(value)
             return
-        stage = before if self.found.stage == "before" else after
+        stage = before if self.features.stage == "before" else after
         if body is not None:
             yield Quantity("energy", (Name(body),), stage)
         else:
@@ -371,7 +371,7 @@ class _Reader:
     def impulse(self, event: int) -> Iterator[Expression]:
         """The size of an impulse; the impulse on a body as a vector as well."""
         after = self.after(event)
-        named = [each for each in self.found.names if each in self.spheres]
+        named = [each for each in self.features.names if each in self.spheres]
         size = Quantity("impulse", (), after)
         vectors = [Quantity("impulse", (Name(each),), after) for each in named[:2]]
         yield size
@@ -383,9 +383,9 @@ class _Reader:
     def momentum(self, event: int) -> Iterator[Expression]:
         """Momenta along the line of centres, and as vectors."""
         stage = self.stage(event)
-        named = [each for each in self.found.names if each in self.spheres]
-        line = self.found.axis or self.line(event)
-        if "change" in self.found.heads:
+        named = [each for each in self.features.names if each in self.spheres]
+        line = self.features.axis or self.line(event)
+        if "change" in self.features.heads:
             yield from self.impulse(event)
             return
         whole: tuple[Expression, ...] = (Name(named[0]),) if len(named) == 1 else ()
@@ -401,9 +401,9 @@ class _Reader:
 
     def angle(self, event: int) -> Iterator[Expression]:
         """Angles to a wall, to the line of centres, to an axis, and between velocities."""
-        found, line = self.found, self.line(event)
-        spheres = [each for each in found.names if each in self.spheres]
-        if len(spheres) > 1 and found.direction is None and found.axis is None:
+        features, line = self.features, self.line(event)
+        spheres = [each for each in features.names if each in self.spheres]
+        if len(spheres) > 1 and features.direction is None and features.axis is None:
             first, second = (self.of("velocity", each, event) for each in spheres[:2])
             yield Quantity("angle", (first, second))
         for body in self.bodies(event):
@@ -411,17 +411,17 @@ class _Reader:
             other = self.other_direction(event, line)
             value = Quantity("angle", (velocity, other))
             square = Binary("-", Degrees(Fraction(90)), value)
-            normal = (found.direction or "").startswith("perpendicular")
+            normal = (features.direction or "").startswith("perpendicular")
             yield square if normal else value
-            if found.axis is None:
+            if features.axis is None:
                 yield value if normal else square
             yield Quantity("deflection", (Name(body),), self.after(event))
 
     def other_direction(self, event: int, line: Expression) -> Expression:
         """That to which an angle is measured."""
-        if self.found.axis is not None:
-            return self.found.axis
-        named = self.found.direction or ""
+        if self.features.axis is not None:
+            return self.features.axis
+        named = self.features.direction or ""
         wall = self.wall(event)
         return line if "centres" in named or wall is None else wall
 
@@ -429,7 +429,7 @@ class _Reader:
         """Ratios: of energy lost to that before, of energies, of speeds, of masses."""
         after, before = self.after(event), event - 1
         energy = Quantity("energy", (), before)
-        heads = self.found.heads
+        heads = self.features.heads
         if heads & {"energy", "loss"} or heads == {"ratio"}:
             yield Binary("/", Quantity("energy_lost", (), after), energy)
             if "loss" not in heads:

@@ -118,7 +118,7 @@ class _Scanner:
         self.line, self.usage = line, usage
         self.text = blanked(line.text)
         self.offset = 0
-        self.found: list[Token] = []
+        self.token_list: list[Token] = []
 
     def tokens(self) -> Iterator[Token]:
         """Every token, in the order of the line."""
@@ -129,22 +129,22 @@ class _Scanner:
             if self.offset >= len(self.text):
                 break
             gap = self.offset - start
-            before = len(self.found)
+            before = len(self.token_list)
             self._next(gap)
-            if len(self.found) == before:  # pragma: no cover - every step makes a token
+            if len(self.token_list) == before:  # pragma: no cover - every step makes a token
                 self._add("strange", self.offset + 1, gap)
-        yield from self.found
+        yield from self.token_list
 
     def _add(
         self, kind: str, end: int, gap: int = 0, name: str = "", value: Fraction = Fraction(0)
     ) -> None:
         text = self.text[self.offset : end]
         column = self.line.column(self.offset)
-        self.found.append(Token(kind, text, self.offset, end, column, gap, name, value))
+        self.token_list.append(Token(kind, text, self.offset, end, column, gap, name, value))
         self.offset = end
 
     def _after_operand(self) -> bool:
-        return bool(self.found) and self.found[-1].kind in _CLOSING
+        return bool(self.token_list) and self.token_list[-1].kind in _CLOSING
 
     def _next(self, gap: int) -> None:
         text, offset = self.text, self.offset
@@ -187,14 +187,14 @@ class _Scanner:
 
     def _is_percent(self) -> bool:
         """Whether a percent sign belongs to the value before it."""
-        return bool(self.found) and self.found[-1].kind in ("number", ")", "pi")
+        return bool(self.token_list) and self.token_list[-1].kind in ("number", ")", "pi")
 
     def _is_point(self) -> bool:
         """Whether a decimal begins here with its point: ``.5``, not the ``.`` of ``2.v``."""
         text, offset = self.text, self.offset
         if text[offset] != "." or not text[offset + 1 : offset + 2].isdigit():
             return False
-        return not (self._after_operand() and self.found[-1].end == offset)
+        return not (self._after_operand() and self.token_list[-1].end == offset)
 
     def _point(self, gap: int) -> None:
         """A point: between operands a product, at the end of a sentence a stop."""
@@ -202,7 +202,7 @@ class _Scanner:
         behind = text[offset + 1 : offset + 2]
         tight = bool(behind) and not behind.isspace()
         spaced = gap > 0 and behind.isspace()
-        bars = tight and gap == 0 and bool(self.found) and self.found[-1].kind == "|"
+        bars = tight and gap == 0 and bool(self.token_list) and self.token_list[-1].kind == "|"
         if (self._after_operand() or bars) and (tight or spaced) and behind not in ".,":
             self._add("dot", offset + 1, gap)
         else:
@@ -227,7 +227,7 @@ class _Scanner:
         text, offset = self.text, self.offset
         if not self._after_operand():
             return False
-        if self.found[-1].kind in ("number", ")", "pi", "letter") and (
+        if self.token_list[-1].kind in ("number", ")", "pi", "letter") and (
             match := _DEGREES.match(text, offset) or _RADIANS.match(text, offset)
         ):
             degrees = bool(_DEGREES.match(text, offset))
@@ -239,7 +239,7 @@ class _Scanner:
         if not _ends_a_side(text, match.end()):
             return False
         name = re.sub(r"\s", "", match[0])
-        other = any(token.name == "J" for token in self.found)
+        other = any(token.name == "J" for token in self.token_list)
         letter = name == "J" and self.usage.joules
         value = Fraction(2 if letter and not other else 1 if letter else 0)
         self._add("measure", match.end(), gap, name, value)
@@ -251,15 +251,15 @@ class _Scanner:
         if plain in ("m", "s"):
             return (
                 gap > 0
-                and self.found[-1].kind == "number"
+                and self.token_list[-1].kind == "number"
                 and plain not in (known | self.usage.alone)
             )
         if plain in ("Ns", "N/s"):
             return "N" not in known
         if plain == "J":
-            return "J" not in known and (self.found[-1].kind in ("number", ")", "letter"))
+            return "J" not in known and (self.token_list[-1].kind in ("number", ")", "letter"))
         if plain.startswith(("m/s", "ms")):
-            return "s" not in known and (self.found[-1].kind != "/")
+            return "s" not in known and (self.token_list[-1].kind != "/")
         return True
 
     # -- runs of letters --------------------------------------------------------------------
@@ -332,7 +332,7 @@ class _Scanner:
             self._add(SPOKEN[low], end, gap)
         elif low == "squared" and self._after_operand():
             self._add("^", end, gap)
-            self.found.append(
+            self.token_list.append(
                 Token("number", "2", end, end, self.line.column(end), 0, "", Fraction(2))
             )
         else:
@@ -371,7 +371,7 @@ class _Scanner:
             return False
         if before[-1:] and before[-1] in "=+-*/^<>(|·√":
             return False
-        if self.found and self.found[-1].kind in ("function", "number"):
+        if self.token_list and self.token_list[-1].kind in ("function", "number"):
             return False
         following = re.match(r"[A-Za-z]{2,}", around)
         if run in ("i", "j", "a", "k", "s") and self._after_operand():
@@ -464,7 +464,7 @@ class _Scanner:
         behind = re.match(r"(\s*)(-?)\s*(\S)", self.text[stop:])
         if behind is None:
             return 0
-        number = self.found[-1].kind in ("number", ")")
+        number = self.token_list[-1].kind in ("number", ")")
         if behind[3].isdigit() and not behind[1] and not behind[2]:
             return 2
         if behind[2]:

@@ -37,7 +37,7 @@ class Segment:
 
 def segments(tokens: Sequence[Token]) -> list[Segment]:
     """The segments of a line, with what parts them."""
-    found: list[Segment] = []
+    pieces: list[Segment] = []
     pending: list[Token] = []
     before: list[str] = []
     loose = _loose_brackets(tokens)
@@ -55,12 +55,12 @@ def segments(tokens: Sequence[Token]) -> list[Segment]:
             pending.append(token)
             continue
         if pending:
-            found.append(Segment(tuple(pending), tuple(before)))
+            pieces.append(Segment(tuple(pending), tuple(before)))
             pending, before = [], []
         before.append(token.word if token.kind in ("word", "phrase") else token.text)
     if pending:
-        found.append(Segment(tuple(pending), tuple(before)))
-    return [each for each in map(_without_number, map(_without_swallowed, found)) if each.tokens]
+        pieces.append(Segment(tuple(pending), tuple(before)))
+    return [each for each in map(_without_number, map(_without_swallowed, pieces)) if each.tokens]
 
 
 def _without_number(segment: Segment) -> Segment:
@@ -209,11 +209,11 @@ def _begins_another(tokens: Sequence[Token], first: int, place: int, second: int
     right = tokens[place:second]
     if not (_is_simple(right) and _is_simple(tokens[start:first])):
         return False
-    found = {each.name for each in right if each.kind == "letter"}
+    own = {each.name for each in right if each.kind == "letter"}
     other = {each.name for each in tokens[start:place] if each.kind == "letter"}
     behind = {each.name for each in tokens[second:] if each.kind == "letter"}
     function = "function" in (right[0].kind, tokens[start].kind)
-    return function or not found & (other | behind)
+    return function or not own & (other | behind)
 
 
 def _may_part(tokens: Sequence[Token], place: int) -> bool:

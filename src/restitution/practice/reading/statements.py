@@ -124,8 +124,8 @@ class _Reader:
         self.statements.past = Past(last, self.waiting, self.waiting_sign)
 
     def _last_sides(self) -> tuple[Side, ...]:
-        found = dict.fromkeys(claim.right for claim in self.links[-1].readings)
-        return tuple(Side(tree) for tree in found)
+        rights = dict.fromkeys(claim.right for claim in self.links[-1].readings)
+        return tuple(Side(tree) for tree in rights)
 
     def body_of(self, token: Token) -> str | None:
         """The sphere that a label names."""
@@ -285,12 +285,12 @@ class _Reader:
     def _waiting(self, segment: Segment) -> tuple[tuple[Side, ...], Sign]:
         """The left side that waits for its right one, on this line or the one above."""
         if self.waiting:
-            found, sign = self.waiting, self.waiting_sign
+            sides, sign = self.waiting, self.waiting_sign
             self.waiting = ()
-            return (() if set(segment.before) & _ENDING else found), sign
+            return (() if set(segment.before) & _ENDING else sides), sign
         if self.past.waiting and not self.links:
-            found, self.past = self.past.waiting, replace(self.past, waiting=())
-            return found, self.past.sign
+            sides, self.past = self.past.waiting, replace(self.past, waiting=())
+            return sides, self.past.sign
         return (), "="
 
     def pending(self, segment: Segment) -> bool:
@@ -401,8 +401,8 @@ class _Reader:
     def _side_before(self) -> tuple[Side, ...]:
         """The left side of a line that begins with its sign: the label, or what stood last."""
         if self.waiting:
-            found, self.waiting = self.waiting, ()
-            return found
+            sides, self.waiting = self.waiting, ()
+            return sides
         if self.label is not None:
             label, self.label = self.label, None
             return (Side(self.label_tree(label, (Side(Number(Fraction(0))),))),)
@@ -450,13 +450,13 @@ class _Reader:
         angle: bool = False,
     ) -> None:
         """Adds a relation with every reading of its two sides."""
-        found: dict[Claim, None] = {}
+        distinct: dict[Claim, None] = {}
         ranked = sorted(product(range(len(left)), range(len(right))), key=sum)
         for first, second in ranked[: 2 * MAX_CLAIMS]:
             for claim in claims(left[first], sign, right[second], angle, self.usage.angles):
-                found.setdefault(claim)
+                distinct.setdefault(claim)
         whole = [label, *tokens] if label is not None else list(tokens)
-        readings = tuple(found)[:MAX_CLAIMS]
+        readings = tuple(distinct)[:MAX_CLAIMS]
         start = min((each.column for each in whole), default=1)
         end = max((self.line.column(each.end) for each in whole), default=start)
         self.links.append(Link(readings, start, end, tuple(decimals(tokens, readings))))

@@ -101,27 +101,27 @@ def _squares(text: str, letters: frozenset[str] | set[str]) -> frozenset[str]:
 
 
 def _letters(problem: Problem) -> frozenset[str]:
-    found: set[str] = set()
+    names: set[str] = set()
     for tree in trees(problem):
-        found |= letters(tree)
+        names |= letters(tree)
     for _, step in problem.steps():
         if isinstance(step, Let):
-            found.add(step.letter)
+            names.add(step.letter)
         elif isinstance(step, Impact) and step.e is None:
-            found.add("e")
-    return frozenset(found)
+            names.add("e")
+    return frozenset(names)
 
 
 def _angles(problem: Problem) -> set[str]:
     """The letters of the question that are angles."""
-    found: set[str] = set()
+    angles: set[str] = set()
     for tree in trees(problem):
         for node in walk(tree):
-            found |= _angle_letters(node)
+            angles |= _angle_letters(node)
     for _, step in problem.steps():
         if isinstance(step, Let) and is_angle(step.expression, frozenset()):
-            found.add(step.letter)
-    return found
+            angles.add(step.letter)
+    return angles
 
 
 def _angle_letters(node: Expression) -> set[str]:
@@ -133,15 +133,15 @@ def _angle_letters(node: Expression) -> set[str]:
 
 
 def _alone(lines: Sequence[str]) -> set[str]:
-    found: set[str] = set()
+    alone: set[str] = set()
     for line in lines:
         for match in _ALONE.finditer(line):
             behind = line[match.end() :].lstrip()
             word = re.match(r"[A-Za-z]{3,}", behind)
             if match[1] in "aI" and word and word[0].lower() in PROSE | PHRASE_WORDS:
                 continue
-            found.add(match[1])
-    return found - {"x", "X"}
+            alone.add(match[1])
+    return alone - {"x", "X"}
 
 
 def _in_functions(text: str) -> Iterator[str]:
@@ -176,13 +176,13 @@ def _aliases(
     text: str,
 ) -> dict[str, str]:
     """Latin letters that stand for the Greek ones of the question: ``usina`` for u sin α."""
-    found: dict[str, str] = {}
+    aliases: dict[str, str] = {}
     for latin, name in _LATIN_FOR.items():
         if name not in greek or latin in of_question or len(latin) > 1:
             continue
         if latin in trigonometric:
-            found[latin] = name
-    return found
+            aliases[latin] = name
+    return aliases
 
 
 def _subscripts(

@@ -45,12 +45,12 @@ def read_working(text: str | Sequence[str], problem: Problem) -> Script:
     plains = [plain(line[: MAX_LENGTH + 1]) for _, line in typed[:MAX_LINES]]
     usage = usage_of([each.text for each in plains], problem)
     reader = _Reader(problem, usage)
-    found = [reader.line(number, line, each) for (number, line), each in zip(typed, plains)]
+    script_lines = [reader.line(number, line, each) for (number, line), each in zip(typed, plains)]
     if len(typed) > MAX_LINES:
         number, line = typed[MAX_LINES]
         fault = f"a working has at most {MAX_LINES} lines: this one and those below are not read"
-        found.append(ScriptLine(number, line[:MAX_LENGTH], "unread", fault=fault, column=1))
-    return Script(tuple(found))
+        script_lines.append(ScriptLine(number, line[:MAX_LENGTH], "unread", fault=fault, column=1))
+    return Script(tuple(script_lines))
 
 
 class _Reader:
@@ -67,7 +67,7 @@ class _Reader:
         """One line, read."""
         if len(typed) > MAX_LENGTH:
             fault = f"a line has at most {MAX_LENGTH} characters"
-            return self._made(number, typed, "unread", fault=fault, column=MAX_LENGTH + 1)
+            return self._script_line(number, typed, "unread", fault=fault, column=MAX_LENGTH + 1)
         inside = crossed(line.text)
         if inside is not None:
             start = line.text.find(inside)
@@ -77,7 +77,7 @@ class _Reader:
             return replace(read, kind="crossed", declarations=(), fault=None, column=None)
         return self._read(number, typed, line)
 
-    def _made(
+    def _script_line(
         self, number: int, typed: str, kind: LineKind, scope: Scope | None = None, **more: object
     ) -> ScriptLine:
         where = self.scope if scope is None else scope
@@ -87,17 +87,17 @@ class _Reader:
         line, opened = self._behind_headings(line)
         tokens = with_phrases(scan(line, self.usage), line.text, self.problem)
         if not tokens:
-            return self._made(number, typed, "heading" if opened else "remark")
+            return self._script_line(number, typed, "heading" if opened else "remark")
         scope, tokens = self._heading(tokens, line)
         if not tokens:
-            return self._made(number, typed, "heading")
+            return self._script_line(number, typed, "heading")
         statements = read_statements(
             segments(tokens), self.usage, self.problem, number, line, self.past
         )
         self.past = statements.past
-        return self._told(number, typed, statements, scope, opened)
+        return self._line_of_statements(number, typed, statements, scope, opened)
 
-    def _told(
+    def _line_of_statements(
         self, number: int, typed: str, statements: Statements, scope: Scope, opened: bool
     ) -> ScriptLine:
         if statements.body and scope.body is None:
@@ -111,7 +111,7 @@ class _Reader:
             kind = "unread"
         elif opened and not statements.values:
             kind = "heading"
-        return self._made(
+        return self._script_line(
             number,
             typed,
             kind,

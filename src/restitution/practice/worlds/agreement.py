@@ -70,13 +70,13 @@ def grades(
     side has no value.
     """
     links = [Claim(claim.left, claim.sign, right) for right in (claim.right, *claim.others)]
-    found = []
+    by_link = []
     for link in links:
         noted: list[Expression] = []
-        found.append(_grades(link, world, meanings, decimals, scope, True, noted))
-        if noted and _are_small(noted) and found[-1].any():
-            found.append(_grades(link, world, meanings, decimals, scope, False, []))
-    return min(found, key=lambda each: (each.max(), each.sum()))
+        by_link.append(_grades(link, world, meanings, decimals, scope, True, noted))
+        if noted and _are_small(noted) and by_link[-1].any():
+            by_link.append(_grades(link, world, meanings, decimals, scope, False, []))
+    return min(by_link, key=lambda each: (each.max(), each.sum()))
 
 
 def difference(
@@ -175,10 +175,10 @@ def _grades(
     if claim.sign == "=" and (apart != 0).any() and (np.abs(apart) <= 1e-6 * size.max()).any():
         terms = scale(claim, world, meanings, scope)
         tolerance = np.maximum(tolerance, _ROUNDING * terms)
-    found = np.where(_holding(claim.sign, apart, tolerance), 0, NOT)
+    by_sample = np.where(_holding(claim.sign, apart, tolerance), 0, NOT)
     equal = claim.sign in ("<", ">") and np.any(np.abs(apart) <= tolerance)
-    if not found.any() or equal or claim.sign == "!=":
-        return found
+    if not by_sample.any() or equal or claim.sign == "!=":
+        return by_sample
     angular = degrees and any(tree is claim.left or tree is claim.right for tree in noted)
     fine, coarse = _half_units(claim, world, decimals, angular)
     tolerance = np.zeros_like(apart)
@@ -188,8 +188,8 @@ def _grades(
             tolerance = tolerance + _moved(claim, world, meanings, scope, degrees, apart, put)
         if half_units:
             close = _holding(claim.sign, apart, tolerance * _SLACK, closed=True)
-            found = np.where(close, np.minimum(found, grade), found)
-    return found
+            by_sample = np.where(close, np.minimum(by_sample, grade), by_sample)
+    return by_sample
 
 
 def _moved(

@@ -62,8 +62,8 @@ def uses_of(
     """
     if claim.sign != "=" or claim.others:
         return ()
-    found = _Trial(claim, states(world), meanings, decimals, scope)
-    uses = _put_in(found, claim, world, meanings, scope) or found.uses()
+    trial = _Trial(claim, states(world), meanings, decimals, scope)
+    uses = _put_in(trial, claim, world, meanings, scope) or trial.uses()
     if uses or not altered:
         return uses
     tried = states(world, altered=True)
@@ -76,23 +76,23 @@ def uses_of(
 
 
 def _put_in(
-    found: _Trial, claim: Claim, world: World, meanings: Meanings, scope: Scope
+    trial: _Trial, claim: Claim, world: World, meanings: Meanings, scope: Scope
 ) -> tuple[Use, ...]:
     """The law of a line that has numbers in place of some components; none if it is plainer."""
-    uses = found.uses()
+    uses = trial.uses()
     first = uses[0].principle if uses else "none"
-    if not found.true:
+    if not trial.true:
         return ()
     if first in _RESOLVED:
         product = coefficient_put_in(claim, world, meanings, scope)
         if product is not None:
             return (product,)
-    if found.plain or not (first in _UNTOLD or (first == "speed" and len(uses) > 1)):
+    if trial.plain or not (first in _UNTOLD or (first == "speed" and len(uses) > 1)):
         return ()
     if uses and is_triangle(claim, world, meanings, scope):
         return (Use("angle", uses[0].event, uses[0].bodies), *uses[1:])
-    law = law_put_in(claim, found.states, meanings, scope, exact=found.exact)
-    return () if law is None or found.is_value else (law,)
+    law = law_put_in(claim, trial.states, meanings, scope, exact=trial.exact)
+    return () if law is None or trial.is_value else (law,)
 
 
 class _Trial:
@@ -113,14 +113,14 @@ class _Trial:
         self.uses_letters = bool(_letters_of(claim, meanings))
         self.line = (claim, meanings, decimals, scope)
         self.is_value = _is_value(claim, self.world, meanings)
-        found = self.grades_in(self.world)
+        grades = self.grades_in(self.world)
         self.sides = [
             _size(self.world, self.world.value(side, meanings, scope))
             for side in (claim.left, claim.right)
         ]
-        self.exact = bool((found[: tried.rows] == 0).all())
-        self.true = bool((found[: tried.rows] < NOT).all())
-        self.holding = tried.holding(found < NOT)
+        self.exact = bool((grades[: tried.rows] == 0).all())
+        self.true = bool((grades[: tried.rows] < NOT).all())
+        self.holding = tried.holding(grades < NOT)
 
     def grades_in(self, world: World) -> Array:
         """How exactly the line holds in the samples of a world."""
@@ -129,13 +129,13 @@ class _Trial:
 
     def uses(self) -> tuple[Use, ...]:
         """The laws of the latest event on which the line depends."""
-        found = self._laws_used()
-        if not self.is_value or not found or found[0].principle in _NO_VALUES:
-            return found
-        value = Use("value", found[0].event, found[0].bodies)
-        if found[0].principle == "solve":
-            return (value, *found[1:])
-        return (*found, value)
+        uses = self._laws_used()
+        if not self.is_value or not uses or uses[0].principle in _NO_VALUES:
+            return uses
+        value = Use("value", uses[0].event, uses[0].bodies)
+        if uses[0].principle == "solve":
+            return (value, *uses[1:])
+        return (*uses, value)
 
     def _laws_used(self) -> tuple[Use, ...]:
         if self.plain:
@@ -151,21 +151,21 @@ class _Trial:
                 continue
             return self._named(best)
         if self.true and self._loose_everywhere():
-            found = self._of_found_letters()
-            if found:
-                return found
+            uses = self._of_determined_letters()
+            if uses:
+                return uses
             return (Use(self._definition(), self._event(), self._bodies(None)),)
         return (Use("fact"),) if self.true else ()
 
     def altered(self) -> tuple[Use, ...]:
         """The altered laws of which the line is an instance, of the latest event that has some."""
-        found: dict[int, list[Use]] = {}
+        by_event: dict[int, list[Use]] = {}
         for block, holds in zip(self.states.blocks, self.holding, strict=True):
             if holds and block.variant is not None and block.law and self._is_of_size(block):
                 law = block.law
                 use = Use(law.law, block.event, law.bodies, block.variant.id)
-                found.setdefault(block.event, []).append(use)
-        return tuple(dict.fromkeys(found[max(found)])) if found else ()
+                by_event.setdefault(block.event, []).append(use)
+        return tuple(dict.fromkeys(by_event[max(by_event)])) if by_event else ()
 
     def _is_of_size(self, block: Block) -> bool:
         """Whether the sides are not just both zero under a law, where neither is in the world."""
@@ -201,21 +201,22 @@ class _Trial:
     # --- names --------------------------------------------------------------------------------
 
     def _named(self, best: Block) -> tuple[Use, ...]:
-        told = best.laws if len(best.laws) == 1 else self._telling(best)
-        if len(told) > 1 and self.true:
+        laws = best.laws if len(best.laws) == 1 else self._without_idle_laws(best)
+        if len(laws) > 1 and self.true:
             if self._fact(best.event):
-                return (Use("fact", best.event, self._bodies(best.event)), *_laws(told, best.event))
-            told = self._with_facts(best.event, told)
-        laws = _laws(told, best.event)
-        name = self._principle(best.event, told)
-        if [name] == [use.principle for use in laws]:
-            return laws
-        return (Use(name, best.event, self._bodies(best.event)), *laws)
+                uses = _uses_at(laws, best.event)
+                return (Use("fact", best.event, self._bodies(best.event)), *uses)
+            laws = self._with_facts(best.event, laws)
+        uses = _uses_at(laws, best.event)
+        name = self._principle(best.event, laws)
+        if [name] == [use.principle for use in uses]:
+            return uses
+        return (Use(name, best.event, self._bodies(best.event)), *uses)
 
-    def _of_found_letters(self) -> tuple[Use, ...]:
+    def _of_determined_letters(self) -> tuple[Use, ...]:
         """The laws that give the letters of a line that are to be found."""
         claim, meanings, _, _ = self.line
-        if not _letters_of(claim, meanings) & self.states.base.found:
+        if not _letters_of(claim, meanings) & self.states.base.determined:
             return ()
         for number in sorted({block.event for block in self.states.blocks}, reverse=True):
             every = max((block.laws for block in self._blocks(number)), key=len, default=())
@@ -223,26 +224,26 @@ class _Trial:
             if kept:
                 name = kept[0][0] if len(kept) == 1 else "solve"
                 own = (Use("solve", number),) if name == "solve" else ()
-                return (*own, *_laws(kept, number))
+                return (*own, *_uses_at(kept, number))
         return ()
 
-    def _with_facts(self, event: int, told: Laws) -> Laws:
+    def _with_facts(self, event: int, laws: Laws) -> Laws:
         """The laws that a line needs beside the facts, where letters are found from these.
 
         A value that a fact and one law give does not rest on another law with a letter in it that
         is still to be found.
         """
         world = self.states.base
-        unknown = frozenset(name for name in world.found if name[:2] != "_k")
+        unknown = frozenset(name for name in world.determined if name[:2] != "_k")
         if not unknown:
-            return told
+            return laws
         every = max((block.laws for block in self._blocks(event)), key=len)
-        for count in range(len(told)):
+        for count in range(len(laws)):
             for kept in combinations(every, count):
                 if not self._rests_on(event, kept, unknown):
                     continue
                 return kept
-        return told
+        return laws
 
     def _rests_on(self, event: int, kept: Laws, unknown: frozenset[str]) -> bool:
         """Whether the line holds under some laws of an event, all other laws, and the facts."""
@@ -261,15 +262,15 @@ class _Trial:
         world = base._known[key]
         return world is not None and bool((self.grades_in(world) < NOT).all())
 
-    def _telling(self, best: Block) -> Laws:
+    def _without_idle_laws(self, best: Block) -> Laws:
         """The laws without those that say of a component that is zero that it stays so."""
-        told = Telling(self.world, degrees=False)
+        telling = Telling(self.world, degrees=False)
         line = self.world.lines.get(best.event)
         if line is None:
             return best.laws
 
         def moves(name: str) -> bool:
-            across = self.world.spread(told.velocity(name, best.event - 1).cross(line))
+            across = self.world.spread(telling.velocity(name, best.event - 1).cross(line))
             return bool(np.any(np.abs(across[: self.states.rows]) > 1e-9))
 
         kept = tuple(
@@ -277,22 +278,22 @@ class _Trial:
         )
         return kept or best.laws
 
-    def _principle(self, event: int, told: Laws) -> str:
+    def _principle(self, event: int, laws: Laws) -> str:
         kinds = self._kinds(event)
-        laws = {law for law, _ in told}
+        names = {law for law, _ in laws}
         result = next((name for name in _RESULTS if name in kinds), None)
         if result is not None:
             return result
-        if laws == {"impulse"} and len(kinds) == 1 and kinds <= {"speed", "angle"}:
+        if names == {"impulse"} and len(kinds) == 1 and kinds <= {"speed", "angle"}:
             return next(iter(kinds))
-        if laws == {"unchanged"}:
+        if names == {"unchanged"}:
             if "component" in kinds and len(kinds & {"speed", "angle"}) == 1:
                 return "speed" if "speed" in kinds else "angle"
             return "unchanged"
-        if not told:
+        if not laws:
             return "fact"
-        if len(told) == 1:
-            return told[0][0]
+        if len(laws) == 1:
+            return laws[0][0]
         if kinds == {"speed"} or (kinds == {"angle"} and not self.uses_letters):
             return next(iter(kinds))
         return "solve"
@@ -342,8 +343,8 @@ class _Trial:
         return tuple(sorted(named))
 
 
-def _laws(told: Laws, event: int) -> tuple[Use, ...]:
-    return tuple(Use(law, event, bodies) for law, bodies in told)
+def _uses_at(laws: Laws, event: int) -> tuple[Use, ...]:
+    return tuple(Use(law, event, bodies) for law, bodies in laws)
 
 
 def _size(world: World, value: Value) -> Array:
@@ -422,11 +423,11 @@ def _is_value(claim: Claim, world: World, meanings: Meanings) -> bool:
     for one, other in ((claim.left, claim.right), (claim.right, claim.left)):
         lone = one.operand if isinstance(one, Negate) else one
         named = isinstance(lone, Quantity) or (
-            isinstance(lone, Letter) and (lone.name in meanings or lone.name in world.found)
+            isinstance(lone, Letter) and (lone.name in meanings or lone.name in world.determined)
         )
         spoken = Claim(other, "=", other)
         if named and not any(_quantities(spoken, world, meanings)):
-            return not _letters_of(spoken, meanings) & world.found and not _is_worked(other)
+            return not _letters_of(spoken, meanings) & world.determined and not _is_worked(other)
     return False
 
 

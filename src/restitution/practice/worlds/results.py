@@ -46,13 +46,13 @@ def altered_results(
         try:
             if not _is_meant(result, tried):
                 continue
-            found = grades(put, tried.world, meanings, decimals, scope)
+            exactness = grades(put, tried.world, meanings, decimals, scope)
         except UnvaluedError:
             continue
         use = Use(_principle(result.quantity), variant.event.number)
         use = replace(use, bodies=variant.event.bodies, altered=variant.id)
-        loosely = _holds_loosely(tried, tried.holding(found < NOT), variant.event.number)
-        if loosely if loose else (found[: tried.rows] < NOT).all():
+        loosely = _holds_loosely(tried, tried.holding(exactness < NOT), variant.event.number)
+        if loosely if loose else (exactness[: tried.rows] < NOT).all():
             uses.append(use)
     return tuple(dict.fromkeys(uses))
 

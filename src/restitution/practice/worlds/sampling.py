@@ -77,7 +77,7 @@ def _world(
         masses = {name: roles[name] for name in roles if name not in sampled}
         sampled |= {name: FIELD.number(_number(role, rng)) for name, role in masses.items()}
         worlds = [world_of(branch.numbers, solved.part, branch.number, sampled, angles)]
-    return replace(stacked(_telling_most(worlds)), found=frozenset(branch.values))
+    return replace(stacked(_telling_most(worlds)), determined=frozenset(branch.values))
 
 
 def _roles(solution: Solution, solved: PartSolution, branch: Branch) -> Mapping[str, Role]:
@@ -181,13 +181,13 @@ def _telling_most(worlds: Sequence[World]) -> list[World]:
 
 def _sizes(world: World) -> list[float]:
     """The sizes of what a student could take for one another: components, speeds, masses, e."""
-    told = Telling(world)
+    telling = Telling(world)
     sizes: list[float] = []
     for number, line in world.lines.items():
-        happening = told.happenings[number - 1]
+        happening = telling.happenings[number - 1]
         for name in happening.before:
             for v in (happening.before[name], happening.after[name]):
                 sizes += [abs(v.dot(line)), abs(v.cross(line)), float(np.hypot(v.x, v.y))]
-    masses = [told.mass(name) for name in told.spheres]
+    masses = [telling.mass(name) for name in telling.spheres]
     numbers = [*masses, *world.letters.values()]
     return [float(np.ravel(x)[0]) for x in (*sizes, *numbers)]

@@ -98,8 +98,8 @@ def states(world: World, *, altered: bool = False) -> States:
     if key not in world._known:
         with np.errstate(all="ignore"):
             world._known[key] = _states(world, altered)
-    found: States = world._known[key]
-    return found
+    known: States = world._known[key]
+    return known
 
 
 def _states(world: World, altered: bool) -> States:
@@ -112,11 +112,11 @@ def _states(world: World, altered: bool) -> States:
             continue
         loose = _scattered(base, number, step, rng)
         later = _later(base, number, rng)
-        made = list(_lawful(base, number, step, loose))
+        pairs = list(_lawful(base, number, step, loose))
         if altered and isinstance(step, Impact):
-            made += _unlawful(base, number, step, loose)
-        made += _factual(base, number, step, loose)
-        for block, parts in made:
+            pairs += _unlawful(base, number, step, loose)
+        pairs += _factual(base, number, step, loose)
+        for block, parts in pairs:
             after = {(number, name): _velocity(base, number, *parts[name]) for name in parts}
             blocks.append(block if block.valid is not None else _valid(base, block))
             tables.append({**after, **_carried(base, number, after, later)})
@@ -176,13 +176,13 @@ def _parts(base: World, number: int, velocity: Vector) -> tuple[Array, Array]:
 
 def _scattered(base: World, number: int, step: Event, rng: np.random.Generator) -> Parts:
     """Components after an event, each by itself within 30 % of the true one."""
-    told = Telling(base, degrees=False)
+    telling = Telling(base, degrees=False)
     names = _spheres(base, step)
-    speeds = [np.abs(_parts(base, number, told.velocity(name, number - 1))) for name in names]
+    speeds = [np.abs(_parts(base, number, telling.velocity(name, number - 1))) for name in names]
     size = np.maximum(np.max([each.max() for each in speeds]), 1e-3)
     loose = {}
     for name in names:
-        true = _parts(base, number, told.velocity(name, number))
+        true = _parts(base, number, telling.velocity(name, number))
         loose[name] = (_loose(true[0], size, rng), _loose(true[1], size, rng))
     return loose
 
@@ -234,8 +234,8 @@ def _carried(
 def _lawful(base: World, number: int, step: Event, loose: Parts) -> Iterator[tuple[Block, Parts]]:
     """The states under each set of laws, small sets first."""
     if isinstance(step, Kick):
-        told = Telling(base, degrees=False)
-        true = _parts(base, number, told.velocity(step.body, number))
+        telling = Telling(base, degrees=False)
+        true = _parts(base, number, telling.velocity(step.body, number))
         yield Block(number), loose
         yield Block(number, (("impulse", (step.body,)),)), {step.body: true}
         return
@@ -263,21 +263,21 @@ def _under(
     names: tuple[str, ...],
 ) -> Parts:
     """Loose components, brought under some laws."""
-    told = Telling(base, degrees=False)
+    telling = Telling(base, degrees=False)
     parts = dict(loose)
     kinds = {law for law, _ in laws}
     for law, bodies in laws:
         if law == "unchanged":
             parts[bodies[0]] = parts[bodies[0]][0], _before(base, number, bodies[0])[1]
     p = {name: _before(base, number, name)[0] for name in names}
-    e = told.coefficient(number) if "restitution" in kinds else None
+    e = telling.coefficient(number) if "restitution" in kinds else None
     if len(names) == 1:
         if e is not None:
             parts[names[0]] = -e * p[names[0]], parts[names[0]][1]
         return parts
     first, second = names
     total = apart = None
-    m, n = told.mass(first), told.mass(second)
+    m, n = telling.mass(first), telling.mass(second)
     if "momentum" in kinds:
         total = m * p[first] + n * p[second]
     if e is not None:
@@ -305,11 +305,11 @@ def _along(
 
 def _in_all(base: World, number: int, loose: Parts, names: tuple[str, ...]) -> Parts:
     """Loose components with the momentum conserved along the line of centres and across it."""
-    told = Telling(base, degrees=False)
-    m, n = (told.mass(name) for name in names)
+    telling = Telling(base, degrees=False)
+    m, n = (telling.mass(name) for name in names)
     both = []
     for k in (0, 1):
-        total = sum(told.mass(name) * _before(base, number, name)[k] for name in names)
+        total = sum(telling.mass(name) * _before(base, number, name)[k] for name in names)
         both.append(_along(loose[names[0]][k], loose[names[1]][k], m, n, total, None))
     (q1, q2), (r1, r2) = both
     return {names[0]: (q1, r1), names[1]: (q2, r2)}
@@ -423,17 +423,17 @@ class _Search:
         steps = np.array([self._step(place) for place in self.places])
         slopes = (table[1:] - table[0]) / steps
         worth = np.abs(np.nan_to_num(slopes)).sum(axis=1)
-        found = (nowhere, self.loose)
+        largest = (nowhere, self.loose)
         count = 2 * len(self.loose)
         speeds = range(count, len(worth))
         for best in (*np.argsort(-worth[:count])[:2], *speeds):
             if worth[best] < 1e-9:
                 continue
             tried = self._solved(claim, now, self.places[best], table[0], slopes[best])
-            found = max(found, tried, key=lambda each: int(each[0].sum()))
-            if found[0].sum() > self.base.samples // 2:
+            largest = max(largest, tried, key=lambda each: int(each[0].sum()))
+            if largest[0].sum() > self.base.samples // 2:
                 break
-        return found
+        return largest
 
     def _solved(
         self, claim: Claim, now: int, place: tuple[str, int], left: Array, slope: Array
@@ -444,10 +444,10 @@ class _Search:
             change = np.nan_to_num(-left / slope)
             parts = self._moved(parts, place, change)
             step = self._step(place)
-            found, size = self._residuals(
+            residuals, size = self._residuals(
                 claim, self._world([parts, self._moved(parts, place, step)]), now
             )
-            left, slope = found[0], (found[1] - found[0]) / step
+            left, slope = residuals[0], (residuals[1] - residuals[0]) / step
             valid: Array = np.abs(left) <= _CLOSE * np.maximum(size[0], 1e-6)
             if valid.all() or (turn == _TURNS // 2 and not valid.any()):
                 break

@@ -129,8 +129,8 @@ def laws_of(world: World) -> Iterator[Equation]:
 
 
 def _parts(world: World, number: int, body: str) -> tuple[Vector, Vector, Vector]:
-    told = Telling(world)
-    return told.velocity(body, number - 1), told.velocity(body, number), world.lines[number]
+    telling = Telling(world)
+    return telling.velocity(body, number - 1), telling.velocity(body, number), world.lines[number]
 
 
 def _unchanged(number: int, body: str) -> Residual:
@@ -143,10 +143,10 @@ def _unchanged(number: int, body: str) -> Residual:
 
 def _momentum(number: int, bodies: tuple[str, ...]) -> Residual:
     def residual(world: World) -> Array:
-        told, total = Telling(world), 0.0
+        telling, total = Telling(world), 0.0
         for body in bodies:
             before, after, c = _parts(world, number, body)
-            total = total + told.mass(body) * (after - before).dot(c)
+            total = total + telling.mass(body) * (after - before).dot(c)
         return _column(world, total)
 
     return residual
@@ -186,8 +186,8 @@ def _fact(relation: Relation, now: int) -> Residual | None:
         across = relation.relation == "perpendicular to"
 
         def aligned(world: World) -> Array:
-            told = Telling(world, degrees=False)
-            a, b = told.direction(relation.left, now), told.direction(relation.right, now)
+            telling = Telling(world, degrees=False)
+            a, b = telling.direction(relation.left, now), telling.direction(relation.right, now)
             return _column(world, a.dot(b) if across else a.cross(b))
 
         return aligned
@@ -305,14 +305,14 @@ def _linearized(
     with np.errstate(all="ignore"):
         for equation in equations:
             try:
-                found = equation.residual(world)
+                residuals = equation.residual(world)
             except RestitutionError:
                 continue
-            found = np.reshape(found, (count + 1, samples, -1))
-            slope = (found[1:] - found[0]) / steps.T[..., None]
-            if not np.all(np.isfinite(found)):
-                found, slope = np.zeros_like(found), np.zeros_like(slope)
-            values.append(found[0])
+            residuals = np.reshape(residuals, (count + 1, samples, -1))
+            slope = (residuals[1:] - residuals[0]) / steps.T[..., None]
+            if not np.all(np.isfinite(residuals)):
+                residuals, slope = np.zeros_like(residuals), np.zeros_like(slope)
+            values.append(residuals[0])
             slopes.append(np.transpose(slope, (1, 2, 0)))
     if not values:
         return np.zeros((samples, 0)), np.zeros((samples, 0, count))

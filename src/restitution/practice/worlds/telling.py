@@ -123,8 +123,8 @@ class Telling:
             value = self.world.spread(known[name])
             return angle(value) if name in self.world.angles else value
         if name in self.world.lets and f"let {name}" not in self._open:
-            step, told = self.world.lets[name]
-            return self._kept(("let", name), lambda: self._let(name, step, told))
+            step, since = self.world.lets[name]
+            return self._kept(("let", name), lambda: self._let(name, step, since))
         if name == "m" and len(masses := self._open_masses()) == 1:
             return self.mass(masses[0])
         raise UnvaluedError(f"{name} has no meaning here", name)
@@ -136,11 +136,11 @@ class Telling:
         finally:
             self._open.pop()
 
-    def _let(self, name: str, step: Let, told: int) -> Value:
+    def _let(self, name: str, step: Let, since: int) -> Value:
         """The value of a name of the statement, in which letters mean what they mean there."""
         plain = Telling(self.world, degrees=False)
         plain._open = [*self._open, f"let {name}"]
-        return plain.evaluator(told).value(step.expression)
+        return plain.evaluator(since).value(step.expression)
 
     def _open_masses(self) -> list[str]:
         """The spheres of which no mass is given."""
@@ -175,9 +175,9 @@ class Telling:
     @property
     def happenings(self) -> tuple[Happening, ...]:
         """The events, with the velocities of this world."""
-        return cast("tuple[Happening, ...]", self._kept("happenings", self._told))
+        return cast("tuple[Happening, ...]", self._kept("happenings", self._all_happenings))
 
-    def _told(self) -> tuple[Happening, ...]:
+    def _all_happenings(self) -> tuple[Happening, ...]:
         return tuple(
             self._happening(number, step) for number, step in enumerate(self.world.events, 1)
         )

@@ -102,15 +102,15 @@ def terms_of(claim: Claim) -> tuple[tuple[Expression, ...], ...]:
     There may be two ways: as it stands, and with a quotient on one side cleared. One that has more
     terms than any law is left out.
     """
-    found = []
+    expansions = []
     for left, right in _forms(claim):
         try:
             terms = (*_expanded(left), *(_negative(each) for each in _expanded(right)))
         except _TooManyError:
             continue
         if len(terms) <= _MOST:
-            found.append(terms)
-    return tuple(found)
+            expansions.append(terms)
+    return tuple(expansions)
 
 
 class _TooManyError(Exception):
@@ -137,14 +137,14 @@ def _expanded(tree: Expression) -> list[Expression]:
         return [Binary("/", each, tree.right) for each in left]
     right = _expanded(tree.right)
     if tree.op == "+":
-        found = left + right
+        terms = left + right
     elif tree.op == "-":
-        found = left + [_negative(each) for each in right]
+        terms = left + [_negative(each) for each in right]
     else:
-        found = [_times(one, other) for one in left for other in right]
-    if len(found) > _MOST:
+        terms = [_times(one, other) for one in left for other in right]
+    if len(terms) > _MOST:
         raise _TooManyError
-    return found
+    return terms
 
 
 def _times(left: Expression, right: Expression) -> Expression:
@@ -160,29 +160,29 @@ def _negative(tree: Expression) -> Expression:
 
 def _laws(world: World) -> Iterator[Slots]:
     """The laws of all impacts as terms, the latest first."""
-    told = Telling(world, degrees=False)
+    telling = Telling(world, degrees=False)
     for number in range(len(world.events), 0, -1):
         step = world.events[number - 1]
         if isinstance(step, Impact):
-            yield from _laws_at(told, number, step)
+            yield from _laws_at(telling, number, step)
 
 
-def _laws_at(told: Telling, number: int, step: Impact) -> Iterator[Slots]:
-    world, line = told.world, told.world.lines[number]
+def _laws_at(telling: Telling, number: int, step: Impact) -> Iterator[Slots]:
+    world, line = telling.world, telling.world.lines[number]
     spheres = tuple(name for name in (step.first, step.second) if name in world.start)
 
     def parts(name: str, stage: int) -> tuple[Array, Array]:
-        v = told.velocity(name, stage)
+        v = telling.velocity(name, stage)
         return world.spread(v.dot(line)), world.spread(v.cross(line))
 
     before = [parts(name, number - 1) for name in spheres]
     after = [parts(name, number) for name in spheres]
-    e = world.spread(told.coefficient(number))
-    masses = [world.spread(told.mass(name)) for name in spheres]
+    e = world.spread(telling.coefficient(number))
+    masses = [world.spread(telling.mass(name)) for name in spheres]
     if len(spheres) == 2:
         start = [m * p for m, (p, _) in zip(masses, before, strict=True)]
         end = [-m * q for m, (q, _) in zip(masses, after, strict=True)]
-        common = (*masses, *_letters_of_masses(told, spheres))
+        common = (*masses, *_letters_of_masses(telling, spheres))
         yield Slots("momentum", number, spheres, (*start, *end), common)
         yield Slots("momentum", number, spheres, (start[0] + start[1], *end), common)
         apart = (after[1][0], -after[0][0])
@@ -197,12 +197,12 @@ def _laws_at(told: Telling, number: int, step: Impact) -> Iterator[Slots]:
         yield Slots("unchanged", number, (name,), (r, -s))
 
 
-def _letters_of_masses(told: Telling, spheres: Sequence[str]) -> tuple[Array, ...]:
+def _letters_of_masses(telling: Telling, spheres: Sequence[str]) -> tuple[Array, ...]:
     """The letters in which masses are written."""
-    masses = (told.spheres[name].mass for name in spheres)
+    masses = (telling.spheres[name].mass for name in spheres)
     names = {x for mass in masses if isinstance(mass, Expression) for x in letters(mass)}
-    known = told.world.letters
-    return tuple(told.world.spread(known[name]) for name in sorted(names) if name in known)
+    known = telling.world.letters
+    return tuple(telling.world.spread(known[name]) for name in sorted(names) if name in known)
 
 
 class _Match:
@@ -243,14 +243,14 @@ class _Match:
             return any(
                 np.all(np.isfinite(factor) & (np.abs(factor) > _NOTHING))
                 and self._is_usual(factor) == usual
-                and self._laid(factor, masks)
+                and self._covers(factor, masks)
                 for factor, masks in factors
             )
 
     def _is_usual(self, factor: Array) -> bool:
         return any(np.all(np.abs(np.abs(factor * each) - 1) < self.near) for each in self.cancelled)
 
-    def _laid(self, factor: Array, masks: tuple[int, ...]) -> bool:
+    def _covers(self, factor: Array, masks: tuple[int, ...]) -> bool:
         used = sum(masks)
         if len(masks) == len(self.terms):
             return used == 2 ** len(self.true) - 1 and self._follows(factor, masks)
@@ -258,7 +258,7 @@ class _Match:
         size = np.maximum(np.abs(wanted), np.abs(factor * self.terms[0][0]))
         return any(
             np.all(np.abs(self.sums[mask] - wanted) <= self.near * size)
-            and self._laid(factor, (*masks, mask))
+            and self._covers(factor, (*masks, mask))
             for mask in self.masks
             if not mask & used
         )
@@ -284,16 +284,16 @@ class _Match:
 
 def coefficient_put_in(claim: Claim, world: World, meanings: Meanings, scope: Scope) -> Use | None:
     """The impact at which a line multiplies an approach by e, or divides a separation by it."""
-    told = Telling(world, degrees=False)
+    telling = Telling(world, degrees=False)
     for number in range(len(world.events), 0, -1):
         step = world.events[number - 1]
         if not isinstance(step, Impact):
             continue
-        e = world.spread(told.coefficient(number))
+        e = world.spread(telling.coefficient(number))
         line = world.lines[number]
         spheres = tuple(name for name in (step.first, step.second) if name in world.start)
         apart, after = (
-            _relative([told.velocity(name, stage) for name in spheres]).dot(line)
+            _relative([telling.velocity(name, stage) for name in spheres]).dot(line)
             for stage in (number - 1, number)
         )
         for node, other in _products(claim):
@@ -382,19 +382,19 @@ def _sizes(world: World) -> Array:
     """Components along lines of centres, across them, along i and j, and speeds, as sizes."""
     known = world._known.get("sizes")
     if known is None:
-        told = Telling(world, degrees=False)
+        telling = Telling(world, degrees=False)
         lines = [*world.lines.values(), Vector(np.float64(1), np.float64(0))]
         velocities = [
-            told.velocity(name, stage)
+            telling.velocity(name, stage)
             for name in world.start
             for stage in range(len(world.events) + 1)
         ]
-        found = [
+        sizes = [
             np.abs(world.spread(x))
             for v in velocities
             for x in (*(f(line) for line in lines for f in (v.dot, v.cross)), np.hypot(*v))
         ]
-        known = world._known["sizes"] = np.array([x for x in found if np.all(x > _NOTHING)])
+        known = world._known["sizes"] = np.array([x for x in sizes if np.all(x > _NOTHING)])
     return known
 
 

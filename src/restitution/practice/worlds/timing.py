@@ -35,23 +35,23 @@ def retimed(world: World, true: World) -> World:
 def _time(world: World, true: World, number: int) -> Array | None:
     """When an event comes; None where it cannot be told from places."""
     step = world.events[number - 1]
-    told, truth = Telling(world, degrees=False), Telling(true, degrees=False)
+    telling, truth = Telling(world, degrees=False), Telling(true, degrees=False)
     if not isinstance(step, Impact):
         reached = truth.place(step.body, number)
-        moved = _last(told, step.body, number)
+        moved = _last(telling, step.body, number)
         if reached is None or moved is None:
             return None
         (where, when), velocity = moved
         return when + (reached[0] - where).dot(velocity) / velocity.dot(velocity)
     line = true.lines[number]
-    wall = told.walls.get(step.second)
+    wall = telling.walls.get(step.second)
     if wall is not None and isinstance(wall.shape, Circle):
         return None
     # Along the line of centres, from the first body: where it is, and where it has to be.
     bodies = [step.first] if wall is not None else [step.first, step.second]
     here, speed, wanted = _no_array(), _no_array(), _no_array()
     for name, sign in zip(bodies, (1, -1), strict=False):
-        place, moved = truth.place(name, number), _last(told, name, number)
+        place, moved = truth.place(name, number), _last(telling, name, number)
         if place is None or moved is None:
             return None
         (where, when), velocity = moved
@@ -65,7 +65,7 @@ def _no_array() -> Array:
     return np.float64(0)
 
 
-def _last(told: Telling, name: str, number: int) -> tuple[tuple[Vector, Array], Vector] | None:
+def _last(telling: Telling, name: str, number: int) -> tuple[tuple[Vector, Array], Vector] | None:
     """Where a sphere was before an event, since when, and its velocity there."""
-    known = told.place(name, number - 1)
-    return None if known is None else (known, told.velocity(name, number - 1))
+    known = telling.place(name, number - 1)
+    return None if known is None else (known, telling.velocity(name, number - 1))

@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 
 def turned(world: World, changed: frozenset[str], fixed: frozenset[int]) -> World:
     """The world with starts, walls and lines of centres by its letters, some of them changed."""
-    told = Telling(world, degrees=False)
+    telling = Telling(world, degrees=False)
     with np.errstate(all="ignore"):
         start = {
-            sphere.name: told.read(sphere.velocity)
+            sphere.name: telling.read(sphere.velocity)
             for sphere in world.problem.spheres
             if _speaks_of(sphere.velocity, changed)
         }
@@ -50,14 +50,14 @@ def _speaks_of(tree: Any, names: frozenset[str]) -> bool:
 
 
 def _wall_by_letters(world: World, wall: Wall, changed: frozenset[str]) -> Vector | None:
-    told = Telling(world, degrees=False)
+    telling = Telling(world, degrees=False)
     match wall.shape:
         case Line(along) if _speaks_of(along, changed):
             if isinstance(along, tuple | list):
-                return cast("Vector", told.read(along))
-            return told.direction(along, 0)
+                return cast("Vector", telling.read(along))
+            return telling.direction(along, 0)
         case Segment(start, end) if _speaks_of(start, changed) or _speaks_of(end, changed):
-            return cast("Vector", told.read(end) - told.read(start))
+            return cast("Vector", telling.read(end) - telling.read(start))
     return None
 
 
@@ -69,16 +69,16 @@ def _line_by_letters(
     walls: Mapping[str, Vector],
 ) -> Vector | None:
     """The line of centres as the statement gives it, where it turns with its letters."""
-    told = Telling(world, degrees=False)
+    telling = Telling(world, degrees=False)
     if step.second in walls:
         return unit(walls[step.second].turned_left())
     if _speaks_of(step.along, changed) and step.along is not None:
-        return unit(told.direction(step.along, number - 1))
-    radius = told.radius(step.first) if step.offset is not None else None
+        return unit(telling.direction(step.along, number - 1))
+    radius = telling.radius(step.first) if step.offset is not None else None
     if radius is None or step.offset is None:
         return None
-    approach = told.velocity(step.first, number - 1) - told.velocity(step.second, number - 1)
-    d = told.read(step.offset, number - 1)
+    approach = telling.velocity(step.first, number - 1) - telling.velocity(step.second, number - 1)
+    d = telling.read(step.offset, number - 1)
     return unit(approach * np.sqrt(4 * radius * radius - d * d) + approach.turned_left() * d)
 
 

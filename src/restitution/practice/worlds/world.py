@@ -54,8 +54,8 @@ class World:
     statement and its hidden unknowns (``_m_A``) by name, angles in radians; ``angles`` are the
     names of those that are angles. ``after`` has the velocities after an event, by its number and
     the body; ``lines`` unit vectors along the line of centres of an impact, from the first body to
-    the second, or into the wall. ``times`` are None where nothing is known of places. ``found``
-    are the letters that the facts of the statement give a value.
+    the second, or into the wall. ``times`` are None where nothing is known of places. The facts of
+    the statement give the letters ``determined`` their values.
     """
 
     problem: Problem
@@ -71,7 +71,7 @@ class World:
     times: Mapping[int, Array | None]
     stops: Mapping[str, tuple[Stop, ...]]
     plot: Plot
-    found: frozenset[str] = frozenset()
+    determined: frozenset[str] = frozenset()
     _known: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
 
     @property
@@ -120,10 +120,10 @@ class World:
         not real is nan. Raises UnvaluedError for a letter that has no meaning, and for what makes
         no sense.
         """
-        told = Telling(self, meanings, degrees, values, noted)
+        telling = Telling(self, meanings, degrees, values, noted)
         with np.errstate(all="ignore"):
             try:
-                return told.evaluator(self.now(scope) if now is None else now, put).value(tree)
+                return telling.evaluator(self.now(scope) if now is None else now, put).value(tree)
             except UnvaluedError:
                 raise
             except _REFUSALS as error:
