@@ -33,7 +33,7 @@ from restitution.web import Settings, api
 from restitution.web.pool import BusyError, pool
 from restitution.web.replies import Replies
 from restitution.web.serving import listening, reach
-from restitution.web.work import Made
+from restitution.web.work import Payload
 
 STATEMENT = examples.text("two-spheres-with-vectors")
 UNFINISHED = "sphere P: velocity 2i\nwall W: along j\nP hits W: e = 1/2\nfind impulse, speed(P)\n"
@@ -211,7 +211,7 @@ def test_everything_a_page_shows(client):
     assert [shown[name] for name in errors] == [None] * 3
 
 
-def slowly(statement: str, limit: float, early: str) -> Made:
+def slowly(statement: str, limit: float, early: str) -> Payload:
     """As the page is explained; the working waits for a file that the statement names."""
     from restitution.export import working
     from restitution.web import work
@@ -520,29 +520,29 @@ def test_hostile_statements_leave_the_server_well(client):
     assert said(client, "solve", f"{STATEMENT}# afterwards\n").json()["error"] is None
 
 
-def patient(seconds: float, begun: Path | None = None) -> Made:
+def patient(seconds: float, begun: Path | None = None) -> Payload:
     """Work that its own limit does not stop; there is a file where it has begun."""
     if begun is not None:
         begun.touch()
     signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGALRM, signal.SIGTERM})
     time.sleep(seconds)
-    return Made(b"")
+    return Payload(b"")
 
 
-def deadly() -> Made:
+def deadly() -> Payload:
     os._exit(3)
 
 
-def failing() -> Made:
+def failing() -> Payload:
     raise RuntimeError("nobody has foreseen this")
 
 
-def tiring() -> Made:
-    return Made(str(os.getpid()).encode(), tired=True)
+def tiring() -> Payload:
+    return Payload(str(os.getpid()).encode(), tired=True)
 
 
-def whose() -> Made:
-    return Made(str(os.getpid()).encode())
+def whose() -> Payload:
+    return Payload(str(os.getpid()).encode())
 
 
 def test_processes_are_killed_replaced_and_freed(monkeypatch, tmp_path):
@@ -590,7 +590,7 @@ def test_whoever_worked_last_works_next(monkeypatch):
     completed(story())
 
 
-def patiently(seconds: float) -> Made:
+def patiently(seconds: float) -> Payload:
     time.sleep(seconds)
     return whose()
 
@@ -659,7 +659,7 @@ def test_one_solve_for_all_who_ask_the_same():
         cancelled = asyncio.Event()
         door = asyncio.Event()
 
-        async def make() -> Made:
+        async def make() -> Payload:
             nonlocal begun
             begun += 1
             try:
@@ -667,7 +667,7 @@ def test_one_solve_for_all_who_ask_the_same():
             except asyncio.CancelledError:
                 cancelled.set()
                 raise
-            return Made(b"x" * 40)
+            return Payload(b"x" * 40)
 
         asking = [asyncio.create_task(replies.get("a", make)) for _ in range(3)]
         await asyncio.sleep(0)
@@ -695,9 +695,9 @@ def test_one_solve_for_all_who_ask_the_same():
 def test_what_was_broken_off_is_not_kept():
     async def story() -> None:
         replies = Replies(100)
-        made = iter([Made(b"cut", tired=True), Made(b"whole")])
+        made = iter([Payload(b"cut", tired=True), Payload(b"whole")])
 
-        async def make() -> Made:
+        async def make() -> Payload:
             return next(made)
 
         assert (await replies.get("a", make)).content == b"cut"

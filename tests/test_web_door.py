@@ -23,7 +23,7 @@ from starlette.responses import PlainTextResponse, Response
 from starlette.types import ASGIApp
 
 from restitution.web import Settings, pool
-from restitution.web.work import Made
+from restitution.web.work import Payload
 
 BODY = (
     b"POST /api/check HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
@@ -237,13 +237,13 @@ def test_the_server_takes_the_files_that_it_may_have() -> None:
 # --- those who go away ----------------------------------------------------------------------------
 
 
-def marking(begun: Path) -> Made:
+def marking(begun: Path) -> Payload:
     """Leaves a file where it has begun."""
     begun.touch()
-    return Made(str(os.getpid()).encode())
+    return Payload(str(os.getpid()).encode())
 
 
-def waiting(begun: Path, door: Path) -> Made:
+def waiting(begun: Path, door: Path) -> Payload:
     """The same, and lasts until there is another file."""
     made = marking(begun)
     while not door.exists():

@@ -23,14 +23,14 @@ from restitution.export import contract
 from restitution.language import parse
 from restitution.solving import solve
 from restitution.web import Settings, api, work
-from restitution.web.work import Made
+from restitution.web.work import Payload
 
 ORDINARY = ("corner", "two-spheres-with-vectors", "rejected-root", "find-e-at-a-wall", "bank-shot")
 # No worker begins with it, so that it is not at hand.
 SLOW = examples.text("both-moving-at-angles").replace("title ", "title Slow: ", 1)
 
 
-def explained(statement: str, limit: float, early: str | None = None) -> Made:
+def explained(statement: str, limit: float, early: str | None = None) -> Payload:
     """As the page has it; but over a question called slow each look at a clock takes an hour."""
     if "title Slow: " not in statement:
         return work.explained(statement, limit, early)

@@ -259,7 +259,9 @@ class Model:
     sample: dict[str, Any]
     story: Story = field(init=False)
     _across: dict[tuple[int, str], sp.Expr] = field(default_factory=dict)
-    _made: dict[tuple[int, int], tuple[Oracle, Oracle]] = field(default_factory=dict, repr=False)
+    _oracles_of_names: dict[tuple[int, int], tuple[Oracle, Oracle]] = field(
+        default_factory=dict, repr=False
+    )
     _inside: dict[int, Oracle] = field(default_factory=dict, repr=False)
     _verdicts: dict[tuple[sp.Expr, str], Verdict] = field(default_factory=dict, repr=False)
     _numbers: dict[sp.Expr, Any] = field(default_factory=dict, repr=False)
@@ -282,11 +284,14 @@ class Model:
     def _oracles(self) -> tuple[Oracle, Oracle]:
         """Made again when the telling has come to a hidden unknown that is new."""
         names = len(self.unknowns.roles), len(self.unknowns.hidden_roles)
-        if names not in self._made:
+        if names not in self._oracles_of_names:
             ground = Oracle({**self.unknowns.roles, **self.unknowns.hidden_roles})
             known = self.branch.oracle
-            self._made[names] = ground, ground if known is None else self._renamed(known)
-        return self._made[names]
+            self._oracles_of_names[names] = (
+                ground,
+                ground if known is None else self._renamed(known),
+            )
+        return self._oracles_of_names[names]
 
     @property
     def inside(self) -> Oracle:
@@ -645,7 +650,7 @@ def _in_letters(
     u1 = model.before(number, step.first)[0]
     v = model.components[number, step.first].symbol
     from_values = frame.by_values or frame.angle is not None
-    if from_values and frame.wall is not None and story.normal_found(frame.wall):
+    if from_values and frame.wall is not None and story.has_derived_normal(frame.wall):
         # A wall at an angle has the direction by which that angle is measured.
         normal = frame.n if frame.angle is None else -frame.t.turned_left()
         story.turn_wall(frame.wall, normal)

@@ -376,7 +376,7 @@ def draw(
             from restitution.drawing.convert import converted
 
             kind: Literal["png", "pdf"] = "png" if form is PictureFormat.png else "pdf"
-            content = _made(lambda: converted(done.content, kind))
+            content = _content_or_exit(lambda: converted(done.content, kind))
         with _refusing():
             write_file(output, content, [file])
     raise typer.Exit(done.status)
@@ -493,7 +493,7 @@ def _write_sheet(
     from restitution.export.sheet import to_html, to_pdf
 
     if form is SheetFormat.pdf:
-        content = _made(lambda: to_pdf(entries, title, options))
+        content = _content_or_exit(lambda: to_pdf(entries, title, options))
     else:
         content = to_html(entries, title, options).encode()
     with _refusing():
@@ -577,7 +577,7 @@ def _form_of(output: str, form: _F | None, known: type[_F], otherwise: _F) -> _F
         ) from None
 
 
-def _made(make: Callable[[], bytes]) -> bytes:
+def _content_or_exit(make: Callable[[], bytes]) -> bytes:
     """What is made, or the reason why it cannot be, and the end."""
     try:
         return make()

@@ -71,10 +71,10 @@ def _like(asked: Practising, file: str) -> int:
 
     text = read(file)
     problem = parse(text)
-    made = variant(problem, _seed(asked))
-    for note in made.notes:
+    varied = variant(problem, _seed(asked))
+    for note in varied.notes:
         say(f"{shown_name(file)}: {note}")
-    write_file(asked.output or "-", made.statement.encode(), [] if file == "-" else [file])
+    write_file(asked.output or "-", varied.statement.encode(), [] if file == "-" else [file])
     return 0
 
 

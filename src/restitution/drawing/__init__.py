@@ -160,7 +160,7 @@ def _pictures(solution: Solution, parts: Iterable[PartSolution]) -> Iterator[Sce
         if len(branch.numbers.happenings) == drawn:
             continue
         numbers = motion(solution, part, branch)
-        said = sayings(numbers)
+        question_words = sayings(numbers)
         possible = all(is_possible(numbers, each.number) for each in numbers.story.happenings)
         if possible and _says_more(solution, part):
             plan = path_scene(solution, part, branch, numbers)
@@ -170,7 +170,7 @@ def _pictures(solution: Solution, parts: Iterable[PartSolution]) -> Iterator[Sce
             if isinstance(happening.step, Impact | Kick):
                 panels: Sequence[When] = ("before", "after")
                 panels = panels if is_possible(numbers, happening.number) else panels[:1]
-                scene = before_and_after(numbers, said, happening.number, panels)
+                scene = before_and_after(numbers, question_words, happening.number, panels)
                 yield replace(scene, part=part.part.label, event=happening.number)
             if not is_possible(numbers, happening.number):
                 return

@@ -78,7 +78,7 @@ def before_and_after(
     drawn; it says so where it is not ``to_scale``.
     """
     view = replace(_view(motion, sayings, number), question=question)
-    to_scale &= set(drawn_for(motion, (number,), panels)) <= set(motion.found)
+    to_scale &= set(drawn_for(motion, (number,), panels)) <= set(motion.solved)
     scale, drawings = _fitted(view, panels)
     boxes = [each.box() for each in drawings]
     bottom, top = min(box[1] for box in boxes), max(box[3] for box in boxes)

@@ -36,13 +36,13 @@ class Known:
     branch: Branch
     motion: Motion
     sayings: Sayings | None = None  # where only what the question says may be shown
-    found: dict[tuple[str, int], Layout | None] = field(default_factory=dict)
+    speeds: dict[tuple[str, int], Layout | None] = field(default_factory=dict)
 
     def speed(self, body: str, after: int) -> Layout | None:
         """The speed of a sphere after an event, if it is short."""
-        if (body, after) not in self.found:
-            self.found[body, after] = self._speed(body, after)
-        return self.found[body, after]
+        if (body, after) not in self.speeds:
+            self.speeds[body, after] = self._speed(body, after)
+        return self.speeds[body, after]
 
     def _speed(self, body: str, after: int) -> Layout | None:
         if self.sayings is not None:

@@ -143,7 +143,7 @@ def sayings(motion: Motion) -> Sayings:
         elif isinstance(happening.step, Impact):
             reader.line(happening.number, happening.step)
     reader.name_what_is_asked()
-    return reader.found
+    return reader.sayings
 
 
 def _lines(motion: Motion) -> Iterator[tuple[tuple[Expression, ...], int, bool]]:
@@ -174,13 +174,13 @@ def _lines(motion: Motion) -> Iterator[tuple[tuple[Expression, ...], int, bool]]
 class _Reader:
     def __init__(self, motion: Motion) -> None:
         self.motion = motion
-        self.found = Sayings({}, {}, {}, {}, {})
+        self.sayings = Sayings({}, {}, {}, {}, {})
         self.taken = set(motion.model.unknowns.taken)
         self.deflections: list[tuple[int, str]] = []
         self.impulses: list[int] = []
 
     def words(self, key: Key) -> Words:
-        return self.found.velocities.setdefault(key, Words())
+        return self.sayings.velocities.setdefault(key, Words())
 
     # --- what is given ----------------------------------------------------------------------
 
@@ -238,28 +238,28 @@ class _Reader:
             case "deflection":
                 event = self.event(left, now)
                 if event is not None:
-                    self.found.deflections[event] = _measure(right)
+                    self.sayings.deflections[event] = _measure(right)
             case "impulse" if not left.arguments:
                 number = left.stage if isinstance(left.stage, int) else self.latest_event(now)
                 if number:
-                    self.found.impulses[number] = lay.from_tree(right)
+                    self.sayings.impulses[number] = lay.from_tree(right)
             case "angle":
                 self.angle(left, now, _measure(right))
 
     def kick(self, number: int, step: Kick) -> None:
         tree = step.impulse
         size = tree.size if isinstance(tree, Polar) else tree
-        self.found.impulses[number] = _vector(size)
+        self.sayings.impulses[number] = _vector(size)
         angle = self.polar(tree, number - 1) if isinstance(tree, Polar) else None
         if angle is not None:
-            self.found.blows[number] = angle
+            self.sayings.blows[number] = angle
 
     def line(self, number: int, step: Impact) -> None:
         """The angle at which a wall or a line of centres is given to run."""
         wall = self.motion.story.walls.get(step.second)
         tree = step.along if wall is None else wall.along
         if isinstance(tree, Expression) and is_angle(tree):
-            self.found.lines[number] = self.known_angle(Vector(1.0, 0.0), tree, number - 1)
+            self.sayings.lines[number] = self.known_angle(Vector(1.0, 0.0), tree, number - 1)
 
     # --- what is asked ----------------------------------------------------------------------
 
@@ -267,11 +267,11 @@ class _Reader:
         match node.kind:
             case "deflection":
                 event = self.event(node, now)
-                if event is not None and event not in self.found.deflections:
+                if event is not None and event not in self.sayings.deflections:
                     self.deflections.append(event)
             case "impulse":
                 number = node.stage if isinstance(node.stage, int) else self.latest_event(now, node)
-                if number and number not in self.found.impulses:
+                if number and number not in self.sayings.impulses:
                     self.impulses.append(number)
             case "angle":
                 self.angle(node, now, None)
@@ -307,17 +307,17 @@ class _Reader:
         number = self.letter(_IMPULSES) if self.impulses else None
         for event in self.impulses:
             if number is not None:
-                self.found.impulses.setdefault(event, number)
+                self.sayings.impulses.setdefault(event, number)
         turned = [
             deflection
             for deflection in self.deflections
-            if deflection not in self.found.deflections
+            if deflection not in self.sayings.deflections
         ]
         letter = self.letter(("delta", *_GREEK)) if turned else None
         for event, body in turned:
             if letter is not None:
                 both = any(e == event and b != body for e, b in turned)
-                self.found.deflections[event, body] = replace(
+                self.sayings.deflections[event, body] = replace(
                     letter, subscript=body if both else ""
                 )
 

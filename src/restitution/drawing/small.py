@@ -28,7 +28,7 @@ from restitution.vector import Vector
 WIDTH, HEIGHT = 40.0, 26.0
 EDGE = 1.5
 LARGEST = 0.8  # of the natural size: a sphere alone is not to fill the picture
-_TOLD = {"velocity", "path", "line_of_centres"}
+_SHOWN_ROLES = {"velocity", "path", "line_of_centres"}
 
 
 def small(scene: Scene) -> Scene:
@@ -60,7 +60,7 @@ def small(scene: Scene) -> Scene:
 def _is_shown(shape: Shape) -> bool:
     match shape:
         case Line(role) | Arrow(role) | Polyline(role):
-            return role in _TOLD
+            return role in _SHOWN_ROLES
         case Arc() | RightAngle():
             return False
         case Disc() | Dot() | StraightWall() | RoundWall():

@@ -138,8 +138,8 @@ def _triangle(
     corner = tail + legs[0][0] * legs[0][1]
     ends = (tail, corner), (corner, tip)
     seen = [math.hypot(*(end - start)) >= _SEEN for start, end in ends]
-    untold = [part is None or _layout(part) is None for _, _, part in legs]
-    if when == "before" and all(untold):  # lines without a word
+    unlabelled = [part is None or _layout(part) is None for _, _, part in legs]
+    if when == "before" and all(unlabelled):  # lines without a word
         _own_label(view, body, when, (tail, tip), corner, drawing)
         return
     drawing.shapes += [Arrow("component", *leg) for leg in ends]

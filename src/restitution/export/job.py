@@ -301,8 +301,8 @@ def serve(job: Job) -> Reply:
             from restitution.export.sheet import entry
 
             one = entry(solution, form, options)
-            told = tuple(reply["warnings"])
-            return Reply(one, answered, errors, told, tired=tired, notes=unvaried)
+            warnings = reply["warnings"]
+            return Reply(one, answered, errors, tuple(warnings), tired=tired, notes=unvaried)
         case Picturing(event):
             from restitution.export.working import pictured
 
@@ -337,8 +337,8 @@ def _varied(job: Job) -> tuple[Problem, tuple[str, ...]]:
     from restitution.language import parse
     from restitution.practice.questions.varying import variant
 
-    made = variant(job.problem, seed)
-    return parse(made.statement), made.notes
+    varied = variant(job.problem, seed)
+    return parse(varied.statement), varied.notes
 
 
 def _errors(solution: Solution, label: str | None) -> tuple[RestitutionError, ...]:

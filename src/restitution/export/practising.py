@@ -32,21 +32,21 @@ def asked(wanted: object) -> Object:
 
     Raises StatementError.
     """
-    told = an_object(wanted, "a question to practise")
-    if "statement" in told:
-        return _own(_text(told["statement"], "the statement", _LONGEST))
-    attempts = a_list(told.get("attempts", []), "attempts", _ATTEMPTS)
-    following = next_question(attempts, _whole(told.get("day", 0), "the day", 0, 10**8))
+    fields = an_object(wanted, "a question to practise")
+    if "statement" in fields:
+        return _own(_text(fields["statement"], "the statement", _LONGEST))
+    attempts = a_list(fields.get("attempts", []), "attempts", _ATTEMPTS)
+    following = next_question(attempts, _whole(fields.get("day", 0), "the day", 0, 10**8))
     name, level = following.topic, following.level
-    if "topic" in told:
-        name = topic(_text(told["topic"], "the topic", 60)).id
+    if "topic" in fields:
+        name = topic(_text(fields["topic"], "the topic", 60)).id
         level = LEVELS[0] if name != following.topic else level
-    if "level" in told:
-        level = _whole(told["level"], "the level", LEVELS[0], LEVELS[-1])
+    if "level" in fields:
+        level = _whole(fields["level"], "the level", LEVELS[0], LEVELS[-1])
     tried = sum(_is_of(each, name, level) for each in attempts)
-    seed = _whole(told.get("seed", tried + 1), "the seed", 0, _LARGEST_SEED)
+    seed = _whole(fields.get("seed", tried + 1), "the seed", 0, _LARGEST_SEED)
     mistake = following.mistake if name == following.topic else None
-    drawn = practice_question(name, level, seed, None if "seed" in told else mistake)
+    drawn = practice_question(name, level, seed, None if "seed" in fields else mistake)
     return {
         "statement": drawn.statement,
         "topic": name,
@@ -59,9 +59,9 @@ def asked(wanted: object) -> Object:
 
 def progress(record: object) -> Object:
     """How sure one is of each topic, 0 to 1, by ``attempts`` and ``day``. Raises StatementError."""
-    told = an_object(record, "a record")
-    attempts = a_list(told.get("attempts", []), "attempts", _ATTEMPTS)
-    return {"sureness": sureness(attempts, _whole(told.get("day", 0), "the day", 0, 10**8))}
+    fields = an_object(record, "a record")
+    attempts = a_list(fields.get("attempts", []), "attempts", _ATTEMPTS)
+    return {"sureness": sureness(attempts, _whole(fields.get("day", 0), "the day", 0, 10**8))}
 
 
 def _own(statement: str) -> Object:

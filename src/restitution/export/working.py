@@ -114,10 +114,10 @@ def shown(
     shown_parts: list[Object] | None = None
     latex: str | None = None
     if explanation is not None:
-        shown_parts, untold = clock.piece(
+        shown_parts, unworked = clock.piece(
             "working", 1.0, lambda: _worked(solution, explanation, names or {})
         )
-        unexplained = unexplained or untold
+        unexplained = unexplained or unworked
         latex = clock.spare("LaTeX", lambda: to_latex(explanation))
     motion, unmoved = clock.piece(
         "motion", 1.0, lambda: of_solution(solution, seconds=clock.share(_EXACT))
@@ -215,8 +215,8 @@ def _names(solution: Solution) -> _Names:
     """What each item asks, in words, by part and number; nothing for those that have none."""
     return {
         (label, number): tree(words(name))
-        for label, found in asked(solution.problem).items()
-        for number, name in enumerate(found)
+        for label, names in asked(solution.problem).items()
+        for number, name in enumerate(names)
     }
 
 

@@ -95,9 +95,9 @@ def gather(
     north,
     seams_x,
     seams_y,
-    found,
+    disc_counts,
 ):
-    """Fill a tile's own arrays from those of the box; ``found`` gets three numbers of discs.
+    """Fill a tile's own arrays from those of the box; ``disc_counts`` gets three numbers of discs.
 
     These are its own, these and the near ones of the halo, and all. Its own come first, then
     the near ones. Returns FILLED, NO_ROOM for so many discs, or
@@ -199,14 +199,14 @@ def gather(
                             blocks[block] = held
                             blocks[block + held] = i
                     i += 1
-        found[ring] = i
+        disc_counts[ring] = i
 
     # Partners by their numbers within the tile. One outside is not known: to be predicted anew.
-    for i in range(found[2]):
+    for i in range(disc_counts[2]):
         partner = small[8 * i + PARTNER]
         if partner >= 0:
             j = local_of[partner]
-            if j < found[2] and slot_of[j] == partner:
+            if j < disc_counts[2] and slot_of[j] == partner:
                 small[8 * i + PARTNER] = j
             else:
                 small[8 * i + PARTNER] = i
@@ -216,7 +216,7 @@ def gather(
 
 def scatter(
     plan,
-    found,
+    disc_counts,
     slot_of,
     row,
     small,
@@ -232,8 +232,8 @@ def scatter(
 ):
     """Write a tile's own discs into the arrays of the box, and the near ones of its halo apart."""
     first_column, first_line = plan[FIRST_COLUMN], plan[FIRST_LINE]
-    owned = found[0]
-    for i in range(found[1]):
+    owned = disc_counts[0]
+    for i in range(disc_counts[1]):
         slot = slot_of[i]
         column = first_column + small[8 * i + COLUMN]
         line = first_line + small[8 * i + LINE]

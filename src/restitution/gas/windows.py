@@ -119,7 +119,7 @@ class Arrays:
     north: Any
     seams_x: Any
     seams_y: Any
-    found: Any
+    disc_counts: Any
     calendar: Any
     spill: Any
     agenda_times: Any
@@ -162,7 +162,7 @@ def arrays_for(
         north=make(side, np.int64),
         seams_x=make(side, np.int64),
         seams_y=make(side, np.int64),
-        found=make(3, np.int64),
+        disc_counts=make(3, np.int64),
         calendar=make(days * PAGE, np.uint16),
         spill=make(4 * discs + 64, np.uint16),
         agenda_times=make(2 * discs + 128, np.float64),
@@ -452,14 +452,15 @@ class Engine:
                 self._log_rows = max(self._log_rows, 2 * space.room[3])
             if code not in (k.DONE, k.COLLAPSE):
                 self._spare.append(space)
-        own, checked, _ = (int(number) for number in space.found)
+        own, checked, _ = (int(number) for number in space.disc_counts)
         totals = [int(number) for number in space.totals]
         fastest = math.sqrt(space.fastest[0])
         collapsed = None
         if code == k.COLLAPSE and totals[k.CULPRIT] < own:
             collapsed = Collapsed(int(space.names[totals[k.CULPRIT]]), float(space.fastest[1]))
         self._use(t.scatter)(
-            self._given(layout), space.found, space.slot_of, space.row, space.small, space.tally,
+            self._given(layout), space.disc_counts,
+            space.slot_of, space.row, space.small, space.tally,
             self.box.columns, self.box.lines, self.box.width, self.box.height,
             *self._next, space.copies,
         )  # fmt: skip
@@ -490,7 +491,7 @@ class Engine:
             *self._edges, box.width, box.height, space.local_of, space.slot_of,
             space.row, space.small, space.tally, space.names, space.blocks, space.width,
             space.edges_x, space.edges_y, space.west, space.east, space.south, space.north,
-            space.seams_x, space.seams_y, space.found,
+            space.seams_x, space.seams_y, space.disc_counts,
         )  # fmt: skip
         if code != t.FILLED:
             return int(code)
@@ -523,8 +524,8 @@ class Engine:
                 space.small,
                 space.tally,
                 space.names,
-                int(space.found[2]),
-                int(space.found[0]),
+                int(space.disc_counts[2]),
+                int(space.disc_counts[0]),
                 space.blocks,
                 space.width,
                 space.calendar,

@@ -255,7 +255,7 @@ def _place_of(value: Any) -> Place | None:
 
 
 def _scalar(bodies: _Bodies, value: Any, what: str) -> Iterator[StatementError]:
-    if _is_vector(value) or (isinstance(value, Expression) and _is_made_of_units(value)):
+    if _is_vector(value) or (isinstance(value, Expression) and _holds_unit(value)):
         yield _error(f"expected a number after '{what}', not a vector", _place_of(value))
     yield from _in(bodies, value, _NOTHING)
 
@@ -331,14 +331,14 @@ def _in(bodies: _Bodies, tree: Any, may_be: AbstractSet[str]) -> Iterator[Statem
         elif (
             isinstance(node, Binary)
             and node.op == "*"
-            and all(map(_is_made_of_units, (node.left, node.right)))
+            and all(map(_holds_unit, (node.left, node.right)))
         ):
             yield _error(
                 "two vectors cannot be multiplied: dot(…, …) is their product",
                 _place_of(node.right) or node.place,
             )
         elif isinstance(node, Pair):
-            for each in filter(_is_made_of_units, (node.x, node.y)):
+            for each in filter(_holds_unit, (node.x, node.y)):
                 yield _error(
                     "expected a number in (x, y), not a vector: write (3, 4) or 3i + 4j",
                     _place_of(each),
@@ -356,7 +356,7 @@ def _first_factor(tree: Expression) -> Expression:
 def _sum(bodies: _Bodies, node: Binary) -> Iterator[StatementError]:
     """A vector and a number, added."""
     for vector, number in ((node.left, node.right), (node.right, node.left)):
-        if _is_made_of_units(vector) and _is_number(bodies, number):
+        if _holds_unit(vector) and _is_number(bodies, number):
             named = sorted(letters(number))
             read = " and ".join(named) + (" is a letter" if len(named) == 1 else " are letters")
             yield _error(
@@ -366,7 +366,7 @@ def _sum(bodies: _Bodies, node: Binary) -> Iterator[StatementError]:
             )
 
 
-def _is_made_of_units(tree: Expression) -> bool:
+def _holds_unit(tree: Expression) -> bool:
     """Whether an expression is a multiple of i or j, or a sum with one."""
     pending = [tree]
     while pending:

@@ -19,7 +19,7 @@ _SENTENCE = re.compile(
 _BODY_WORDS = ("sphere", "wall", "point")
 _LETTERS = re.compile(r"[A-Z][A-Za-z0-9]*")
 
-_SAID = (
+_IN_WORDS = (
     "this is a question in words: write one fact a line, such as "
     "'sphere A: mass 2, velocity 3i - 4j', 'A hits B: along j, e = 1/2' and 'find velocity(A)', "
     "or use the form on the page"
@@ -55,7 +55,7 @@ def is_of_the_language(line: Line, bodies: Container[str]) -> bool:
 def in_words(lines: list[Line]) -> StatementError:
     """The one mistake that lines in words are, with the cure to keep them as comments."""
     first = lines[0]
-    mistake = first.source.error(_SAID, first.start)
+    mistake = first.source.error(_IN_WORDS, first.start)
     rows = [row for line in lines for _, row, _ in line.source.pieces]
     edits = tuple(Edit(row, 1, row, 1, "# ") for row in rows)
     mistake.fixes = (Fix("Keep the words as a comment", edits),)

@@ -1292,7 +1292,7 @@ def with_guess(
         return mistake  # the first word is known already
     before: list[tuple[_Slip, re.Match[str], int, int]] = []
     at = (mistake.line, mistake.column)
-    for slip, match in _found(source, kind):
+    for slip, match in _matches(source, kind):
         start, end = match.span("x" if "x" in slip.pattern.groupindex else 0)
         first, last = source.place(match.start()), source.place(match.end())
         if (first.line, first.column) <= at <= (last.line, last.column):
@@ -1379,7 +1379,7 @@ def _the_only_one(words: str, names: Mapping[str, str]) -> str | None:
     return known[0] if len(known) == 1 else None
 
 
-def _found(source: Source, kind: str) -> Iterator[tuple[_Slip, re.Match[str]]]:
+def _matches(source: Source, kind: str) -> Iterator[tuple[_Slip, re.Match[str]]]:
     if len(source.plain) > _LONGEST:
         return
     for slip in _slips():

@@ -72,7 +72,7 @@ class Surd:
         if not isinstance(other, Surd):
             return Surd(self.plain + other, self.times, self.root)
         if self.root is other.root:
-            return _made(self.plain + other.plain, self.times + other.times, self.root)
+            return _surd(self.plain + other.plain, self.times + other.times, self.root)
         if len(self.root.below) < len(other.root.below):
             return Surd(self + other.plain, other.times, other.root)
         return Surd(self.plain + other, self.times, self.root)
@@ -81,7 +81,7 @@ class Surd:
         if not isinstance(other, Surd):
             return Surd(self.plain * other, self.times * other, self.root) if other else Fraction(0)
         if self.root is other.root:
-            return _made(
+            return _surd(
                 self.plain * other.plain + self.times * other.times * self.root.square,
                 self.plain * other.times + self.times * other.plain,
                 self.root,
@@ -152,7 +152,7 @@ class Surd:
         return f"({self.plain} + {self.times}*sqrt({self.root.square}))"
 
 
-def _made(plain: Exact, times: Exact, root: Root) -> Exact:
+def _surd(plain: Exact, times: Exact, root: Root) -> Exact:
     return Surd(plain, times, root) if times else plain
 
 
@@ -269,7 +269,7 @@ def _root_within(x: Exact, roots: tuple[Root, ...]) -> Exact | None:
         if root is not None:
             return root
         root = _root_within(x / top.square, lower)
-        return None if root is None else _made(Fraction(0), root, top)
+        return None if root is None else _surd(Fraction(0), root, top)
     n = _root_within(x.norm(), lower)
     if n is None:
         return None

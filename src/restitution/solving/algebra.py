@@ -56,7 +56,7 @@ Assignment = dict[sp.Symbol, sp.Expr]
 
 
 @dataclass(frozen=True)
-class Found:
+class Root:
     """One solution: letters by name; angles also as (cos, sin); letters left free."""
 
     values: Mapping[str, sp.Expr]
@@ -102,7 +102,7 @@ def solve_system(
     angles: frozenset[sp.Symbol],
     acute: frozenset[sp.Symbol],
     roles: Mapping[str, Role],
-) -> list[Found]:
+) -> list[Root]:
     """All solutions of equations (each = 0) for the unknowns, earliest eliminated first.
 
     An unknown that the equations do not fix is absent from a solution. Equations without
@@ -131,7 +131,7 @@ def _solved(
     angles: frozenset[sp.Symbol],
     acute: frozenset[sp.Symbol],
     every_role: tuple[tuple[str, Role], ...],
-) -> tuple[Found, ...]:
+) -> tuple[Root, ...]:
     roles = dict(every_role)
     known = Known(roles, _positive(roles, frozenset(unknowns)))
 
@@ -177,7 +177,7 @@ def _solved(
         generators += [s, c]
     gens = [x for x in sought if x not in pairs]
     order = gens + generators
-    solutions: list[Found] = []
+    solutions: list[Root] = []
     for assignment, rest in _reduce(polynomials, order, {}, known):
         values: dict[str, sp.Expr] = {}
         known_angles: dict[str, tuple[sp.Expr, sp.Expr]] = {}
@@ -207,7 +207,7 @@ def _solved(
         known_angles = {
             name: (c.xreplace(names), s.xreplace(names)) for name, (c, s) in known_angles.items()
         }
-        solution = Found(values, known_angles, tuple(rest))
+        solution = Root(values, known_angles, tuple(rest))
         if solution not in solutions:  # two factors may have a root in common
             solutions.append(solution)
     return tuple(solutions)
@@ -530,7 +530,7 @@ def _factors(equation: sp.Expr, free: set[sp.Symbol], known: Known) -> list[sp.E
             return None if any(known.zero(factor) for factor in of_data) else of_data
         able = [f for f in parts if any(not s.name.startswith("_") for s in f.free_symbols)]
     else:
-        able += [f for f in parts if f not in able and _told_of(f, free)]
+        able += [f for f in parts if f not in able and _is_worth_rejecting(f, free)]
     for factor in able:
         inside = factor.free_symbols & free
         if not inside:
@@ -543,7 +543,7 @@ def _factors(equation: sp.Expr, free: set[sp.Symbol], known: Known) -> list[sp.E
     return _truly(kept, free, known)
 
 
-def _told_of(factor: sp.Expr, free: set[sp.Symbol]) -> bool:
+def _is_worth_rejecting(factor: sp.Expr, free: set[sp.Symbol]) -> bool:
     """Whether the root of a factor that cannot vanish is a value people meet and have to reject.
 
     It is one of a letter that is sought, by an equation of degree 1 with numbers alone; but not

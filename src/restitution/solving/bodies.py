@@ -162,12 +162,12 @@ def _apart(story: Story) -> None:
         square = sp.expand((q - p).dot(q - p))
         if sp.expand(4 * radius * radius - square).is_positive:
             centres = " and ".join(to_text(display_point(*each)) for each in (p, q))
-            said = (
+            message = (
                 f"{one.name} and {other.name} overlap at the start: their centres, at {centres}, "
                 f"are {to_text(display(story.field.sqrt(square)))} apart, "
                 f"less than two radii, {to_text(display(neat(2 * radius)))}"
             )
-            raise _impossible(said, other.position, other.place)
+            raise _impossible(message, other.position, other.place)
 
 
 def _clear_of_circle(story: Story, sphere: Sphere, wall: Wall, radius: sp.Expr) -> None:
@@ -178,24 +178,24 @@ def _clear_of_circle(story: Story, sphere: Sphere, wall: Wall, radius: sp.Expr) 
     square = sp.expand(out.dot(out))
     if sp.expand(size * size - square).is_positive:
         if sp.expand(size - radius).is_nonpositive:
-            said = (
+            message = (
                 f"{sphere.name} is too large to move inside {wall.name}: its radius is "
                 f"{to_text(display(radius))}, that of {wall.name} {to_text(display(size))}"
             )
-            raise _impossible(said, sphere.radius, sphere.place)
+            raise _impossible(message, sphere.radius, sphere.place)
         overlaps = sp.expand(square - (size - radius) ** 2).is_positive
     else:
         apart = sp.expand(square - size * size).is_positive
         overlaps = apart and sp.expand((size + radius) ** 2 - square).is_positive
     if overlaps:
         distance = to_text(display(story.field.sqrt(square)))
-        said = (
+        message = (
             f"{sphere.name} overlaps {wall.name} at the start: its centre, at "
             f"{to_text(display_point(*p))}, is {distance} from that of {wall.name}, whose radius "
             f"is {to_text(display(size))}, and the radius of {sphere.name} is "
             f"{to_text(display(radius))}"
         )
-        raise _impossible(said, sphere.position, sphere.place)
+        raise _impossible(message, sphere.position, sphere.place)
 
 
 def _no_more_than_zero(value: sp.Expr) -> bool:
@@ -230,5 +230,5 @@ def _rests_on(story: Story, value: Any) -> bool:
     return False
 
 
-def _impossible(said: str, tree: Any, place: Place | None) -> ImpossibleError:
-    return ImpossibleError(said, *line_and_column(getattr(tree, "place", None) or place))
+def _impossible(message: str, tree: Any, place: Place | None) -> ImpossibleError:
+    return ImpossibleError(message, *line_and_column(getattr(tree, "place", None) or place))

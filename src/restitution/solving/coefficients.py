@@ -50,36 +50,41 @@ class Impossible:
 def impossible_coefficients(branch: Branch) -> list[Impossible]:
     """The coefficients outside [0, 1], in the order of the impacts."""
     impossible = []
-    for told, exactly in zip(branch.numbers.happenings, branch.story.happenings, strict=True):
-        beyond = outside(told) or _outside_by_little(told, exactly)
-        if beyond and isinstance(told.step, Impact):
-            e = told.step.e
-            if e is not None and coefficient_outside(told.step):
+    for happening, exactly in zip(branch.numbers.happenings, branch.story.happenings, strict=True):
+        beyond = outside(happening) or _outside_by_little(happening, exactly)
+        if beyond and isinstance(happening.step, Impact):
+            e = happening.step.e
+            if e is not None and coefficient_outside(happening.step):
                 shown = write_expression(e)  # as typed: rounded, it may be 1.00
             else:
                 shown = to_text(display(exact.tidy(exactly.e)))
             name = to_text(display(sp.Symbol(e.name))) if isinstance(e, Letter) else "e"
             impossible.append(
-                Impossible(f"{name} = {shown}", told.number, told.step, made_of(told.step))
+                Impossible(
+                    f"{name} = {shown}",
+                    happening.number,
+                    happening.step,
+                    coefficient_letters(happening.step),
+                )
             )
     return impossible
 
 
-def outside(told: Happening) -> bool:
+def outside(happening: Happening) -> bool:
     """Whether an event, told in numbers, has an impossible coefficient."""
-    given = isinstance(told.step, Impact) and coefficient_outside(told.step)
-    return told.e is not None and (given or not 0 <= told.e <= 1)
+    given = isinstance(happening.step, Impact) and coefficient_outside(happening.step)
+    return happening.e is not None and (given or not 0 <= happening.e <= 1)
 
 
-def _outside_by_little(told: Happening, exactly: Happening) -> bool:
+def _outside_by_little(happening: Happening, exactly: Happening) -> bool:
     """Whether a coefficient is outside [0, 1] by less than its digits in numbers show."""
-    if told.e is None or (told.e > 0 and told.e < 1):
+    if happening.e is None or (happening.e > 0 and happening.e < 1):
         return False
     e = sp.sympify(exactly.e, strict=True)
     return not e.free_symbols and -1 in (sign(e), sign(1 - e))
 
 
-def made_of(step: Event) -> frozenset[str]:
+def coefficient_letters(step: Event) -> frozenset[str]:
     """The letters in the coefficient of an impact."""
     if not isinstance(step, Impact):
         return frozenset()
@@ -132,7 +137,7 @@ def _rests(branch: Branch, setting: Setting, tree: Expression, now: int) -> bool
 
     try:
         fixed = _gradients(facts, values, unknowns)
-        return any(not _made_up(row, fixed) for row in _gradients(asked, values, unknowns))
+        return any(not _is_combination(row, fixed) for row in _gradients(asked, values, unknowns))
     except (RestitutionError, ArithmeticError):
         return True
 
@@ -152,7 +157,7 @@ def _freed(branch: Branch, setting: Setting) -> tuple[Setting, Sample]:
             if (
                 isinstance(step, Impact)
                 and number <= len(branch.numbers.happenings)
-                and (number in events or made_of(step) & names)
+                and (number in events or coefficient_letters(step) & names)
             ):
                 name = OWN.format(number)
                 own[name] = branch.numbers.happenings[number - 1].e
@@ -181,7 +186,7 @@ def _gradients(
     return [[x / size if size else x for x in row] for row, size in zip(rows, sizes, strict=True)]
 
 
-def _made_up(row: Sequence[Any], of: Sequence[Sequence[Any]]) -> bool:
+def _is_combination(row: Sequence[Any], of: Sequence[Sequence[Any]]) -> bool:
     """Whether a row is a linear combination of others: by elimination."""
     rest = [list(each) for each in of]
     row = list(row)

@@ -34,7 +34,7 @@ from restitution.solving.ranges import (
     _limit_at,
     _near,
     limits,
-    require_told,
+    require_stated,
     turning,
 )
 from restitution.solving.regions import DRAWS, DRAWS_TRIED, Region
@@ -49,7 +49,7 @@ def find_extremum(
     if not isinstance(item.over, Letter):
         raise UnsupportedError("an extremum is sought over a letter")
     if not (has_quantity(item.expression) and letters(item.over) <= letters(item.expression)):
-        require_told(desk.problem, item.over)  # else a time, say, of which the question speaks
+        require_stated(desk.problem, item.over)  # else a time, say, of which the question speaks
     name = item.over.name
     setting = desk.settle(in_terms_of, item)
     if name not in setting.roles:

@@ -46,7 +46,7 @@ from restitution.solving.admission import (
     demands_of,
     formula_of,
 )
-from restitution.solving.algebra import Found, solve_system
+from restitution.solving.algebra import Root, solve_system
 from restitution.solving.conditions import AnyOf, Condition, Equation
 from restitution.solving.contacts import ends_at_a_point, rests_on
 from restitution.solving.facts import givens, requirements
@@ -186,7 +186,7 @@ class Trial:
     it is impossible at usual values of the letters, where it is.
     """
 
-    found: Found
+    root: Root
     samples: tuple[Sample, ...]
     reason: str | None = None
     kind: str | None = None
@@ -203,8 +203,8 @@ class Trial:
         """
         return (
             self.admission is not None
-            and _said_in_formulas(self.story)
-            and _said_in_formulas(self.numbers)
+            and _needs_no_numbers(self.story)
+            and _needs_no_numbers(self.numbers)
         )
 
 
@@ -303,9 +303,9 @@ class Setting:
 
     def admission(
         self,
-        assignment: Found,
+        assignment: Root,
         letters_: Letters,
-        told: Letters,
+        solved_letters: Letters,
         story: Story,
         needs: Sequence[Equation | Condition | AnyOf] | None = None,
     ) -> Admission | None:
@@ -317,17 +317,17 @@ class Setting:
         """
         if needs is None:
             needs = self.requirements(story)
-        if told.undecided:
+        if solved_letters.undecided:
             return None
         demands, equations = demands_for([*story.conditions, *story.equations, *needs])
-        known = {**letters_.all_roles(), **told.all_roles()}
+        known = {**letters_.all_roles(), **solved_letters.all_roles()}
         own = demands_of(assignment.values, assignment.angles, known, letters_.phrases)
-        assumed = tuple(dict.fromkeys(told.assumed))
+        assumed = tuple(dict.fromkeys(solved_letters.assumed))
         return Admission(known, (*own, *demands), tuple(equations), assumed)
 
     def try_out(
         self,
-        assignment: Found,
+        assignment: Root,
         letters_: Letters,
         open_story: Story | None = None,
         wanted: Sequence[Equation | Condition | AnyOf] | None = None,
@@ -340,18 +340,18 @@ class Setting:
         long = any(sp.count_ops(value) > UNWIELDY for value in assignment.values.values())
         if long or by_nested_roots(assignment.values):
             return self._tried(assignment, letters_)
-        told = Letters(self.roles, assignment.values, assignment.angles)
+        solved_letters = Letters(self.roles, assignment.values, assignment.angles)
         alike = letters_.values == assignment.values and letters_.angles == assignment.angles
         if open_story is not None and alike and letters_.sought is None:
-            told, story = letters_, open_story
+            solved_letters, story = letters_, open_story
         else:
             wanted = None
             try:
-                story = self.tell(told)
+                story = self.tell(solved_letters)
             except ImpossibleError as error:
                 return Trial(assignment, (), error.message, "place")
         try:
-            admission = self.admission(assignment, letters_, told, story, wanted)
+            admission = self.admission(assignment, letters_, solved_letters, story, wanted)
         except ImpossibleError as error:
             return Trial(assignment, (), error.message, "equation")
         except BeyondError:
@@ -361,7 +361,7 @@ class Setting:
         return self._admitted(assignment, letters_, admission, story)
 
     def _admitted(
-        self, assignment: Found, letters_: Letters, admission: Admission, story: Story
+        self, assignment: Root, letters_: Letters, admission: Admission, story: Story
     ) -> Trial:
         known = admission.roles
         if any(role.kind == "restitution" and _is_empty(role) for role in known.values()):
@@ -410,7 +410,7 @@ class Setting:
         return Trial(assignment, (), reason_, kind, admission)
 
     def _pinned(
-        self, assignment: Found, letters_: Letters, admission: Admission, free: Sequence[str]
+        self, assignment: Root, letters_: Letters, admission: Admission, free: Sequence[str]
     ) -> Trial | None:
         """The solution in which letters that are sought have the one value that is possible.
 
@@ -435,7 +435,7 @@ class Setting:
         angles = {
             name: (c.xreplace(put), s.xreplace(put)) for name, (c, s) in assignment.angles.items()
         }
-        return self.try_out(Found({**values, **pinned}, angles, assignment.leftover), letters_)
+        return self.try_out(Root({**values, **pinned}, angles, assignment.leftover), letters_)
 
     def _objection(
         self, trial: Trial, values: Sample, stories: list[Story], point: Point | None = None
@@ -445,7 +445,7 @@ class Setting:
         ``point`` has the exact values of some of them. The story told with them is added to
         ``stories``, where it takes one to see that they are possible.
         """
-        assignment, suffices = trial.found, trial.formulas_suffice and self.sought is None
+        assignment, suffices = trial.root, trial.formulas_suffice and self.sought is None
         try:
             if trial.admission is not None:
                 try:
@@ -467,7 +467,7 @@ class Setting:
 
     def _tried(
         self,
-        assignment: Found,
+        assignment: Root,
         letters_: Letters,
         wanted: int = SAMPLES_WANTED,
         trial: Trial | None = None,
@@ -535,7 +535,7 @@ class Setting:
         return set(self.roles) - set(self.lets)
 
 
-def _said_in_formulas(story: Story | None) -> bool:
+def _needs_no_numbers(story: Story | None) -> bool:
     return story is not None and not story.needs_numbers
 
 
@@ -800,7 +800,7 @@ class Witnesses:
             return ()  # all that could be found
         outcome = self.outcome
         tried = outcome.setting._tried(
-            self.trial.found, outcome.letters, SAMPLES_FOR_SIGNS, self.trial
+            self.trial.root, outcome.letters, SAMPLES_FOR_SIGNS, self.trial
         )
         return tried.samples[len(known) :]
 
@@ -864,10 +864,9 @@ def _without_touching(trials: list[Trial]) -> list[Trial]:
         for other in kept:
             if other is trial or not other.samples:
                 continue
-            names = trial.found.values.keys()
-            if other.found.values.keys() == names and all(
-                oracle.vanishes(trial.found.values[name] - other.found.values[name])
-                for name in names
+            names = trial.root.values.keys()
+            if other.root.values.keys() == names and all(
+                oracle.vanishes(trial.root.values[name] - other.root.values[name]) for name in names
             ):
                 kept[n] = replace(trial, samples=(), reason=trial.rare[0], kind=trial.rare[1])
                 break
@@ -875,7 +874,7 @@ def _without_touching(trials: list[Trial]) -> list[Trial]:
 
 
 def _same_values(a: Trial, b: Trial) -> bool:
-    return bool(a.samples) == bool(b.samples) and a.found.values == b.found.values
+    return bool(a.samples) == bool(b.samples) and a.root.values == b.root.values
 
 
 def _clash(setting: Setting) -> RestitutionError:
@@ -899,9 +898,9 @@ def _lines(lines: Sequence[int]) -> str:
 
 def _clashing_bounds(setting: Setting) -> list[int]:
     """The first two lines of facts whose numerical bounds leave one letter no value."""
-    told = [(given, given.place.line) for given, _ in setting.facts if given.place is not None]
+    facts = [(given, given.place.line) for given, _ in setting.facts if given.place is not None]
     for name in sorted(setting.roles):
-        bounds = [(narrowed_by(REAL, name, given), line) for given, line in told]
+        bounds = [(narrowed_by(REAL, name, given), line) for given, line in facts]
         for low, one in bounds:
             for high, other in bounds:
                 if one == other or low.low is None or high.high is None:
@@ -913,8 +912,8 @@ def _clashing_bounds(setting: Setting) -> list[int]:
 
 
 def _combine(
-    values: Mapping[str, sp.Expr], angles: Mapping[str, tuple[sp.Expr, sp.Expr]], assignment: Found
-) -> Found:
+    values: Mapping[str, sp.Expr], angles: Mapping[str, tuple[sp.Expr, sp.Expr]], assignment: Root
+) -> Root:
     put: dict[sp.Symbol, sp.Expr] = {}
     combined = dict(assignment.values)
     pairs = dict(assignment.angles)
@@ -924,7 +923,7 @@ def _combine(
         combined[name] = value.xreplace(put) if put else value
         if name in angles and not put:
             pairs[name] = angles[name]
-    return Found(combined, pairs, assignment.leftover)
+    return Root(combined, pairs, assignment.leftover)
 
 
 def _equations_of_letters(setting: Setting) -> list[tuple[Expression, Expression]]:
@@ -1047,7 +1046,7 @@ def _substitute_linear(
         return
 
 
-def _one_letter(setting: Setting, equation: sp.Expr, x: sp.Symbol) -> list[Found]:
+def _one_letter(setting: Setting, equation: sp.Expr, x: sp.Symbol) -> list[Root]:
     role = setting.roles[x.name]
     is_angle = role.kind == "angle"
     if is_angle and not equation.has(sp.sin, sp.cos, sp.tan, sp.cot):
@@ -1085,7 +1084,7 @@ def _solve_equations(
     equations: Sequence[sp.Expr],
     decisions: list[Decision],
     conditions: Sequence[Condition | AnyOf] = (),
-) -> list[Found]:
+) -> list[Root]:
     """Solutions for hidden unknowns, for letters asked for, and for letters the facts fix."""
     values = [equation for equation in equations if equation != 0]
     known = letters_.all_roles()

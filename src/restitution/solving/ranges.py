@@ -75,7 +75,7 @@ def find_range(
 ) -> ItemResult:
     """All values of a letter, or of a quantity, that the facts allow."""
     line = None if item.place is None else item.place.line
-    require_told(desk.problem, item.expression)
+    require_stated(desk.problem, item.expression)
     meant = _meant(desk, item, in_terms_of)
     tree = meant.expression
     base = desk.settle(in_terms_of, meant)
@@ -91,15 +91,15 @@ def find_range(
             name = item.text.removeprefix("range of ")
             raise ContradictionError(f"no value of {name} is possible")
         layout = display_set(values, from_tree(item.expression), angle=angle)
-        told = exact.sympy_text(values)
-        answer = Answer(1, values, told, None, to_text(layout), angle=angle, layout=layout)
+        text = exact.sympy_text(values)
+        answer = Answer(1, values, text, None, to_text(layout), angle=angle, layout=layout)
         answers.append(with_condition(answer, layout, limits))
     return ItemResult(item, line, item.text, "range", tuple(answers), proof=proof)
 
 
-def require_told(problem: Problem, tree: Expression) -> None:
+def require_stated(problem: Problem, tree: Expression) -> None:
     """Raise MissingError for a letter of which only questions speak: it stands for nothing."""
-    told = roles(
+    stated = roles(
         replace(
             problem,
             parts=tuple(
@@ -108,7 +108,7 @@ def require_told(problem: Problem, tree: Expression) -> None:
             ),
         )
     )
-    for name in sorted(letters(tree) - set(told)):
+    for name in sorted(letters(tree) - set(stated)):
         if name == "e":
             raise MissingError("no collision has e for its coefficient of restitution")
         raise MissingError(f"nothing is told of {name}")
@@ -208,14 +208,14 @@ def _fixed_values(desk: Desk, name: str, setting: Setting) -> sp.Set:
         accepted = desk.outcome(sought).accepted
     except RestitutionError:
         return sp.S.EmptySet
-    values = [trial.found.values[name] for trial in accepted if name in trial.found.values]
+    values = [trial.root.values[name] for trial in accepted if name in trial.root.values]
     return sp.FiniteSet(*map(exact.tidy, values)) if len(values) == len(accepted) else sp.S.EmptySet
 
 
 def _free(outcome: Outcome, in_terms_of: tuple[str, ...] | None) -> set[str]:
     """Letters that vary freely: declared unknown, or not listed, and not fixed by the facts."""
     setting = outcome.setting
-    solved = {name for trial in outcome.trials for name in trial.found.values}
+    solved = {name for trial in outcome.trials for name in trial.root.values}
     free = set(declared(setting.problem, setting.part))
     if in_terms_of is not None:
         free |= set(setting.roles) - set(in_terms_of)
@@ -237,7 +237,7 @@ def _range_of_quantity(
     angle = is_angle(tree, angles, walls)
     # What varies freely must not be solved for: where the facts fix it, that is found out.
     first = desk.outcome(setting)
-    fixed = {name for trial in first.trials for name in trial.found.values}
+    fixed = {name for trial in first.trials for name in trial.root.values}
     outcome = desk.outcome(desk.settle(in_terms_of, item, named)) if named else first
     values = _images(outcome, tree, now)
     present = {s.name for _, value in values for s in value.free_symbols}
@@ -270,10 +270,12 @@ def _images(
 ) -> list[tuple[Trial, sp.Expr]]:
     images = []
     for trial in outcome.accepted:
-        told = Letters(outcome.setting.roles, trial.found.values, trial.found.angles, trial.samples)
-        story = outcome.setting.tell(told)
+        solved_letters = Letters(
+            outcome.setting.roles, trial.root.values, trial.root.angles, trial.samples
+        )
+        story = outcome.setting.tell(solved_letters)
         raw = story.evaluator(now).value(tree)
-        phrases = {**outcome.letters.phrases, **told.phrases}
+        phrases = {**outcome.letters.phrases, **solved_letters.phrases}
         needed = [phrases.get(name, name) for name in forms.open_in(raw, trial.samples)]
         if needed:
             raise missing.needs(asked, needed)

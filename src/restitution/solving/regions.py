@@ -101,21 +101,21 @@ class Region:
             if demands is not None:
                 atoms += [each.value for d in demands for each in relations(d.formula)]
                 continue
-            told = Letters(self.setting.roles, trial.found.values, trial.found.angles)
-            story = self.setting.tell(told)
+            solved_letters = Letters(self.setting.roles, trial.root.values, trial.root.angles)
+            story = self.setting.tell(solved_letters)
             needs = [*story.conditions, *self.setting.requirements(story)]
             for need in needs:
                 if isinstance(need, Condition):
                     atoms.append(sp.sympify(need.value, strict=True))
                 elif isinstance(need, AnyOf):
                     atoms += [sp.sympify(option.value, strict=True) for option in need.options]
-            for name, value in trial.found.values.items():
-                role = self.setting.roles.get(name) or told.hidden_roles.get(name)
+            for name, value in trial.root.values.items():
+                role = self.setting.roles.get(name) or solved_letters.hidden_roles.get(name)
                 if role is None:
                     continue
                 if role.kind == "angle":
-                    if name in trial.found.angles:
-                        atoms += list(trial.found.angles[name])
+                    if name in trial.root.angles:
+                        atoms += list(trial.root.angles[name])
                     continue
                 if role.low is not None:
                     atoms.append(value - role.low)
@@ -215,7 +215,7 @@ class Region:
 
     def data(self) -> list[str]:
         """The letters that stay data."""
-        solved = {name for trial in self.trials for name in trial.found.values}
+        solved = {name for trial in self.trials for name in trial.root.values}
         hidden = set(self.outcome.letters.hidden_roles)
         return sorted(
             (set(self.setting.roles) | hidden)
@@ -260,7 +260,7 @@ class Region:
         Where a formula has none (0/0 where a quadratic equation becomes a linear one), what it
         comes near to is taken; whether that is a solution is for the facts to say.
         """
-        solved = trial.found.values
+        solved = trial.root.values
         try:
             return with_solved(trial, values)
         except UndefinedError as error:
@@ -300,11 +300,11 @@ class Region:
                     pass  # where a formula has no value, what it comes near to may have
             try:
                 numbers = self._solved(trial, values)
-                solved = [n for n in trial.found.values if not n.startswith("_")]
+                solved = [n for n in trial.root.values if not n.startswith("_")]
                 known = self.outcome.letters.hidden_roles
                 if any(
                     not numbers[n] > 0
-                    for n in trial.found.values
+                    for n in trial.root.values
                     if n in known and known[n].low is not None
                 ):
                     continue
@@ -681,6 +681,6 @@ def to_set(pieces: Sequence[Piece]) -> sp.Set:
 def with_solved(trial: Trial, values: Sample) -> Sample:
     """Values of the free letters with those of the letters that were solved for."""
     numbers = dict(values)
-    for name, each in trial.found.values.items():
+    for name, each in trial.root.values.items():
         numbers[name] = at(each, numbers)
     return numbers

@@ -57,7 +57,7 @@ def show(worker: _Worker, step: Show, now: int) -> ItemResult:
     """Whether a claim follows from the facts, for all admissible values of its letters."""
     line = None if step.place is None else step.place.line
     if step.subject is not None:
-        return _show_found(worker, step, now, line)
+        return _show_set_or_extremum(worker, step, now, line)
     outcome, branches = worker.solved(step.in_terms_of, step)
     if not outcome.accepted:
         trees_ = list(trees_of_relation(step.relation))
@@ -274,7 +274,7 @@ def _leading(tree: Any) -> Fraction:
     return Fraction(int(coefficient.p), int(coefficient.q))
 
 
-def _show_found(worker: _Worker, step: Show, now: int, line: int | None) -> ItemResult:
+def _show_set_or_extremum(worker: _Worker, step: Show, now: int, line: int | None) -> ItemResult:
     """``show range of e: …`` and ``show maximum of Q over X = …``."""
     subject = step.subject
     assert subject is not None

@@ -61,8 +61,8 @@ from restitution.render.text import to_text
 from restitution.solving import clash, forms, missing
 from restitution.solving.coefficients import (
     COEFFICIENTS,
+    coefficient_letters,
     impossible_coefficients,
-    made_of,
     outside,
     without_impossible,
 )
@@ -210,7 +210,7 @@ UNFORESEEN = (
 UNWIELDY = 120
 
 
-def _untold(unknowns: object) -> Story:
+def _no_story(unknowns: object) -> Story:
     """Where places are roots of roots, the story is told in numbers alone."""
     raise UnsupportedError(
         "the places in this story are roots of roots: only letters that are sought, and no "
@@ -220,8 +220,8 @@ def _untold(unknowns: object) -> Story:
 
 def unforeseen(error: BaseException, line: int | None = None) -> UnsupportedError:
     """A defect, as an answer to the one who asked."""
-    said = "this could not be solved, by a fault of the program: please report the question"
-    answer = UnsupportedError(said, line)
+    message = "this could not be solved, by a fault of the program: please report the question"
+    answer = UnsupportedError(message, line)
     answer.__cause__ = error  # for those who mend it
     return answer
 
@@ -272,7 +272,7 @@ class _Worker:
         except (RestitutionError, *UNFORESEEN) as failure:
             error = failure if isinstance(failure, RestitutionError) else unforeseen(failure)
             pairs = ((each, self.branches.get(id(each.trials))) for each in self.desk.outcomes)
-            pair = next(((one, made) for one, made in pairs if isinstance(made, list)), None)
+            pair = next(((one, kept) for one, kept in pairs if isinstance(kept, list)), None)
             if pair is None:
                 return PartSolution(self.part, results, (), (), {}, None, error)
             outcome, branches = pair
@@ -281,8 +281,7 @@ class _Worker:
             results,
             tuple(branches),
             tuple(
-                RejectedBranch(t.found.values, t.reason or "", t.kind or "")
-                for t in outcome.refused
+                RejectedBranch(t.root.values, t.reason or "", t.kind or "") for t in outcome.refused
             ),
             outcome.letters.all_roles(),
             outcome.open_story,
@@ -343,23 +342,23 @@ class _Worker:
         return branches
 
     def _branch(self, setting: Setting, trial: Trial, number: int) -> Branch:
-        told = Letters(setting.roles, trial.found.values, trial.found.angles, trial.samples)
+        solved_letters = Letters(setting.roles, trial.root.values, trial.root.angles, trial.samples)
         story = trial.story
         if story is not None and isinstance(story.unknowns, Letters) and story.unknowns.certain:
             # With other samples it would be told alike; these are for what is asked of it later.
-            told = story.unknowns
-            told.samples = trial.samples
+            solved_letters = story.unknowns
+            solved_letters.samples = trial.samples
         else:
             story = None
-        tell = _untold if by_nested_roots(trial.found.values, "_c_") else setting.tell
+        tell = _no_story if by_nested_roots(trial.root.values, "_c_") else setting.tell
         numbers = trial.numbers or setting.tell(Numbers(trial.samples[0]))
         verify_principles(numbers)
-        solved = tuple(name for name in trial.found.values if not name.startswith("_"))
+        solved = tuple(name for name in trial.root.values if not name.startswith("_"))
         return Branch(
             number,
-            trial.found.values,
-            trial.found.angles,
-            told,
+            trial.root.values,
+            trial.root.angles,
+            solved_letters,
             trial.samples[0],
             numbers,
             tell,
@@ -376,17 +375,17 @@ class _Worker:
         for trial in outcome.refused:
             if trial.kind != "coefficient":
                 continue
-            free = sorted(set(known) - set(trial.found.values))
+            free = sorted(set(known) - set(trial.root.values))
             values = sample(free, known, random.Random(41))
             try:
-                for name, value in trial.found.values.items():
+                for name, value in trial.root.values.items():
                     values[name] = at(value, values)
                 story = outcome.setting.tell(Numbers(values))
             except (UndefinedError, KeyError, ImpossibleError):
                 continue
             wrong = [happening for happening in story.happenings if outside(happening)]
-            implied = set(trial.found.values)
-            if not all(made_of(h.step) <= implied for h in wrong):
+            implied = set(trial.root.values)
+            if not all(coefficient_letters(h.step) <= implied for h in wrong):
                 continue  # a letter that is data: the facts about it clash
             negative = any(each.e < 0 for each in wrong)
             (through if negative else kept).append(
@@ -451,7 +450,7 @@ class _Worker:
             return ()
         try:
             outcome = self.desk.outcome(self.desk.settle(in_terms_of))
-            solved = all(item.expression.name in t.found.values for t in outcome.refused)
+            solved = all(item.expression.name in t.root.values for t in outcome.refused)
             if outcome.accepted or not solved:
                 return ()
             angle = self._is_angle(item.expression, outcome.setting)
@@ -515,7 +514,7 @@ class _Worker:
         """An answer with the condition under which it holds, if there is one."""
         key = id(trial)
         if key not in self.limits:
-            self.limits[key] = limitations(outcome, trial) if trial.found.values else ()
+            self.limits[key] = limitations(outcome, trial) if trial.root.values else ()
         limits = self.limits[key]
         if not limits:
             return answer
@@ -621,14 +620,16 @@ class _Worker:
         rng = random.Random(43)
         samples = [sample(sorted(known), known, rng) for _ in range(3)]
         for trial in outcome.refused:
-            if any(sp.count_ops(value) > UNWIELDY for value in trial.found.values.values()):
+            if any(sp.count_ops(value) > UNWIELDY for value in trial.root.values.values()):
                 continue  # nobody would read it, and it takes long to put into a tidy form
             try:
-                told = Letters(outcome.setting.roles, trial.found.values, trial.found.angles)
+                solved_letters = Letters(
+                    outcome.setting.roles, trial.root.values, trial.root.angles
+                )
                 if self._of_letters(item.expression):
-                    value = Evaluator(SYMBOLIC, told.letter).value(item.expression)
+                    value = Evaluator(SYMBOLIC, solved_letters.letter).value(item.expression)
                 else:
-                    story = outcome.setting.tell(told)
+                    story = outcome.setting.tell(solved_letters)
                     value = story.evaluator(now).value(item.expression)
                 value = forms.plain(value, samples)
             except (RestitutionError, ArithmeticError, TypeError, ValueError):

@@ -16,7 +16,7 @@ import sympy as sp
 
 from restitution.expression.enclosed import UndefinedError
 from restitution.oracle.roles import Role
-from restitution.solving.algebra import Found, solve_system
+from restitution.solving.algebra import Root, solve_system
 from restitution.solving.conditions import AnyOf, Condition
 from restitution.solving.neat import neat
 from restitution.solving.numbers import at
@@ -43,7 +43,7 @@ def solve_in_stages(
     acute: frozenset[sp.Symbol],
     roles: Mapping[str, Role],
     conditions: Sequence[Condition | AnyOf] = (),
-) -> list[Found]:
+) -> list[Root]:
     """All solutions of equations (each = 0), as ``algebra.solve_system`` gives them.
 
     It is asked at once where no place of contact is among the unknowns. ``conditions`` leave out,
@@ -68,9 +68,7 @@ def _rank(symbol: sp.Symbol) -> int:
     return 1 if symbol.name.startswith("_") else 2
 
 
-def _staged(
-    equations: list[sp.Expr], unknowns: Sequence[sp.Symbol], system: _System
-) -> list[Found]:
+def _staged(equations: list[sp.Expr], unknowns: Sequence[sp.Symbol], system: _System) -> list[Root]:
     current = [_without_signs(equation) for equation in equations]
     current = [each for each in current if each != 0]
     free = set(unknowns)
@@ -86,7 +84,7 @@ def _staged(
     left = [x for x in unknowns if x not in inside]
     if all(x.name.startswith("_") for x in block):
         assignments = [one for one in assignments if _possible(one, block, system)] or assignments
-    results: list[Found] = []
+    results: list[Root] = []
     for one in assignments:
         put = _replacing(one, block)
         if any(has_roots(value) for value in one.values.values()) and rest:
@@ -103,7 +101,7 @@ def _staged(
         )
         for further in _staged([_put(each, put) for each in rest], left, narrowed):
             results.append(
-                Found(
+                Root(
                     {**one.values, **further.values},
                     {**one.angles, **further.angles},
                     further.leftover,
@@ -113,13 +111,13 @@ def _staged(
 
 
 def _later(
-    one: Found,
+    one: Root,
     block: Sequence[sp.Symbol],
     put: Mapping[sp.Expr, sp.Expr],
     rest: list[sp.Expr],
     left: Sequence[sp.Symbol],
     system: _System,
-) -> list[Found] | None:
+) -> list[Root] | None:
     """The other stages with these unknowns as letters, whose values are put in at the end.
 
     None where that fails: where what divides is zero for these values.
@@ -133,7 +131,7 @@ def _later(
             return None
         if any(x.name in values and _is_negative(values[x.name]) for x in system.acute):
             continue  # as a negative tangent of an acute angle is left out where it is a number
-        results.append(Found({**one.values, **values}, {**one.angles, **pairs}, leftover))
+        results.append(Root({**one.values, **values}, {**one.angles, **pairs}, leftover))
     return results
 
 
@@ -158,7 +156,7 @@ def by_nested_roots(values: Mapping[str, sp.Expr], start: str = "") -> bool:
 
 def _solved(
     equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol], system: _System
-) -> list[Found]:
+) -> list[Root]:
     own = frozenset(unknowns)
     return solve_system(equations, unknowns, system.angles & own, system.acute & own, system.roles)
 
@@ -182,7 +180,7 @@ def _without_signs(equation: sp.Expr) -> sp.Expr:
     return sp.expand(sp.Mul(*[term for term in terms if not term.is_positive]))
 
 
-def _replacing(one: Found, block: Sequence[sp.Symbol]) -> dict[sp.Expr, sp.Expr]:
+def _replacing(one: Root, block: Sequence[sp.Symbol]) -> dict[sp.Expr, sp.Expr]:
     put: dict[sp.Expr, sp.Expr] = {}
     for symbol in block:
         put[symbol] = one.values[symbol.name]
@@ -196,7 +194,7 @@ def _put(x: sp.Expr, values: Mapping[sp.Expr, sp.Expr]) -> sp.Expr:
     return sp.sympify(x.xreplace(values), strict=True)
 
 
-def _possible(one: Found, block: Sequence[sp.Symbol], system: _System) -> bool:
+def _possible(one: Root, block: Sequence[sp.Symbol], system: _System) -> bool:
     """Whether no condition is plainly broken by these values, whatever the other letters are."""
     put = _replacing(one, block)
     for name, value in one.values.items():

@@ -269,12 +269,12 @@ class Story:
 
     def _sizes(self) -> None:
         """Radii are positive, and all spheres have one. Raises ImpossibleError for two."""
-        told = {
+        radii = {
             sphere.name: self.read(sphere.radius, f"the radius of {sphere.name}")
             for sphere in self.problem.spheres
             if sphere.radius is not None and not _in_lets(sphere.radius, self.lets)
         }
-        for name, radius in told.items():
+        for name, radius in radii.items():
             what = f"the radius of {name} must be positive"
             self.conditions.append(Condition(radius, ">", what, "sign"))
         for wall in self.problem.walls:
@@ -282,11 +282,11 @@ class Story:
                 what = f"the radius of {wall.name}"
                 radius = self.read(wall.radius, what)
                 self.conditions.append(Condition(radius, ">", f"{what} must be positive", "sign"))
-        for (one, r), (other, s) in pairwise(told.items()):
+        for (one, r), (other, s) in pairwise(radii.items()):
             if not self.field.is_zero(self.rational(r - s)):
                 sizes = (f"{one} has {r}", f"{other} has {s}") if self.field.exact else ()
-                told_sizes = f": {', '.join(sizes)}" if sizes else ""
-                raise ImpossibleError(f"all spheres have one radius{told_sizes}")
+                listed_sizes = f": {', '.join(sizes)}" if sizes else ""
+                raise ImpossibleError(f"all spheres have one radius{listed_sizes}")
 
     def mass(self, name: str) -> Scalar:
         """The mass of a sphere: a hidden unknown where it is not given."""
@@ -444,7 +444,7 @@ class Story:
         known = [(p, t) for n, p, t in self.tracks[name].places if n <= stage]
         return known[-1] if known and known[-1][0] is not None else None
 
-    def normal_found(self, wall: str) -> bool:
+    def has_derived_normal(self, wall: str) -> bool:
         """Whether the direction of a wall follows from the story and not from its own line."""
         return wall in self._normals
 
@@ -480,16 +480,16 @@ class Story:
         if self.frames is None:
             return self._impact(number, step)
         standing = self.frames.standing(self, number, step)
-        told = {name: self.tracks[name].velocities[-1] for name in standing}
+        latest = {name: self.tracks[name].velocities[-1] for name in standing}
         for name, each in standing.items():
             track = self.tracks[name]
-            track.velocities[-1] = (told[name][0], each.velocity)
+            track.velocities[-1] = (latest[name][0], each.velocity)
             if track.places and each.place is not None:
                 track.places[-1] = (track.places[-1][0], *each.place)
         happening = self._impact(number, step)
-        for name, velocity in told.items():
+        for name, velocity in latest.items():
             self.tracks[name].velocities[-1] = velocity
-        before = {name: velocity for name, (_, velocity) in told.items()}
+        before = {name: velocity for name, (_, velocity) in latest.items()}
         return replace(happening, before={**happening.before, **before})
 
     def neat(self, v: Vector) -> Vector:

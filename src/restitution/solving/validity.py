@@ -59,7 +59,7 @@ def limitations(outcome: Outcome, trial: Trial) -> tuple[Limitation, ...]:
     rest = [
         demand
         for demand in dict.fromkeys(admission.demands)
-        if _is_told(demand) and not base.decide(demand.formula)
+        if _is_of_visible_letters(demand) and not base.decide(demand.formula)
     ]
     return tuple(_limits(outcome, trial, base, _needed(base, rest)))
 
@@ -127,18 +127,18 @@ def presupposed(outcome: Outcome) -> tuple[Formula, ...]:
         needs = [*story.conditions, *outcome.setting.requirements(story)]
     except RestitutionError:
         return ()
-    sought = {name for trial in outcome.trials for name in trial.found.values}
+    sought = {name for trial in outcome.trials for name in trial.root.values}
     demands, _ = demands_for(needs)
     return tuple(
         dict.fromkeys(
             demand.formula
             for demand in demands
-            if _is_told(demand) and not letters_of(demand.formula) & sought
+            if _is_of_visible_letters(demand) and not letters_of(demand.formula) & sought
         )
     )
 
 
-def _is_told(demand: Demand) -> bool:
+def _is_of_visible_letters(demand: Demand) -> bool:
     """Whether a demand is one of the letters that people see."""
     names = letters_of(demand.formula)
     return bool(names) and not any(name.startswith("_") for name in names)
@@ -220,7 +220,7 @@ def _plainly(base: Oracle, trial: Trial, demands: Sequence[Demand]) -> Iterator[
 def _inequalities(base: Oracle, trial: Trial, facts: Sequence[Relation]) -> Iterator[Limitation]:
     """Inequalities themselves; two that bound what was found for a letter as one, if shorter."""
     left = list(facts)
-    for name, root in trial.found.values.items():
+    for name, root in trial.root.values.items():
         for low in [each for each in left if each.value == root]:
             high = next((each for each in left if (each.value + root).is_number), None)
             if high is None or not {low.operator, high.operator} <= {">", ">="}:

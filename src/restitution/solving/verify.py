@@ -64,11 +64,11 @@ def verify_value(value: Any, item: Value, branch: Branch, now: int) -> None:
     Raises UnsupportedError where they differ: a defect here, never the user's mistake.
     """
     try:
-        told = branch.numbers.evaluator(now).value(item.expression)
-        if isinstance(told, Angle):
-            told = told.measure()
+        expected = branch.numbers.evaluator(now).value(item.expression)
+        if isinstance(expected, Angle):
+            expected = expected.measure()
         pairs = zip(
-            told if isinstance(told, Vector) else (told,),
+            expected if isinstance(expected, Vector) else (expected,),
             value if isinstance(value, tuple) else (value,),
             strict=True,
         )

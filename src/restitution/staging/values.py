@@ -60,16 +60,17 @@ class Chosen:
 class Motion:
     """One part of a problem in numbers.
 
-    ``told`` has its expressions, in the letters of the working, ``numbers`` a number for each of
+    ``model`` has its expressions, in the letters of the working, ``numbers`` a number for each of
     these letters, and ``story`` the motion itself. ``free`` are the letters without a value of
     their own, each with the motion that a little more of it would give (None where there is none).
+    ``solved`` are the letters whose values differ between the solutions; empty where there is one.
     """
 
     model: Model
     numbers: Mapping[str, Any]
     story: Story
     free: tuple[tuple[Chosen, Story | None], ...]
-    found: tuple[Chosen, ...]
+    solved: tuple[Chosen, ...]
 
     def number(self, x: Any) -> float:
         """An expression as a number. Raises UndefinedError or KeyError where it has none."""
@@ -139,7 +140,7 @@ def drawn_for(
         or not _same_lines(motion.story, moved, events)
         or _ratio(*(velocities(each, events, panels) for each in (motion.story, moved))) is None
     ]
-    return (*shaping, *motion.found)
+    return (*shaping, *motion.solved)
 
 
 def unit_of_speed(motion: Motion, events: Sequence[int]) -> str | None:

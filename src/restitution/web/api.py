@@ -26,7 +26,7 @@ from restitution.web.files import unpacks
 from restitution.web.pool import BusyError, Pool
 from restitution.web.replies import Replies
 from restitution.web.settings import Settings
-from restitution.web.work import Made
+from restitution.web.work import Payload
 
 _log = logging.getLogger(__name__)
 
@@ -55,7 +55,7 @@ class _Begun:
     """A reply of which the first part is there: what a page shows before the working."""
 
     early: bytes
-    rest: asyncio.Future[Made]
+    rest: asyncio.Future[Payload]
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ class _Task:
     A reply that is not ``kept`` is forgotten at once: it holds what a student typed.
     """
 
-    function: Callable[..., Made]
+    function: Callable[..., Payload]
     optional: Mapping[str, tuple[Kind, Any]] = field(default_factory=dict)
     about: str = "statement"
     kept: bool = True
@@ -116,7 +116,7 @@ _TASKS = {
 }
 
 
-_READ: Mapping[str, Callable[[str], Made]] = {"check": work.checked, "outline": work.outlined}
+_READ: Mapping[str, Callable[[str], Payload]] = {"check": work.checked, "outline": work.outlined}
 
 _EXPLAINING = _Task(work.explained)
 
@@ -171,13 +171,13 @@ async def _unknown(request: Request) -> Response:
     raise HTTPException(404)
 
 
-def _reading(read: Callable[[str], Made]) -> Callable[[Request], Awaitable[Response]]:
+def _reading(read: Callable[[str], Payload]) -> Callable[[Request], Awaitable[Response]]:
     """What is done by those who read statements while others solve."""
 
     async def do(request: Request) -> Response:
         staff: Staff = request.app.state.staff
 
-        async def reply() -> Made:
+        async def reply() -> Payload:
             about = await asked(request, "statement", {}, staff.settings)
             reply_ = staff.clerks.run(read, about["statement"], limit=_CHECKING)
             return await _while_wanted(request, reply_)
@@ -193,7 +193,7 @@ def _doing(task: _Task) -> Callable[[Request], Awaitable[Response]]:
     async def do(request: Request) -> Response:
         staff: Staff = request.app.state.staff
 
-        async def reply() -> Made:
+        async def reply() -> Payload:
             asked_for = await asked(request, task.about, kinds, staff.settings)
             others = tuple(asked_for.get(name, usual) for name, (_, usual) in task.optional.items())
             key = (task.function.__name__, json.dumps(asked_for, sort_keys=True))
@@ -212,12 +212,12 @@ async def _explain(request: Request) -> Response:
     staff: Staff = request.app.state.staff
     task = _EXPLAINING
 
-    async def reply() -> Made | _Begun:
+    async def reply() -> Payload | _Begun:
         about = await asked(request, task.about, {"early": bool}, staff.settings)
         statement = about[task.about]
         early = staff.desk / hashlib.sha256(statement.encode()).hexdigest()
 
-        async def once() -> Made:
+        async def once() -> Payload:
             try:
                 return await _worked(staff, task, statement, (str(early),))
             finally:
@@ -243,7 +243,7 @@ async def _explain(request: Request) -> Response:
     return await _answered(request, reply)
 
 
-async def _worked(staff: Staff, task: _Task, about: Any, others: tuple[Any, ...]) -> Made:
+async def _worked(staff: Staff, task: _Task, about: Any, others: tuple[Any, ...]) -> Payload:
     """The work done; where its process was lost, what can be said without it."""
     limit = staff.settings.time_limit
     try:
@@ -258,7 +258,7 @@ async def _worked(staff: Staff, task: _Task, about: Any, others: tuple[Any, ...]
     return await staff.clerks.run(work.given_up, *job, limit=_CHECKING)
 
 
-async def _answered(request: Request, reply: Callable[[], Awaitable[Made | _Begun]]) -> Response:
+async def _answered(request: Request, reply: Callable[[], Awaitable[Payload | _Begun]]) -> Response:
     try:
         answer = await reply()
         if isinstance(answer, _Begun):
@@ -293,7 +293,7 @@ async def _lines(request: Request, begun: _Begun) -> AsyncIterator[bytes]:
     """What is there at once, and in another line the whole, or why it does not come."""
     yield begun.early + b"\n"
 
-    async def rest() -> Made:
+    async def rest() -> Payload:
         return await begun.rest
 
     try:
@@ -304,7 +304,7 @@ async def _lines(request: Request, begun: _Begun) -> AsyncIterator[bytes]:
     yield gzip.decompress(bytes(reply.body)) if packed else bytes(reply.body)
 
 
-async def _while_wanted(request: Request, making: Awaitable[Made]) -> Made:
+async def _while_wanted(request: Request, making: Awaitable[Payload]) -> Payload:
     """What is made; it is given up when the one who asked has gone."""
     doing = asyncio.ensure_future(making)
     leaving = asyncio.ensure_future(_gone(request))

@@ -17,7 +17,7 @@ from restitution.killable import LostError
 from restitution.web.api import Staff, refusal
 from restitution.web.files import stored
 from restitution.web.pool import BusyError
-from restitution.web.work import Made
+from restitution.web.work import Payload
 
 _log = logging.getLogger(__name__)
 _SVG = "image/svg+xml"
@@ -42,12 +42,12 @@ def routes() -> list[Route]:
         if name not in examples.names():
             raise HTTPException(404)
 
-        async def made() -> Made:
+        async def thumbnail() -> Payload:
             async with pencil:
-                return await _made(staff, name)
+                return await _thumbnail(staff, name)
 
         try:
-            picture_ = await staff.replies.get((pictured.__name__, name), made)
+            picture_ = await staff.replies.get((pictured.__name__, name), thumbnail)
         except BusyError as error:
             return refusal(503, "busy", "please ask again", {"Retry-After": str(error.again)})
         kept = "no-store" if picture_.tired else _FOR_A_DAY  # another time more may come of it
@@ -61,7 +61,7 @@ def routes() -> list[Route]:
     return [Route("/examples.json", show_table), Route("/thumbnails/{name}.svg", picture)]
 
 
-def pictured(name: str) -> Made:
+def pictured(name: str) -> Payload:
     """In a process of its own: the small picture of an example, or a placeholder for it."""
     from restitution.drawing import thumbnail
     from restitution.drawing.svg import to_svg
@@ -74,15 +74,15 @@ def pictured(name: str) -> Made:
     except RestitutionError:
         scene = None
     svg = _PLACEHOLDER if scene is None else to_svg(scene)
-    return Made(svg.encode(), _SVG)
+    return Payload(svg.encode(), _SVG)
 
 
-async def _made(staff: Staff, name: str) -> Made:
+async def _thumbnail(staff: Staff, name: str) -> Payload:
     try:
         return await staff.solvers.run(pictured, name, limit=staff.settings.time_limit)
     except (TimeoutError, LostError) as error:
         _log.error("no picture of %s: %r\n%s", name, error, getattr(error, "details", ""))
-        return Made(_PLACEHOLDER.encode(), _SVG, tired=True)
+        return Payload(_PLACEHOLDER.encode(), _SVG, tired=True)
 
 
 def _table() -> bytes:

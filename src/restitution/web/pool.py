@@ -54,7 +54,7 @@ class Tiring(Protocol):
     def tired(self) -> bool: ...
 
 
-_Made = TypeVar("_Made", bound=Tiring)
+_Result = TypeVar("_Result", bound=Tiring)
 
 
 class BusyError(Exception):
@@ -93,7 +93,7 @@ class Pool:
         self._idle = list(self._hands)  # as many as the semaphore has places
         self._closed = False
 
-    async def run(self, function: Callable[..., _Made], *arguments: Any, limit: float) -> _Made:
+    async def run(self, function: Callable[..., _Result], *arguments: Any, limit: float) -> _Result:
         """What the function returns; where that is ``tired``, it is the last of its process.
 
         When it is cancelled, work that has not begun is dropped; what has begun may end, if it does
@@ -149,8 +149,8 @@ class Pool:
             raise BusyError(self.again) from None
 
     async def _done(
-        self, hand: _Hand, function: Callable[..., _Made], arguments: Sequence[Any], limit: float
-    ) -> _Made:
+        self, hand: _Hand, function: Callable[..., _Result], arguments: Sequence[Any], limit: float
+    ) -> _Result:
         began = time.monotonic()
         try:
             try:
@@ -188,14 +188,14 @@ class _Hand:
         self._thread.submit(self._renew)
 
     async def done(
-        self, function: Callable[..., _Made], arguments: Sequence[Any], seconds: float
-    ) -> _Made:
+        self, function: Callable[..., _Result], arguments: Sequence[Any], seconds: float
+    ) -> _Result:
         """What the function returns or raises; its process is killed after so many seconds."""
         turn = _Turn()
         loop = asyncio.get_running_loop()
         request = function, arguments
         try:
-            reply: _Made = await loop.run_in_executor(
+            reply: _Result = await loop.run_in_executor(
                 self._thread, self._ask, turn, request, seconds
             )
         except asyncio.CancelledError:

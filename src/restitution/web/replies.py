@@ -7,12 +7,12 @@ from collections import OrderedDict
 from collections.abc import Awaitable, Callable, Hashable
 from dataclasses import dataclass
 
-from restitution.web.work import Made
+from restitution.web.work import Payload
 
 
 @dataclass
 class _Shared:
-    task: asyncio.Task[Made]
+    task: asyncio.Task[Payload]
     waiting: int = 0
 
 
@@ -22,10 +22,10 @@ class Replies:
     def __init__(self, room: int) -> None:
         self._room = room
         self._taken = 0
-        self._kept: OrderedDict[Hashable, Made] = OrderedDict()
+        self._kept: OrderedDict[Hashable, Payload] = OrderedDict()
         self._under_way: dict[Hashable, _Shared] = {}
 
-    async def get(self, key: Hashable, make: Callable[[], Awaitable[Made]]) -> Made:
+    async def get(self, key: Hashable, make: Callable[[], Awaitable[Payload]]) -> Payload:
         """The reply to a question; when nobody waits for it any more, its work is cancelled."""
         if key in self._kept:
             self._kept.move_to_end(key)
@@ -44,7 +44,7 @@ class Replies:
                     del self._under_way[key]
                 shared.task.cancel()
 
-    async def _make(self, key: Hashable, make: Callable[[], Awaitable[Made]]) -> Made:
+    async def _make(self, key: Hashable, make: Callable[[], Awaitable[Payload]]) -> Payload:
         mine = asyncio.current_task()
         try:
             reply = await make()
@@ -56,7 +56,7 @@ class Replies:
             self._keep(key, reply)
         return reply
 
-    def _keep(self, key: Hashable, reply: Made) -> None:
+    def _keep(self, key: Hashable, reply: Payload) -> None:
         self._kept[key] = reply
         self._taken += len(reply.content)
         while self._taken > self._room:

@@ -23,7 +23,7 @@ FILE = "statement"
 
 
 @dataclass(frozen=True)
-class Made:
+class Payload:
     """A reply: JSON, or a PDF.
 
     ``tired`` tells that the work was broken off, so that its process should end, and that another
@@ -39,7 +39,7 @@ class Made:
     packed: bool = False
 
 
-def checked(statement: str) -> Made:
+def checked(statement: str) -> Payload:
     """The contract's object of a problem that nobody has solved yet, with all its mistakes."""
     try:
         return _json(contract.checked(FILE, parse(statement), None))
@@ -47,7 +47,7 @@ def checked(statement: str) -> Made:
         return _json(contract.checked(FILE, None, mistake))
 
 
-def outlined(statement: str) -> Made:
+def outlined(statement: str) -> Payload:
     """The pieces of a statement, for a form; null with all its mistakes where it cannot be read."""
     from restitution.export.outline import outline
 
@@ -63,12 +63,12 @@ def solved(
     part: str | None = None,
     working: bool = False,
     marks: Style = "fm1",
-) -> Made:
+) -> Payload:
     """The object of ``restitution solve --format json``, and with ``--working``."""
-    return _made(statement, Writing("json", part, working=working, marks=marks), limit)
+    return _payload_of(statement, Writing("json", part, working=working, marks=marks), limit)
 
 
-def drawn(statement: str, limit: float, event: int | None = None) -> Made:
+def drawn(statement: str, limit: float, event: int | None = None) -> Payload:
     """The same with ``pictures`` and ``pictures_error``; an error where there is no such event."""
     try:
         _require_event(parse(statement), event)
@@ -76,10 +76,10 @@ def drawn(statement: str, limit: float, event: int | None = None) -> Made:
         return _failed(error)
     except RestitutionError:
         pass  # of a statement that cannot be read there is more to tell
-    return _made(statement, Picturing(event), limit, **_NO_PICTURES)
+    return _payload_of(statement, Picturing(event), limit, **_NO_PICTURES)
 
 
-def explained(statement: str, limit: float, early: str | None = None) -> Made:
+def explained(statement: str, limit: float, early: str | None = None) -> Payload:
     """All that a page shows, the object of the contract as its ``answer``.
 
     What comes before the working is written into the file ``early``, as soon as it is there.
@@ -91,7 +91,7 @@ def explained(statement: str, limit: float, early: str | None = None) -> Made:
             growing.write_bytes(contract.to_json(content).encode())
             growing.replace(early)
 
-    return _made(statement, Showing(write), limit)
+    return _payload_of(statement, Showing(write), limit)
 
 
 def on_a_sheet(
@@ -102,26 +102,28 @@ def on_a_sheet(
     title: str | None,
     room: bool,
     marks: Style = "fm1",
-) -> Made:
+) -> Payload:
     """A PDF; or the error, as JSON, of a statement that cannot be set."""
     from restitution.export.sheet import Options, to_pdf
 
     options = Options(solutions, diagrams, None if room else 0.0, marks)
     try:
         reply = serve(Job(FILE, parse(statement), Setting("pdf", options), limit))
-        return Made(to_pdf([reply.content], title, options), "application/pdf", tired=reply.tired)
+        return Payload(
+            to_pdf([reply.content], title, options), "application/pdf", tired=reply.tired
+        )
     except RestitutionError as error:
         return _failed(error)
 
 
-def simulated(scene: contract.Object, limit: float) -> Made:
+def simulated(scene: contract.Object, limit: float) -> Payload:
     """The motion of a scene of the Lab."""
     from restitution.export import lab
 
     return _tried(lambda: lab.simulated(scene))
 
 
-def put_as_a_question(impact: contract.Object, limit: float) -> Made:
+def put_as_a_question(impact: contract.Object, limit: float) -> Payload:
     """The statement of a question about an impact of the Lab."""
     from restitution.export import lab
 
@@ -135,7 +137,7 @@ def marked(
     part: str | None = None,
     letters: contract.Object | None = None,
     hints: int | contract.Object = 0,
-) -> Made:
+) -> Payload:
     """A working marked; an error where the question has no answer, or a letter no meaning."""
     from restitution.export.marking import marking_of
     from restitution.solving import solve
@@ -150,7 +152,7 @@ def marked(
 
 def played_mistake(
     statement: str, limit: float, mistake: str = "", part: str | None = None
-) -> Made:
+) -> Payload:
     """The motion of a question with that of a mistake beside it, as the player takes it."""
     from restitution.export.player.beside import of_mistake
     from restitution.solving import solve
@@ -162,7 +164,7 @@ def played_mistake(
         return _tried(motion)
 
 
-def to_practise(wanted: contract.Object, limit: float) -> Made:
+def to_practise(wanted: contract.Object, limit: float) -> Payload:
     """A question to practise, with its letters box."""
     from restitution.export import practising
 
@@ -170,7 +172,7 @@ def to_practise(wanted: contract.Object, limit: float) -> Made:
         return _tried(lambda: practising.asked(wanted))
 
 
-def progress(record: contract.Object, limit: float) -> Made:
+def progress(record: contract.Object, limit: float) -> Payload:
     """How sure one is of each topic."""
     from restitution.export import practising
 
@@ -184,7 +186,7 @@ def experiment(
     angle_error: float | None = None,
     speed_error: float | None = None,
     from_normal: bool = False,
-) -> Made:
+) -> Payload:
     """The coefficient of restitution from a table; an error where the table does not give it."""
     from restitution.export import experimenting
 
@@ -213,11 +215,11 @@ def report(
 
 def given_up(
     about: Any,
-    task: Callable[..., Made],
+    task: Callable[..., Payload],
     message: str,
     late: bool,
     others: tuple[Any, ...] = (),
-) -> Made:
+) -> Payload:
     """What is said of something whose process was killed, or ended by itself.
 
     It was to be done by ``task``, one of the functions above, which was told ``others`` as well.
@@ -243,7 +245,7 @@ def _nothing(answer: contract.Object) -> contract.Object:
     return {"answer": answer, **vars(Pieces(warnings=answer["warnings"]))}
 
 
-def _tried(make: Callable[[], contract.Object]) -> Made:
+def _tried(make: Callable[[], contract.Object]) -> Payload:
     """What is made; or the error, where there can be none."""
     try:
         return _json(make())
@@ -251,13 +253,13 @@ def _tried(make: Callable[[], contract.Object]) -> Made:
         return _failed(error)
 
 
-def _failed(error: RestitutionError) -> Made:
+def _failed(error: RestitutionError) -> Payload:
     """What is well asked, but of which nothing can be made."""
     reply = _json({"error": contract.mistakes(error)[0]}, error.kind == TimeLimitError.kind)
     return replace(reply, status=422)
 
 
-def _made(statement: str, task: Task, limit: float, **beside: Any) -> Made:
+def _payload_of(statement: str, task: Task, limit: float, **beside: Any) -> Payload:
     whole = isinstance(task, Showing)
     part = task.part if isinstance(task, Writing) else None
     problem: Problem | None = None
@@ -306,14 +308,14 @@ def _short(number: int) -> str:
 _MANY = 40  # digits
 
 
-def _json(content: contract.Object, tired: bool = False) -> Made:
+def _json(content: contract.Object, tired: bool = False) -> Payload:
     return _packed(contract.to_json(content).encode(), tired)
 
 
-def _packed(text: bytes, tired: bool) -> Made:
+def _packed(text: bytes, tired: bool) -> Payload:
     if len(text) < _SMALL:
-        return Made(text, tired=tired)
-    return Made(gzip.compress(text, 6, mtime=0), tired=tired, packed=True)
+        return Payload(text, tired=tired)
+    return Payload(gzip.compress(text, 6, mtime=0), tired=tired, packed=True)
 
 
 _SMALL = 1000  # bytes, of which packing spares few

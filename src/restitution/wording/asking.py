@@ -105,7 +105,7 @@ def _percentage(noun: Noun) -> Noun:
 
 def _value(scene: Scene, tree: Expression, plain: bool) -> Noun:
     if not has_quantity(tree):
-        shown = values.laid(tree)
+        shown = values.layout_of(tree)
         return Noun(words(shown)) if plain else Noun(words("the value of ", shown), (), "value")
     if isinstance(tree, Quantity) and tree.kind == "direction":
         name = name_of(tree.arguments[0]) or ""

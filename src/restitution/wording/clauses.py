@@ -119,7 +119,7 @@ def _velocities(scene: Scene, relations: Sequence[Relation]) -> list[tuple[Noun,
 
 def mathematics(relation: Compare) -> lay.Layout:
     """A relation of letters as one line of mathematics."""
-    sides = [values.laid(operand) for operand in relation.operands]
+    sides = [values.layout_of(operand) for operand in relation.operands]
     signs = tuple(lay.SIGNS.get(operator, operator) for operator in relation.operators)
     return lay.Relation(tuple(sides), signs)
 
@@ -265,7 +265,7 @@ def _special(scene: Scene, left: Expression, sign: str, right: Expression) -> Wo
             way = line(scene, other)
             angle = words("at an angle " if _is_letter(right) else "at an angle of ")
             to = way.head if same_event(when, way.when) else way.words()
-            phrase = words(" is moving ", angle, values.laid(right), " to ", to)
+            phrase = words(" is moving ", angle, values.layout_of(right), " to ", to)
             return words(leading(when), Named(body), phrase)
     return None
 
@@ -279,7 +279,7 @@ def _share_lost(scene: Scene, left: Expression, right: Expression) -> Words | No
         ) if not has_quantity(factor):
             share = values.times(factor)
             if _is_letter(factor):
-                share = words("a fraction ", values.laid(factor), " of ")
+                share = words("a fraction ", values.layout_of(factor), " of ")
             base = whole_energy(scene, lost, whole)
             return words(share, base, " is lost", lost_where(scene, lost))
         case Quantity(), Binary("/", Quantity("energy") as whole, Number() as parts):
@@ -298,8 +298,8 @@ def _moves(tree: Expression) -> bool:
 
 def _through(angle: Expression) -> Words:
     if _is_letter(angle):
-        return words("an angle ", values.laid(angle))
-    return words("an angle of ", values.laid(angle))
+        return words("an angle ", values.layout_of(angle))
+    return words("an angle of ", values.layout_of(angle))
 
 
 def _aligned(scene: Scene, relation: Aligned) -> Words:

@@ -145,7 +145,7 @@ def formula(scene: Scene, trees: Sequence[Expression]) -> tuple[list[lay.Layout]
                 quantities.append(quantity)
     names = _named(scene, quantities)
     bold = {names[_key(scene, quantity)] for quantity in quantities if _is_vector(quantity)}
-    shown = [_in_bold(values.laid(_replaced(scene, each, names)), bold) for each in trees]
+    shown = [_in_bold(values.layout_of(_replaced(scene, each, names)), bold) for each in trees]
     return shown, words("where ", listed(_definitions(scene, quantities, names, bold)))
 
 

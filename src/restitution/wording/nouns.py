@@ -105,7 +105,9 @@ def phrase(scene: Scene, tree: Expression) -> Words:
 def noun(scene: Scene, tree: Expression) -> Noun:
     """An expression as a noun phrase."""
     if not has_quantity(tree):
-        return Noun((Named(tree.name),) if isinstance(tree, Name) else words(values.laid(tree)))
+        return Noun(
+            (Named(tree.name),) if isinstance(tree, Name) else words(values.layout_of(tree))
+        )
     match tree:
         case Quantity():
             return _QUANTITIES.get(tree.kind, _of_body)(scene, tree)

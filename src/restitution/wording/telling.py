@@ -327,7 +327,7 @@ def _asked(scene: Scene, asks: Sequence[Find | Show]) -> Listing | None:
             entries.append(sentence(shown(scene, ask)))
         else:
             parts = _sentences(groups(scene, ask))
-            entries += [sentence(_found(items, in_terms(ask))) for items in parts]
+            entries += [sentence(_find_clause(items, in_terms(ask))) for items in parts]
     return Listing((), tuple(("", entry) for entry in entries))
 
 
@@ -351,7 +351,7 @@ def _has_clause(item: Words) -> bool:
     )
 
 
-def _found(items: Sequence[Words], terms: Words) -> Words:
+def _find_clause(items: Sequence[Words], terms: Words) -> Words:
     if not terms:
         return words("find ", listed(items))
     if len(items) == 1:

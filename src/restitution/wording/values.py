@@ -28,7 +28,7 @@ _VECTORS = frozenset(("velocity", "momentum", "position", "line_of_centres"))
 EAST = lay.Bold("i")
 
 
-def laid(tree: Expression) -> lay.Layout:
+def layout_of(tree: Expression) -> lay.Layout:
     """The mathematics of an expression; a pair in round brackets is a vector in **i** and **j**."""
     if isinstance(tree, Pair):
         return lay.vector(lay.from_tree(tree.x), lay.from_tree(tree.y))
@@ -37,7 +37,7 @@ def laid(tree: Expression) -> lay.Layout:
 
 def value(style: Style, tree: Any, dimension: Dimension | None) -> Words:
     """A value with its unit: ``2 kg``, ``(3i − 4j) m s⁻¹``, ``ku``."""
-    shown = laid(tree)
+    shown = layout_of(tree)
     unit = "" if is_zero(tree) else style.unit(dimension)
     if isinstance(tree, Polar):
         return words(value(style, tree.size, dimension), " ", direction(style, tree))
@@ -86,7 +86,7 @@ def point(tree: Expression) -> Words:
             return (Named(name),)
         case Pair(x, y):
             return words("the point ", lay.Coordinates((lay.from_tree(x), lay.from_tree(y))))
-    return words("the point with position vector ", laid(tree))
+    return words("the point with position vector ", layout_of(tree))
 
 
 def spot(tree: Expression) -> Words:
@@ -134,7 +134,7 @@ def direction(style: Style, tree: Polar) -> Words:
 def direction_of(style: Style, tree: Expression) -> Words:
     """A direction told by a vector, for ``parallel to …`` and ``from …``."""
     if is_vector(tree):
-        shown = laid(tree)
+        shown = layout_of(tree)
         if isinstance(shown, lay.Sum) and len(shown.terms) > 1:
             shown = lay.Brackets(shown)
         return words(shown)

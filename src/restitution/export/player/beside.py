@@ -151,13 +151,13 @@ def _in_step(one: Object, other: Object) -> None:
 
 def sentences(motion: PartMotion) -> tuple[str, ...]:
     """What cannot be in an altered motion, the plainest first; each by its numbers."""
-    found = [
+    contradictions = [
         each
         for _, event in motion.events
         if isinstance(event, Struck)
         for each in _of_impact(event, motion)
     ]
-    ranked = sorted(found, key=lambda each: each[0])
+    ranked = sorted(contradictions, key=lambda each: each[0])
     return tuple(dict.fromkeys(text for _, text in ranked))[:_FEW]
 
 

@@ -493,10 +493,10 @@ class Judge:
         """The laws of which an entry is an instance; altered ones where it is false."""
         key = entry.claim, entry.number, entry.wrong
         if key not in self._known_uses:
-            self._known_uses[key] = self._found_uses(entry)
+            self._known_uses[key] = self._first_uses(entry)
         return self._known_uses[key]
 
-    def _found_uses(self, entry: Entry) -> tuple[Use, ...]:
+    def _first_uses(self, entry: Entry) -> tuple[Use, ...]:
         students = () if entry.right or entry.wrong else self.students()
         for world in (self._base, *students):
             try:

@@ -165,7 +165,7 @@ class _Search:
         self.directions = around.directions(self.lines)
         self.failing: set[int] = set()
         self.relations: dict[Any, Relation] = {}
-        self.told: set[str] = set()
+        self.defined: set[str] = set()
         self.definitions = dict(self._definitions())
 
     # --- letters of the lines
@@ -218,7 +218,7 @@ class _Search:
                 seen |= names
                 if len(names) == 1 and fresh and not any(" " in name for name in names):
                     (name,) = names
-                    self.told.add(name)
+                    self.defined.add(name)
                     for claim in link.readings[:1]:
                         tree = _defining(claim, name)
                         if tree is not None:
@@ -249,7 +249,7 @@ class _Search:
             own = [around.staged(tree, scope) for tree in phrase]
             every = [*of_trees(own), *elsewhen(name, own, len(around.events))]
             return [*every, *scaled(every, self.directions)]
-        usage = Usage(name, name in self.angular, scope, name in self.told)
+        usage = Usage(name, name in self.angular, scope, name in self.defined)
         chosen = list(options(usage, around.candidates, around.problem))
         chosen += list(scaled(chosen, self.directions))
         if name in self.definitions and self.usual(name, scope) is None:

@@ -23,7 +23,7 @@ class Declarations:
 
     def __init__(self, usage: Usage, problem: Problem) -> None:
         self.usage, self.problem = usage, problem
-        self.made: tuple[Declaration, ...] = ()
+        self.declarations: tuple[Declaration, ...] = ()
         self.body: str | None = None
         self.shared: Token | None = None
         self.bodies = tuple(each.name for each in problem.spheres)
@@ -54,7 +54,7 @@ class Declarations:
 
     def another(self, letter: Letter, words: AbstractSet[str]) -> bool:
         """A further letter of a phrase: ``let the components after be v and w``."""
-        declared = self.made
+        declared = self.declarations
         if self.shared is None or not declared or not words <= {"and", ","}:
             return False
         place = len(declared)
@@ -64,7 +64,7 @@ class Declarations:
         if place == 1:
             first = f"{self.shared.name} of {self.bodies[0]}"
             meanings = read_phrase(first, self.problem)
-            self.made = (replace(declared[0], meanings=meanings),)
+            self.declarations = (replace(declared[0], meanings=meanings),)
         name = f"{self.shared.name} of {self.bodies[place]}"
         self.declare(letter, replace(self.shared, name=name))
         return True
@@ -72,7 +72,7 @@ class Declarations:
     def that_of(self, text: str) -> None:
         """``w that of B``: the last declaration once more, for another body."""
         match = _THAT_OF.search(text)
-        declared = self.made
+        declared = self.declarations
         if match is None or not declared or self.shared is None:
             return
         if match[2] in self.usage.spheres and match[1] != declared[-1].letter:
@@ -82,4 +82,4 @@ class Declarations:
 
     def add(self, declaration: Declaration) -> None:
         """Adds a declaration."""
-        self.made += (declaration,)
+        self.declarations += (declaration,)

@@ -115,7 +115,7 @@ class _Reader:
     def finish(self) -> None:
         """Puts together what was read."""
         self.declared.that_of(self.line.text)
-        self.statements.declarations = self.declared.made
+        self.statements.declarations = self.declared.declarations
         self.statements.links = tuple(map(finished, self.links))
         self.statements.values = tuple(map(without_marks, self.statements.values))
         if self.label is not None and self.label.kind == "name" and not self.links:

@@ -37,7 +37,7 @@ _ANGLES = frozenset({"angle", "direction"})
 Laws = tuple[tuple[str, tuple[str, ...]], ...]
 _NO_VALUES = frozenset({"arithmetic", "component", "fact", "value"})
 _RESOLVED = frozenset({"arithmetic", "component"})
-_UNTOLD = frozenset({"none", "solve", "fact", "arithmetic", "component"})
+_OPEN_NAMES = frozenset({"none", "solve", "fact", "arithmetic", "component"})
 _RESULTS = ("impulse", "energy", "deflection")
 
 
@@ -87,7 +87,7 @@ def _put_in(
         product = coefficient_put_in(claim, world, meanings, scope)
         if product is not None:
             return (product,)
-    if trial.plain or not (first in _UNTOLD or (first == "speed" and len(uses) > 1)):
+    if trial.plain or not (first in _OPEN_NAMES or (first == "speed" and len(uses) > 1)):
         return ()
     if uses and is_triangle(claim, world, meanings, scope):
         return (Use("angle", uses[0].event, uses[0].bodies), *uses[1:])
