@@ -282,7 +282,7 @@ class Model:
 
     @property
     def _oracles(self) -> tuple[Oracle, Oracle]:
-        """Made again when the telling has come to a hidden unknown that is new."""
+        """The oracles for the letters, renewed when the story meets a new hidden unknown."""
         names = len(self.unknowns.roles), len(self.unknowns.hidden_roles)
         if names not in self._oracles_of_names:
             ground = Oracle({**self.unknowns.roles, **self.unknowns.hidden_roles})

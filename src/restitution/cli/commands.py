@@ -578,7 +578,7 @@ def _form_of(output: str, form: _F | None, known: type[_F], otherwise: _F) -> _F
 
 
 def _content_or_exit(make: Callable[[], bytes]) -> bytes:
-    """What is made, or the reason why it cannot be, and the end."""
+    """The bytes that ``make`` returns; where it raises, a message and the end of the command."""
     try:
         return make()
     except RestitutionError as error:

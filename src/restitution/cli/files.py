@@ -131,7 +131,7 @@ def _columns(character: str) -> int:
 
 
 def printable(text: str) -> str:
-    """Without what a terminal would take for a command."""
+    """A text without what a terminal would take for a command."""
     return "".join(
         each if each.isprintable() else " " if each.isspace() else "\N{REPLACEMENT CHARACTER}"
         for each in text
@@ -149,7 +149,7 @@ def one_line(error: BaseException) -> str:
 
 
 def say(message: str) -> None:
-    """To standard error."""
+    """Write a line to standard error."""
     sys.stderr.write(f"{message}\n")
     sys.stderr.flush()
 

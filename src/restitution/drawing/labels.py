@@ -513,7 +513,7 @@ def _line(content: Layout, at: Vector, size: float, share: float = 0.0) -> Place
 
 
 def captioned(placed: Placed, text: str) -> Placed:
-    """The same with a line of words above it."""
+    """The scene with a line of words above it."""
     left, bottom, right, top = placed.box
     line = _line(Words(text), Vector(left + MARGIN, top + MARGIN), HEADING_SIZE)
     box = (left, bottom, max(right, line.box[2] + MARGIN), line.box[3] + MARGIN)

@@ -133,7 +133,7 @@ class Job:
 
 @dataclass(frozen=True)
 class Reply:
-    """What was made, whether everything asked has an answer, and why an item has none.
+    """The result of a job: its content, whether everything has an answer, and why an item has none.
 
     ``content`` is a text (SVG for pictures, HTML for a motion), the entry of a sheet, or plain data
     for a page.

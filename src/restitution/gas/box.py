@@ -214,7 +214,7 @@ class Gas:
 
     @property
     def time(self) -> float:
-        """The time it is, in s."""
+        """The present time, in s."""
         return self._discs.epoch + self._discs.now
 
     @property
@@ -698,7 +698,7 @@ def _number(value: Any, name: str) -> float:
 
 
 def _both(periodic: Any) -> tuple[bool, bool]:
-    """What is said for x and y, or for both."""
+    """The pair for x and y, from a pair or from one value for both."""
     axes = [periodic] * 2 if isinstance(periodic, bool | np.bool_) else periodic
     if (
         not isinstance(axes, tuple | list)

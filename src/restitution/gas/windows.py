@@ -55,7 +55,7 @@ COUNTED = (
 
 
 class Counts:
-    """What was done, in numbers.
+    """Numbers of impacts and of the work that they took.
 
     Impacts of discs and of discs with walls, how many of both were made elastic for following one
     another within the contact time, and the work that they took.
@@ -85,7 +85,7 @@ class Collapsed:
 
 @dataclass(frozen=True)
 class Done:
-    """What a tile has come to in a window."""
+    """The result of a tile in a window."""
 
     totals: list[int]
     fastest: float

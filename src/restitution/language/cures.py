@@ -68,7 +68,7 @@ def cured(
 def _by_a_hint(
     text: str, places: _Region, mistake: StatementError, read: FirstMistake, within: MistakeWithin
 ) -> None:
-    """Tell a mistake as what stands before it, where the line reads with the cure of that."""
+    """Replace a mistake by one before it whose cure makes the line read."""
     for hint in mistake.hints:
         for fix in hint.fixes[:1]:
             held, _ = _carried_on(text, places, fix, read, within)

@@ -83,7 +83,7 @@ Rewrite = Callable[[Any, Slot], Any]
 
 @dataclass
 class _Reading:
-    """What is met of units while a problem is rewritten."""
+    """Units that are met while a problem is rewritten."""
 
     letters: AbstractSet[str]
     mistakes: list[StatementError] = field(default_factory=list)

@@ -101,7 +101,7 @@ def _patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
 
 
 def outside(source: Source) -> StatementError | None:
-    """What to say of a line that cannot be read, if a word in it is outside the model."""
+    """The error for a line that cannot be read, if a word in it is outside the model."""
     text = source.plain
     start = len(text) - len(text.lstrip())
     text = text[:start] + text[start : start + 1].lower() + text[start + 1 :]  # ``Gravity = …``

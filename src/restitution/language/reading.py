@@ -303,7 +303,7 @@ class _Story:
     has_units: bool = False
 
     def problem(self) -> Problem:
-        """All that was said, as a value."""
+        """The problem, as a value."""
         bodies = self.bodies.values()
         return Problem(
             title=self.title,

@@ -1,4 +1,4 @@
-"""What people write in place of what the language says: consulted only where a line is no line.
+"""Slips: what people write in place of the language, consulted only where a line fails to read.
 
 Each slip is a pattern and what is probably meant. A pattern tells where the slip is found, its
 group ``x`` (else all of it) what is wrong there.

@@ -253,7 +253,7 @@ def _known(given: Given) -> list[Vector]:
 
 
 def _without_doubles(moves: Sequence[Move]) -> list[Move]:
-    """Without coming to a wall where the very next thing is the impact with it."""
+    """The events without an arrival at a wall that the impact with it follows at once."""
     kept = []
     for k, move in enumerate(moves):
         following = next((m for m in moves[k + 1 :] if move.bodies[0] in m.bodies), None)
@@ -330,7 +330,7 @@ def _factors(flights: int) -> Iterator[tuple[float, ...]]:
 
 
 def _in_time(stage: Stage) -> Stage:
-    """With a beginning and an end that show how the spheres come and go.
+    """The stage with a beginning and an end that show how the spheres come and go.
 
     The clock starts with the motion, or at the first impact where the language says so.
     """

@@ -70,7 +70,7 @@ class Attempt:
 
 
 def settled(stage: Stage) -> Stage:
-    """The same, with one time for all events that only rounding sets apart, or from the start.
+    """The stage with one time for all events that only rounding sets apart, or from the start.
 
     Else a body would have a piece of its path that lasts for 10⁻¹⁶ s, on some machines.
     """
@@ -84,7 +84,7 @@ def settled(stage: Stage) -> Stage:
 
 
 def cleared(stage: Stage) -> Attempt:
-    """The motion on a stage, without impacts that are not told.
+    """The motion on a stage, without impacts that the story does not have.
 
     It begins later and ends sooner where that is needed. Walls without ends are drawn as far as
     the paths go; only where they are struck, if that is better.
@@ -108,7 +108,7 @@ def _seen(motion: Motion) -> Iterator[Vector]:
 
 
 def _trimmed(motion: Motion, stopped: str | None, stage: Stage) -> Attempt:
-    """Begun after, and ended before, impacts that are not told.
+    """The motion begun after, and ended before, impacts that the story does not have.
 
     ``stopped`` says before which one it ends already.
     """
@@ -135,13 +135,13 @@ def _trimmed(motion: Motion, stopped: str | None, stage: Stage) -> Attempt:
 
 
 def _meeting(first: str, second: str, stage: Stage) -> str:
-    """What would happen that the story does not tell."""
+    """An impact that the story does not have, in words."""
     other = f"the wall {second}" if second in stage.story.walls else second
     return f"{first} comes to {other}"
 
 
 def _cut(motion: Motion, start: float, end: float) -> Motion:
-    """The same for a part of its time."""
+    """A part of a motion, from one time to another."""
     return replace(
         motion,
         start=start,

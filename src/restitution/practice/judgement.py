@@ -1,4 +1,4 @@
-"""What is said of a line: its verdict, the law it uses, the mistake in it."""
+"""The judgement of a line: its verdict, the law it uses, the mistake in it."""
 
 from __future__ import annotations
 

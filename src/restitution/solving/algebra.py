@@ -494,7 +494,7 @@ def _substitute(
 
 
 def _admissible(value: sp.Expr, x: sp.Symbol) -> bool:
-    """Whether a number fits what is known of an unknown that people never see the value of."""
+    """Whether a number suits a hidden unknown, by what is known of it."""
     own = sign(value)
     if own is None:
         return False
@@ -777,7 +777,7 @@ def _of_binomial(a: sp.Expr, b: sp.Expr, power: int) -> list[sp.Expr]:
 
 
 def _may_be_root(parts: Sequence[sp.Expr], value: sp.Expr) -> bool:
-    """Whether a polynomial is not told from zero by 20 digits at a number."""
+    """Whether 20 digits cannot distinguish a polynomial from zero at a number."""
     x, total, size = value.evalf(20), sp.Float(0, 20), sp.Float(0, 20)
     for part in parts:
         c = part.evalf(20)
@@ -786,7 +786,7 @@ def _may_be_root(parts: Sequence[sp.Expr], value: sp.Expr) -> bool:
 
 
 def _is_root(parts: Sequence[sp.Expr], value: sp.Expr) -> bool:
-    """Whether a root of the norm is one of a polynomial, and not of a conjugate of it."""
+    """Whether a root of the norm is a root of the polynomial and not of a conjugate."""
     x, total = at(value, {}), Enclosed.of(0)
     for part in parts:
         total = total * x + at(part, {})

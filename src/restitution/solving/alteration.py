@@ -329,7 +329,7 @@ class AlteredLaws:
         }
 
     def velocities_on_unknown_line(self) -> tuple[dict[str, Vector], list[Equation]]:
-        """The same where ``c`` is unknown, of that length by which the first sphere changes.
+        """The velocities after where ``c`` is unknown: the change in velocity of the first sphere.
 
         What ``c`` must satisfy is an equation. Raises UnsupportedError where a component across
         it changes, or an equation is not linear.
@@ -395,7 +395,7 @@ class _Line:
 
 
 def _coefficients(values: list[Scalar]) -> tuple[Scalar, Scalar, Scalar]:
-    """Of a quadratic by its values at -1, 0 and 1."""
+    """The coefficients of a quadratic from its values at -1, 0 and 1."""
     low, middle, high = values
     return (high + low) / 2 - middle, (high - low) / 2, middle
 

@@ -85,7 +85,7 @@ def _outside_by_itself(tree: Expression) -> bool:
 
 
 def impossible_coefficient(step: Impact) -> ImpossibleError:
-    """What to say of a coefficient that is given as a number outside [0, 1]."""
+    """The error for a coefficient that is given as a number outside [0, 1]."""
     assert step.e is not None
     return _impossible(
         f"e = {write_expression(step.e)} where {step.first} hits {step.second}: "
@@ -144,7 +144,7 @@ def _are_fixed(story: Story, *places: Any) -> bool:
 
 
 def _apart(story: Story) -> None:
-    """Spheres of a radius, at places told, do not overlap."""
+    """Spheres with a radius do not overlap at the places given."""
     placed = [
         sphere
         for sphere in story.problem.spheres
@@ -209,7 +209,7 @@ def _is_zero(v: Vector) -> bool:
 
 
 def _rests_on(story: Story, value: Any) -> bool:
-    """Whether a property rests on the motion, or on a name that the story has to be told for."""
+    """Whether a property depends on the motion, or on a name that depends on the motion."""
     seen: set[str] = set()
     pending = [value]
     while pending:

@@ -1,4 +1,4 @@
-"""What a story asks for: equations that hold, and conditions that must."""
+"""Requirements of a story: equations and conditions."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from restitution.expression.tree import Place
 
 @dataclass(frozen=True)
 class Condition:
-    """Something that must be so: ``value > 0``, or ``>= 0``, or ``!= 0``; else ``reason``.
+    """A requirement: ``value > 0``, or ``>= 0``, or ``!= 0``; else ``reason``.
 
     ``end_of`` is the wall whose end would be passed.
     """

@@ -136,7 +136,7 @@ def _arriving(
 def velocities_after(
     story: Story, number: int, step: Impact, u: Vector, c: Vector, e: Scalar
 ) -> tuple[Vector, Vector, Vector]:
-    """Of a sphere with velocity ``u``, of one that was at rest, and the impulse on this one."""
+    """Velocities after of a sphere with velocity ``u`` and of one at rest, and its impulse."""
     m, other = story.mass(step.first), story.mass(step.second)
     r = story.radius(step.first)
     assert r is not None

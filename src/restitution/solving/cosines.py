@@ -126,7 +126,7 @@ def _shorter(number: sp.Expr) -> sp.Expr:
 
 
 class _OtherError(Exception):
-    """What is no sum of products of cosines and surds."""
+    """An expression is no sum of products of cosines and surds."""
 
 
 class _Circle:
@@ -205,7 +205,7 @@ class _Circle:
         return self._expression(min(independent, plain, key=len) if independent else {})
 
     def _folded(self, terms: Iterable[tuple[int, Fraction]]) -> _Sum:
-        """By cosines of at most a right angle."""
+        """The sum in cosines of at most a right angle."""
         folded: _Sum = {}
         for k, c in terms:
             k = min(k % self.order, -k % self.order)
@@ -215,7 +215,7 @@ class _Circle:
         return {k: c for k, c in folded.items() if c and 4 * k != self.order}
 
     def _reduced(self, total: _Sum, size: int) -> _Sum:
-        """By the cosines of the first multiples of the least angle, which are independent."""
+        """The sum in cosines of the first multiples of the least angle, which are independent."""
         modulus = _cyclotomic(self.order)
         left = [_NOTHING] * self.order
         for k, c in total.items():

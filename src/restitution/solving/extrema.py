@@ -103,7 +103,7 @@ def find_extremum(
 
 
 def _proved(outcome: Outcome, value: sp.Expr, best: Candidate, reached: bool, sign: int) -> Proof:
-    """What it rests on that no value is beyond an extremum, nor equal to one only approached.
+    """The proof that no value lies beyond an extremum, or equals one that is only approached.
 
     Raises UnsupportedError where some value is.
     """

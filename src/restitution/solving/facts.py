@@ -38,7 +38,7 @@ def givens(problem: Problem, part: Part) -> list[tuple[Given, int]]:
 def requirements(
     relation: Relation, story: Story, now: int, place: Place | None = None
 ) -> list[Requirement]:
-    """What a relation asks for. Raises StatementError where it makes no sense.
+    """Requirements of a relation. Raises StatementError where it makes no sense.
 
     Raises ImpossibleError where it clashes with a story that is impossible by itself.
     """

@@ -23,7 +23,7 @@ _FEW = 4
 
 @dataclass(frozen=True)
 class _Moving:
-    """Samples of what is so wherever a vector is not zero: else it has no direction."""
+    """Samples at which a vector is not zero, so that it has a direction."""
 
     samples: Samples
     oracle: Oracle | None
@@ -56,7 +56,7 @@ def sign_of(x: sp.Expr, samples: Samples) -> int | None:
 
 
 def open_in(value: Any, samples: Samples) -> list[str]:
-    """What the statement leaves open and a value rests on: names that begin with ``_``.
+    """Hidden unknowns that a value rests on: names that begin with ``_``.
 
     Each of them is seen to matter, as the value is another where that alone is a little larger.
     This costs little beside a textbook form, which nobody would read.

@@ -1,4 +1,4 @@
-"""What to say where too little is known: what is open, and how a statement gives it."""
+"""Errors where too little is known: what is open, and how a statement gives it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _WRITTEN = (
 
 
 def needs(called: str, phrases: Iterable[str]) -> MissingError:
-    """That something (``called``) needs what phrases name, with how the first is written."""
+    """The error that ``called`` needs what the phrases name, with the way to give it."""
     named = list(dict.fromkeys(phrases))
     error = MissingError(f"{called} needs {_listed(named)}{_written(named)}")
     error.because = f"{_listed(named)} {'are' if named[1:] else 'is'} not given"
@@ -24,7 +24,7 @@ def needs(called: str, phrases: Iterable[str]) -> MissingError:
 
 
 def too_many(phrases: Iterable[str]) -> MissingError:
-    """That more is unknown than the facts are."""
+    """The error that there are more unknowns than facts."""
     named = sorted(set(phrases))
     return MissingError(
         f"there are more unknowns than facts that could fix them: {_listed(named)}{_written(named)}"
@@ -32,7 +32,7 @@ def too_many(phrases: Iterable[str]) -> MissingError:
 
 
 def is_open(called: str, beside: Iterable[str] = ()) -> MissingError:
-    """That the facts do not fix something, and with it what stands ``beside`` it."""
+    """The error that the facts do not fix ``called``, nor what stands ``beside`` it."""
     named = list(dict.fromkeys(beside))
     because = f", as {_listed(named)} {'are' if named[1:] else 'is'} open too" if named else ""
     error = MissingError(

@@ -180,7 +180,7 @@ class Numbers:
 
 @dataclass(frozen=True)
 class Trial:
-    """What a set of values led to: accepted with samples, or refused for a reason.
+    """The outcome of a set of values: accepted with samples, or refused for a reason.
 
     ``story`` is told with the values, ``numbers`` with the first of the samples. ``rare`` says why
     it is impossible at usual values of the letters, where it is.
@@ -252,7 +252,7 @@ class Setting:
         return Story(self.problem, self.part, arithmetic, unknowns, self.lets)
 
     def requirements(self, story: Story) -> list[Equation | Condition | AnyOf]:
-        """What the facts and the names in force ask for, in this telling."""
+        """Requirements of the facts and of the names in force, in this story."""
         requirements_: list[Equation | Condition | AnyOf] = []
         for given, now in self.facts:
             for relation in given.relations:
@@ -472,7 +472,7 @@ class Setting:
         wanted: int = SAMPLES_WANTED,
         trial: Trial | None = None,
     ) -> Trial:
-        """The same by points alone, for what is too unwieldy to be told in letters.
+        """The trial by points alone, for values too unwieldy for a story in letters.
 
         ``trial`` is one with the same values where they could be told; more samples are sought.
         """
@@ -678,7 +678,7 @@ def declared(problem: Problem, part: Part) -> frozenset[str]:
 
 @dataclass(frozen=True)
 class Decision:
-    """Of the letters present in what was left over, one not yet chosen was taken to be fixed."""
+    """The choice of one letter that the left-over facts are taken to fix."""
 
     present: frozenset[str]
     chosen: frozenset[str]

@@ -371,7 +371,7 @@ def meeting(
 
 
 def _side(story: Story, number: int, step: Impact, towards: Scalar) -> Scalar:
-    """On which side of the first sphere the second is, along the line told: 1 or −1.
+    """On which side of the first sphere the second is, along the given line: 1 or −1.
 
     It is the sign of ``towards``; where that depends on the letters, an unknown whose square is 1.
     Which of its values goes with which letters is decided in numbers.

@@ -202,13 +202,13 @@ class Field:
         return result
 
     def normal(self, a: Element) -> Element:
-        """With every relation used as far as it goes."""
+        """A polynomial with every relation used as far as it goes."""
         for relation in reversed(self.relations):
             a = self.using(relation, a)
         return a
 
     def using(self, relation: Relation, a: Element) -> Element:
-        """With one relation used as far as it goes."""
+        """A polynomial with one relation used as far as it goes."""
         index, power = relation.index, relation.power
         if not any(m[index] >= power for m in a):
             return a
@@ -226,7 +226,7 @@ class Field:
         return self.using(relation, total)
 
     def conjugate(self, a: Element, index: int) -> Element:
-        """With the letter of a square root replaced by its negative."""
+        """A polynomial with the letter of a square root replaced by its negative."""
         turned = self.ring.zero
         for monomial, coefficient in a.items():
             turned[monomial] = -coefficient if monomial[index] % 2 else coefficient
@@ -381,7 +381,7 @@ def _coprime(numbers: Iterable[int]) -> tuple[int, ...]:
 
 @remembered(2048)
 def numerator(x: sp.Expr) -> sp.Expr:
-    """What stands above the line when all is one fraction, multiplied out."""
+    """The numerator of an expression as one fraction, multiplied out."""
     x = _opened(x)
     field = Field([x])
     above, below = field.fraction(x)
@@ -393,7 +393,7 @@ def numerator(x: sp.Expr) -> sp.Expr:
 
 
 def _opened(x: sp.Expr) -> sp.Expr:
-    """With all that stands under roots multiplied out, so that the same root is the same."""
+    """An expression with its radicands multiplied out, so that equal roots look the same."""
     if x.is_Atom or not x.has(sp.Pow, sp.Abs):
         return x
     arguments = [_opened(argument) for argument in x.args]
@@ -408,7 +408,7 @@ def _opened(x: sp.Expr) -> sp.Expr:
 
 
 def _whole(a: Element) -> Element:
-    """Without denominators in the coefficients."""
+    """A polynomial without denominators in its coefficients."""
     return a.clear_denoms()[1]
 
 
@@ -441,7 +441,7 @@ def without_cos_squared(x: sp.Expr, angle: sp.Expr) -> sp.Expr:
 
 @remembered(4096)
 def coefficients(x: sp.Expr, symbol: sp.Symbol) -> tuple[sp.Expr, ...]:
-    """Those of a polynomial in one letter, of the highest power first; () for nothing.
+    """The coefficients of a polynomial in one letter, highest power first; () for zero.
 
     Raises PolynomialError for what is no polynomial in it.
     """
@@ -628,7 +628,7 @@ def _sylvester(a: Sequence[Element], b: Sequence[Element], zero: Element) -> lis
 
 
 def _determinant(field: Field, rows: Sequence[Sequence[Element]]) -> Element:
-    """By minors of the first rows, each worked out once: no division, so relations may be used."""
+    """The determinant by minors of the first rows: without division, so that relations hold."""
     minors: dict[int, Element] = {0: field.ring.one}
     for row in rows:
         deeper: dict[int, Element] = {}

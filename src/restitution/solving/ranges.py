@@ -98,7 +98,7 @@ def find_range(
 
 
 def require_stated(problem: Problem, tree: Expression) -> None:
-    """Raise MissingError for a letter of which only questions speak: it stands for nothing."""
+    """Raise MissingError for a letter that only questions mention: nothing gives it a meaning."""
     stated = roles(
         replace(
             problem,
@@ -115,7 +115,7 @@ def require_stated(problem: Problem, tree: Expression) -> None:
 
 
 def _meant(desk: Desk, item: Range, in_terms_of: tuple[str, ...] | None) -> Range:
-    """An item with what its letter was let to be: the range of a ratio, not of its name."""
+    """An item with the definition of its letter put in: the range of a ratio, not of its name."""
     lets = desk.settle(in_terms_of, item).lets
     tree = item.expression
     while isinstance(tree, Letter) and tree.name in lets:

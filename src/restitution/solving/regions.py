@@ -475,7 +475,7 @@ def _at_infinity(x: sp.Expr, symbol: sp.Symbol) -> sp.Expr | None:
 
 
 def inside_of(x: sp.Expr, pieces: Sequence[Piece]) -> Formula:
-    """That a value lies in one of some intervals."""
+    """The claim that a value lies in one of some intervals."""
     parts: list[Formula] = []
     for low, high in pieces:
         if low.value == high.value:

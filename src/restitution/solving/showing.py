@@ -97,7 +97,7 @@ _WEAKNESS = ("algebra", "decision", "intervals", "witness", "undecided")
 
 
 def _verdict(outcome: Outcome, branch: Branch, step: Show, now: int) -> tuple[Verdict, Formula]:
-    """What becomes of a claim in one solution, and the claim as a formula in its letters."""
+    """The verdict on a claim in one solution, and the claim as a formula in its letters."""
     claim = _formula(step, branch, now)
     letters_ = branch.letters
     oracle = _oracle(outcome, branch)
@@ -111,7 +111,7 @@ def _verdict(outcome: Outcome, branch: Branch, step: Show, now: int) -> tuple[Ve
 
 
 def _oracle(outcome: Outcome, branch: Branch) -> Oracle:
-    """What the letters of a solution may be."""
+    """The oracle for the letters of a solution."""
     if outcome.accepted:
         admission = outcome.accepted[branch.number - 1].admission
         if admission is not None:
@@ -303,7 +303,7 @@ def _show_set_or_extremum(worker: _Worker, step: Show, now: int, line: int | Non
 
 
 def _compared(step: Show, line: int | None, result: ItemResult, ok: bool | None) -> ItemResult:
-    """A claim beside what was found: where it is false, the truth is its answer."""
+    """A claim beside the result: where the claim is false, the result is its answer."""
     if result.proof == "undecided" or ok is None:
         return ItemResult(step, line, step.text, "show", proof="undecided")
     true = () if ok else result.answers

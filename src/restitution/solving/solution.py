@@ -59,7 +59,7 @@ class Rejected:
 
 @dataclass(frozen=True)
 class ItemResult:
-    """What became of one item of ``find``, or of one ``show``.
+    """The result of one item of ``find``, or of one ``show``.
 
     ``holds`` is None for a claim that is not decided, as for all that is no claim. ``proof`` tells
     what a claim rests on, ``trials`` at how many points it was tried.

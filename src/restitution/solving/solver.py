@@ -219,7 +219,7 @@ def _no_story(unknowns: object) -> Story:
 
 
 def unforeseen(error: BaseException, line: int | None = None) -> UnsupportedError:
-    """A defect, as an answer to the one who asked."""
+    """The error that reports a defect of the program."""
     message = "this could not be solved, by a fault of the program: please report the question"
     answer = UnsupportedError(message, line)
     answer.__cause__ = error  # for those who mend it
@@ -670,7 +670,7 @@ class _Worker:
 
 
 def _needed(item: Value, branch: Branch, names: Iterable[str]) -> MissingError:
-    """What to say of an item that rests on what is left open."""
+    """The error for an item that rests on open quantities."""
     phrases = dict.fromkeys(_phrase(branch, name) for name in names)
     called = _called(item)
     own = next((phrase for phrase in phrases if phrase.startswith(called)), None)

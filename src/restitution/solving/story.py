@@ -73,7 +73,7 @@ class Unknowns(Protocol):
 
 
 class Frames(Protocol):
-    """In what the impacts of a story are told, where not in the velocities of the law alone."""
+    """Frames in which the impacts of a story are told, in place of the law's velocities alone."""
 
     def standing(self, story: Story, number: int, step: Impact) -> Mapping[str, Standing]:
         """The velocities, and places if known, by which the line of centres is worked out."""
@@ -817,7 +817,7 @@ class Story:
 
 
 def _in_lets(value: Any, lets: Mapping[str, object]) -> bool:
-    """Whether a property of a body rests on a name that the story has to be told for."""
+    """Whether a property of a body depends on a name that depends on the motion."""
     return isinstance(value, Expression) and not letters(value).isdisjoint(lets)
 
 

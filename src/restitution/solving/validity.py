@@ -79,7 +79,7 @@ def range_limitations(outcome: Outcome, region: Region, values: sp.Set) -> tuple
 
 
 def _gap(values: sp.Interval) -> Demand | None:
-    """What makes an interval hold anything."""
+    """The demand that an interval is not empty."""
     if values.start.is_infinite or values.end.is_infinite:
         return None
     width = values.end - values.start
@@ -235,7 +235,7 @@ def _inequalities(base: Oracle, trial: Trial, facts: Sequence[Relation]) -> Iter
 
 
 def _chain(name: str, low: Relation, high: Relation) -> Limitation:
-    """0 ≤ e ≤ 1 of what e was found to be."""
+    """The limitation 0 ≤ e ≤ 1 for the value of e."""
     value, top = forms.tidy(low.value), high.value + low.value
     (before, shown_before), (after, shown_after) = (
         ("<", "<") if each.operator == ">" else ("<=", "≤") for each in (low, high)
@@ -278,7 +278,7 @@ def _region(
 
 
 def bounds_of(name: str, values: sp.Set, roles: Mapping[str, Role]) -> Limitation:
-    """That the values of a letter are these, without what holds of it anyway."""
+    """The limitation of a letter to these values, without what its role implies."""
     role = roles[name]
     symbol = role.symbol(name)
     if isinstance(values, sp.Interval):

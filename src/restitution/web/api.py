@@ -38,7 +38,7 @@ _CHECKING = 5.0
 
 @dataclass(frozen=True)
 class Staff:
-    """Who does the work: ``clerks`` read statements while ``solvers`` are busy.
+    """Processes that do the work: ``clerks`` read statements while ``solvers`` are busy.
 
     In the folder ``desk`` lies what is finished of work under way.
     """
@@ -131,7 +131,7 @@ _SELDOM = 0.1
 
 
 def routes() -> list[Route]:
-    """Where the API is found."""
+    """The routes of the API."""
     return [
         Route("/health", _health),
         *(Route(f"/api/{name}", _reading(read), methods=["POST"]) for name, read in _READ.items()),
@@ -172,7 +172,7 @@ async def _unknown(request: Request) -> Response:
 
 
 def _reading(read: Callable[[str], Payload]) -> Callable[[Request], Awaitable[Response]]:
-    """What is done by those who read statements while others solve."""
+    """The handler of a request that only reads a statement."""
 
     async def do(request: Request) -> Response:
         staff: Staff = request.app.state.staff
@@ -290,7 +290,7 @@ async def _answered(request: Request, reply: Callable[[], Awaitable[Payload | _B
 
 
 async def _lines(request: Request, begun: _Begun) -> AsyncIterator[bytes]:
-    """What is there at once, and in another line the whole, or why it does not come."""
+    """The reply in two lines: what is ready at once, then the whole, or why it does not come."""
     yield begun.early + b"\n"
 
     async def rest() -> Payload:
@@ -305,7 +305,7 @@ async def _lines(request: Request, begun: _Begun) -> AsyncIterator[bytes]:
 
 
 async def _while_wanted(request: Request, making: Awaitable[Payload]) -> Payload:
-    """What is made; it is given up when the one who asked has gone."""
+    """The result of the work, which is given up when the client has gone."""
     doing = asyncio.ensure_future(making)
     leaving = asyncio.ensure_future(_gone(request))
     try:

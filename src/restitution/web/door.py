@@ -60,7 +60,7 @@ class Connection(H11Protocol):
 
     @property
     def address(self) -> str:
-        """Whose it is."""
+        """The address of the client."""
         return self.client[0] if self.client else ""
 
     @property
@@ -153,7 +153,7 @@ class Door:
         self._turned: dict[Connection, None] = {}
 
     def enter(self, connection: Connection) -> bool:
-        """Whether there is place for it; one that is idle may have to go for it."""
+        """Whether there is room for a connection; an idle one may have to go for it."""
         own = self._of.get(connection.address) or _Places(self._each)
         if own.room(self.leave) and self._all.room(self.leave):
             self._of[connection.address] = own
@@ -166,7 +166,7 @@ class Door:
         return False
 
     def leave(self, connection: Connection) -> None:
-        """It is here no more."""
+        """Forget a connection that has ended."""
         self._turned.pop(connection, None)
         for places in self._places(connection):
             places.taken.remove(connection)
@@ -176,17 +176,17 @@ class Door:
             del self._of[connection.address]
 
     def owing(self, connection: Connection) -> None:
-        """It owes a request from now on."""
+        """Note that a connection owes a request from now on."""
         for places in self._places(connection):
             places.owing[connection] = None
 
     def paid(self, connection: Connection) -> None:
-        """Its request has come in whole."""
+        """Note that the request of a connection has come in whole."""
         for places in self._places(connection):
             places.owing.pop(connection, None)
 
     def _places(self, connection: Connection) -> Sequence[_Places]:
-        """Those that it takes."""
+        """The places that a connection takes."""
         if connection not in self._all.taken:
             return ()
         return self._all, self._of[connection.address]

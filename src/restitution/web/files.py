@@ -26,7 +26,7 @@ _IMPORT = re.compile(r'^import [^"]*"(\.[^"]+)";', re.MULTILINE)
 
 @dataclass(frozen=True)
 class Stored:
-    """What is sent under one address; ``packed`` is the same by gzip, where that is smaller."""
+    """The content of one address; ``packed`` is the same by gzip, where that is smaller."""
 
     content: bytes
     packed: bytes | None

@@ -67,7 +67,7 @@ class BusyError(Exception):
 
 @asynccontextmanager
 async def pool(workers: int, waiting: int, patience: float) -> AsyncIterator[Pool]:
-    """So many processes, which begin at once, and are killed in the end."""
+    """A pool of processes, which begin at once and are killed in the end."""
     pool_ = Pool(workers, waiting, patience)
     try:
         yield pool_

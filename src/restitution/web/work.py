@@ -220,7 +220,7 @@ def given_up(
     late: bool,
     others: tuple[Any, ...] = (),
 ) -> Payload:
-    """What is said of something whose process was killed, or ended by itself.
+    """The reply for work whose process was killed, or ended by itself.
 
     It was to be done by ``task``, one of the functions above, which was told ``others`` as well.
     """
@@ -246,7 +246,7 @@ def _nothing(answer: contract.Object) -> contract.Object:
 
 
 def _tried(make: Callable[[], contract.Object]) -> Payload:
-    """What is made; or the error, where there can be none."""
+    """The reply with what ``make`` returns, or with its error."""
     try:
         return _json(make())
     except RestitutionError as error:
@@ -254,7 +254,7 @@ def _tried(make: Callable[[], contract.Object]) -> Payload:
 
 
 def _failed(error: RestitutionError) -> Payload:
-    """What is well asked, but of which nothing can be made."""
+    """The reply with the error of a well-formed request that has no result."""
     reply = _json({"error": contract.mistakes(error)[0]}, error.kind == TimeLimitError.kind)
     return replace(reply, status=422)
 

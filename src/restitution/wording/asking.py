@@ -1,4 +1,4 @@
-"""What is asked: items as noun phrases, those of one kind told together."""
+"""Items as noun phrases, those of one kind together."""
 
 from __future__ import annotations
 

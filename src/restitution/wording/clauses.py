@@ -235,7 +235,7 @@ def _value(scene: Scene, tree: Expression, dimension: Dimension | None) -> Words
 
 
 def _special(scene: Scene, left: Expression, sign: str, right: Expression) -> Words | None:
-    """What has a phrase of its own."""
+    """The clause of a relation that has a phrase of its own."""
     if sign != "=":
         return None
     if has_quantity(right):

@@ -24,7 +24,7 @@ _NUMBERS = frozenset(("k", "lambda", "mu", "nu"))
 
 @dataclass(frozen=True)
 class Fact:
-    """Something to be said of letters once they have appeared.
+    """A fact about letters, to be stated once they have appeared.
 
     ``nature`` is what a letter is (``acute``, ``a constant``); those of one nature are told
     together. A fact without it has its words in ``words``.
@@ -36,7 +36,7 @@ class Fact:
 
 
 def facts_of(scene: Scene) -> list[Fact]:
-    """All there is to say of the letters of a statement, throughout."""
+    """All facts about the letters of a statement."""
     problem = scene.problem
     positive, signed = _constants(scene)
     natures = [

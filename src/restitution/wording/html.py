@@ -50,7 +50,7 @@ def to_fragment(question: Question) -> str:
 
 
 def to_body(question: Question) -> str:
-    """The same without its style, for a page that has it already."""
+    """A question without its style, for a page that has it already."""
     out = ['<article class="question">']
     if question.title:
         out.append(f"<h1>{escape(question.title)}</h1>")
@@ -59,7 +59,7 @@ def to_body(question: Question) -> str:
 
 
 def opening(question: Question) -> list[str]:
-    """What is told before anything is asked."""
+    """The paragraphs before anything is asked."""
     return [_paragraph(*question.intro)] if question.intro else []
 
 

@@ -559,7 +559,7 @@ def _line_of_centres(scene: Scene, tree: Quantity) -> Noun:
 
 
 def line(scene: Scene, tree: Expression) -> Noun:
-    """Something that has a direction, as the side of an angle."""
+    """A direction as the side of an angle."""
     match tree:
         case Name(name):
             return Noun((Named(name),))

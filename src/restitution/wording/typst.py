@@ -34,7 +34,7 @@ def to_typst(question: Question) -> str:
 
 
 def opening(question: Question) -> str:
-    """What is told before anything is asked."""
+    """The paragraphs before anything is asked."""
     return " ".join(map(inline, question.intro))
 
 

@@ -61,7 +61,7 @@ def is_zero(tree: Any) -> bool:
 
 
 def is_rest(tree: Any) -> bool:
-    """Whether a velocity is none."""
+    """Whether a velocity is zero."""
     return isinstance(tree, Pair) and is_zero(tree.x) and is_zero(tree.y)
 
 

@@ -13,14 +13,14 @@ _LONGEST_NAME = 12
 
 
 def an_object(value: object, what: str) -> Mapping[str, Any]:
-    """What has properties by name; ``what`` it is, for the error."""
+    """An object with properties by name; ``what`` names it in the error."""
     if not isinstance(value, Mapping):
         raise StatementError(f"{what} is told as an object with its properties by name")
     return value
 
 
 def a_list(value: object, what: str, most: int) -> Sequence[Any]:
-    """At most so many of something."""
+    """A list of at most so many items."""
     if not isinstance(value, list):
         raise StatementError(f"the {what} are a list")
     if len(value) > most:

@@ -67,7 +67,7 @@ def judge(
 
 @dataclass(frozen=True, eq=False)
 class Bench:
-    """A part of a question with all that judging takes from it, made once."""
+    """A part of a question with everything that judging needs from it, worked out once."""
 
     solution: Solution
     solved: PartSolution
@@ -84,7 +84,7 @@ class Bench:
 
     @cached_property
     def names(self) -> Names:
-        """Whoever names the mistakes."""
+        """The names of the mistakes."""
         return Names(self.problem)
 
     @cached_property
@@ -262,7 +262,7 @@ class _Sitting:
 
 
 def _factors_in(line: ScriptLine) -> Iterator[Fraction]:
-    """The numbers of a line, each once; exponents, 1 and 2 are none."""
+    """The numbers of a line, each once, without exponents and without 1 and 2."""
     values: dict[Fraction, None] = {}
     for link in line.links:
         for side in (link.readings[0].left, link.readings[0].right):

@@ -168,7 +168,7 @@ class Names:
                 yield variant
 
     def _is_familiar(self, correction: Correction, entry: Entry, judge: Judge) -> bool:
-        """Whether a figure would be changed in a number that is one of the story's own."""
+        """Whether a correction changes a figure of a number that the story itself has."""
         if correction.change not in ("figure", "factor"):
             return False
         part = correction.part

@@ -250,7 +250,7 @@ def _plain(tree: Expression) -> Expression:
 def misreadings(
     typed: Iterable[Fraction], data: Iterable[Fraction]
 ) -> Iterator[tuple[Fraction, Fraction]]:
-    """Pairs of a number that the question has not, and the datum for which it may stand.
+    """Pairs of a number that is not in the question and the datum that it may misread.
 
     ``typed`` are the numbers of the script, once for each time that they stand there.
     """

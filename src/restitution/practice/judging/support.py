@@ -1,4 +1,4 @@
-"""Whether what a part prints or asks for is carried by the lines above it.
+"""Whether the lines above support what a part prints or asks for.
 
 A printed relation that is written down without lines from which it follows is not a mistake, and
 not shown either.
@@ -54,7 +54,7 @@ def _differs(entry: Entry, other: Entry) -> bool:
 
 
 class Support:
-    """Tells of the lines of one script whether they are carried by those above."""
+    """Support that lines of one script have in the lines above them."""
 
     def __init__(
         self, base: World, wanted: Wanted, unknown: frozenset[str], data: frozenset[str]
@@ -68,7 +68,7 @@ class Support:
     def is_missing(
         self, entry: Entry, entries: Sequence[Entry], students: Sequence[World] = ()
     ) -> bool:
-        """Whether a true claim is what is printed or asked, and no line above carries it."""
+        """Whether a true claim is what is printed or asked, and no line above supports it."""
         wrong = any(each.wrong for each in entries)
         if not self.is_printed(entry) and not (
             self.is_asked(entry) and any(_differs(entry, each) for each in entries)

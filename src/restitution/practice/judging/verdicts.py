@@ -51,7 +51,7 @@ _COEFFICIENT = re.compile(r"e(_\w+)?'*")
 
 
 class Naming(Protocol):
-    """Whoever gives a mistake its name."""
+    """The interface of what names mistakes."""
 
     worlds: dict[Any, World | None]
 
@@ -253,7 +253,7 @@ class Judge:
         return None
 
     def _meanings_of(self, phrase: str) -> tuple[Expression, ...]:
-        """The quantities that a phrase may name, at every stage where it tells none."""
+        """The quantities that a phrase may name, at every stage if it names none."""
         if phrase not in self._phrases:
             world = self._base
             stages = range(len(world.events) + 1)

@@ -346,7 +346,7 @@ def kinds_of(letter: str, in_angle: bool) -> tuple[Kind, ...]:
 
 
 def earlier(letter: str) -> bool:
-    """Whether a letter is one that people take for what is before an impact: u, u_A, U_1."""
+    """Whether a letter is usual for a quantity before an impact: u, u_A, U_1."""
     return letter[:1] in ("u", "U")
 
 

@@ -55,7 +55,7 @@ _VELOCITIES = ("component", "speed", "relative")
 
 @dataclass(frozen=True)
 class Slot:
-    """A letter without a meaning, in the lines in which it has one and the same.
+    """An undeclared letter, in lines in which its meaning stays the same.
 
     ``options`` are its candidates, each sense on its own; ``values`` their values by nature, with
     the places of these among the options. ``roots`` tell which options are one quantity, and
@@ -163,7 +163,7 @@ def _parts(value: Value) -> tuple[Array, ...]:
 
 
 def _key(tester: Tester, value: Value | None) -> Any:
-    """What two values share that are one up to sign; None for what is no number."""
+    """A key that values equal up to sign share; None for a value that is no number."""
     if value is None:
         return None
     parts = [tester.world.spread(each) for each in _parts(value)]

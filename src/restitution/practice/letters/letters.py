@@ -129,7 +129,7 @@ def _interpretations(
 
 @dataclass(frozen=True)
 class _Break:
-    """Letters may have another meaning from a line on.
+    """A line from which letters may have another meaning.
 
     ``cost`` is what that costs, ``alone`` where only one line says so.
     """
@@ -325,7 +325,7 @@ class _Search:
         return interpretations
 
     def _cost(self, whole: Interpretation, breaks: Sequence[_Break], lines: Iterable[int]) -> float:
-        """What it costs that letters change their meanings, less where several lines say so."""
+        """The cost of letters that change their meanings, less where several lines support it."""
         changed = [m.since for m in whole.meanings if m.since and m.by == "inferred"]
         cost = 0.0
         ends = [*(each.line for each in breaks[1:]), _LAST]

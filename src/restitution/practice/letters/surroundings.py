@@ -46,12 +46,12 @@ class Surroundings:
 
     @cached_property
     def tester(self) -> Tester:
-        """Tries claims in this world."""
+        """The tester of claims in this world."""
         return Tester(self.world)
 
     @cached_property
     def instances(self) -> Instances:
-        """Tells which lines break a known law."""
+        """The test of which lines break a known law."""
         return Instances(self.world)
 
     def broken(self, item: Item, slots: Sequence[Slot]) -> Mapping[tuple[int, ...], float]:

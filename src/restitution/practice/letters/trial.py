@@ -216,7 +216,7 @@ def numbers_of(world: World) -> frozenset[Fraction]:
 
 
 def _room(a: Array, b: Array) -> Array:
-    """By how much two numbers may differ that are equal but for the rounding of doubles."""
+    """The largest difference of two numbers that are equal up to the rounding of doubles."""
     return _NEAR * np.maximum(np.abs(a), np.abs(b)) + _ZERO
 
 

@@ -23,7 +23,7 @@ _RIGHT, _STRAIGHT = Degrees(Fraction(90)), Degrees(Fraction(180))
 
 
 def words_of(tree: Expression, problem: Problem) -> str:
-    """A quantity in words, without an article; others than quantities as they are written."""
+    """A quantity in words, without an article; any other expression as it is written."""
     match tree:
         case Negate(Quantity("along" | "across" as kind, arguments, stage)):
             return _component(kind, arguments, problem, turned=True)

@@ -1,1 +1,1 @@
-"""Mark points, the marks that a working earns, and what is said of it."""
+"""Mark points, the marks that a working earns, and messages about it."""

@@ -1,4 +1,4 @@
-"""A working marked: its lines with verdicts, its marks point by point, and what is said of them."""
+"""A working marked: its lines with verdicts, its marks point by point, and messages about them."""
 
 from __future__ import annotations
 
@@ -147,7 +147,7 @@ def mark_parts(
     *,
     hints: int | Mapping[int | None, int] = 0,
 ) -> tuple[Marking, ...]:
-    """The same for every part that a working opens, in the order of the question.
+    """Markings of every part that a working opens, in the order of the question.
 
     A working that opens none is one of the first part.
     """

@@ -1,4 +1,4 @@
-"""What is said of a line: short, about the line and not the person, one thing at a time.
+"""Messages about lines: short, about the line and not the person, one thing at a time.
 
 Levels: 0 says nothing, 1 names the principle, 2 asks a question, 3 names the mistake and what it
 leads to, 4 gives the line itself. A true line gets no words unless it wants some.
@@ -99,7 +99,7 @@ class Message:
 
 @dataclass(frozen=True)
 class _Words:
-    """How quantities are said: by the student's letters, others in words."""
+    """Quantities in the student's letters, or else in words."""
 
     values: Values
     problem: Problem

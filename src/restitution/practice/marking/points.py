@@ -286,7 +286,7 @@ class _Examiner:
                 self.states[point.id] = self._earned(point, line, "")
 
     def _complete(self) -> None:
-        """Right answers to all that is asked, above no mistake, earn what they could do without."""
+        """Right answers to everything, without a mistake, earn the points of steps left out."""
         points = self.scheme.points
         answers = [self.states[point.id] for point in points if point.item is not None]
         broken = any(line.verdict in (*_UNSOUND, *_UNSURE) for line in self.lines)
@@ -302,7 +302,7 @@ class _Examiner:
                 )
 
     def _imply(self) -> None:
-        """A true value earns what it cannot be had without; not where the result is printed."""
+        """A true value earns the points that it rests on, unless the result is printed."""
         printed = {name for each in self.scheme.points if each.shown for name in each.above}
         for point in reversed(self.scheme.points):
             own = self.states[point.id]
@@ -453,7 +453,7 @@ class _Examiner:
         return PointMark(point, "earned", line.line.number, why)
 
     def _missing(self, point: MarkPoint) -> PointMark:
-        """Lost; open where a line that cannot be judged may be the one."""
+        """A lost point; an open one where a line that cannot be judged may earn it."""
         unsure = next((line for line in self.lines if line.verdict in _UNSURE), None)
         if unsure is None:
             return PointMark(point, "lost", None, "not seen")

@@ -150,7 +150,7 @@ class Scheme:
 def schemes(
     solution: Solution, part: str | None = None, style: Style = "fm1"
 ) -> tuple[Scheme, ...]:
-    """The schemes of a part, that of the usual way first; none twice.
+    """The distinct schemes of a part, that of the usual method first.
 
     Raises KeyError for a part that is not there.
     """

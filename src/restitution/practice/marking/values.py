@@ -48,7 +48,7 @@ class Values:
     his_own: bool = False
 
     def of_his_own(self) -> Values:
-        """The same for a working from another datum."""
+        """The values for a working from another datum."""
         return replace(self, his_own=True)
 
     def matches(self, point: MarkPoint, line: JudgedLine) -> Match | None:

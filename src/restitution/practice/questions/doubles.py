@@ -135,7 +135,7 @@ def _slopes(
     sought: Sequence[str],
     errors: Any,
 ) -> Any:
-    """How errors change with each value sought, a matrix; None where that cannot be told."""
+    """Slopes of the errors in each value sought, a matrix; None where one has no value."""
     columns = []
     for name in sought:
         step = 1e-6 * max(abs(values[name]), 0.1)
@@ -147,7 +147,7 @@ def _slopes(
 
 
 def answers(problem: Problem, part: Part, story: Story) -> tuple[float, ...]:
-    """What is asked of a part, in doubles: components of vectors one by one, angles in radians.
+    """Answers of a part in doubles: components of vectors one by one, angles in radians.
 
     Ranges, extrema and what is to be shown have no number. Raises one of ``REFUSALS``.
     """

@@ -44,7 +44,7 @@ class Declarations:
             self.declare(letter, replace(token, name=" ".join(kept)))
 
     def declare(self, letter: Letter, token: Token) -> None:
-        """Adds what a letter is said to be in words."""
+        """Adds the meaning of a letter given in words."""
         words = token.name
         body = self.body
         if body and not self.usage.spheres & set(words.split()):

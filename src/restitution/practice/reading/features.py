@@ -1,4 +1,4 @@
-"""What the words of a phrase say: its head, its bodies, when, in which direction and sense."""
+"""Features of a phrase: its head, its bodies, its moment, its direction and its sense."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ AXES: dict[str, Expression] = {
 
 @dataclass(frozen=True)
 class Features:
-    """What the words of a phrase say. ``names`` stand in the order of the words."""
+    """Features of a phrase; ``names`` stand in the order of the words."""
 
     heads: frozenset[str] = frozenset()
     names: tuple[str, ...] = ()
@@ -55,7 +55,7 @@ def words_of(text: str) -> tuple[str, ...]:
 
 
 def features_of(words: Sequence[str], problem: Problem) -> Features:
-    """What the words say; those that say nothing are passed over."""
+    """Features of the words of a phrase; words without a meaning are passed over."""
     spheres = {each.name for each in problem.spheres}
     walls = {each.name for each in problem.walls}
     known = spheres | walls | {each.name for each in problem.points}

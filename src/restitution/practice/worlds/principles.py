@@ -214,7 +214,7 @@ class _Trial:
         return (Use(name, best.event, self._bodies(best.event)), *uses)
 
     def _of_determined_letters(self) -> tuple[Use, ...]:
-        """The laws that give the letters of a line that are to be found."""
+        """The laws that determine the unknown letters of a line."""
         claim, meanings, _, _ = self.line
         if not _letters_of(claim, meanings) & self.states.base.determined:
             return ()
@@ -228,7 +228,7 @@ class _Trial:
         return ()
 
     def _with_facts(self, event: int, laws: Laws) -> Laws:
-        """The laws that a line needs beside the facts, where letters are found from these.
+        """The laws that a line needs beside the facts, where the facts determine letters.
 
         A value that a fact and one law give does not rest on another law with a letter in it that
         is still to be found.
@@ -263,7 +263,7 @@ class _Trial:
         return world is not None and bool((self.grades_in(world) < NOT).all())
 
     def _without_idle_laws(self, best: Block) -> Laws:
-        """The laws without those that say of a component that is zero that it stays so."""
+        """The laws without conservation of components that are zero."""
         telling = Telling(self.world, degrees=False)
         line = self.world.lines.get(best.event)
         if line is None:
@@ -306,7 +306,7 @@ class _Trial:
         return "component" if self.quantities else "arithmetic"
 
     def _kinds(self, event: int) -> set[str]:
-        """What kinds of quantities a line speaks of at an event and after it."""
+        """The kinds of quantities in a line, at an event and after it."""
         return {
             kind
             for each in self.quantities

@@ -167,7 +167,7 @@ def _admitted(
 
 
 def _telling_most(worlds: Sequence[World]) -> list[World]:
-    """The samples in which the fewest quantities are equal that are not equal in general."""
+    """The samples with the fewest coincidences of quantities that differ in general."""
     tables = np.array([_sizes(world) for world in worlds])
     if len(worlds) == 1 or tables.ndim != 2 or tables.shape[1] < 2:
         return [worlds[k % len(worlds)] for k in range(SAMPLES)]

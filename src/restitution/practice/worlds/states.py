@@ -355,7 +355,7 @@ def _factual(base: World, number: int, step: Event, loose: Parts) -> Iterator[tu
 
 
 def _claims_of(relation: Any) -> Iterator[Claim]:
-    """What a fact says as equations."""
+    """The equations of a fact."""
     if isinstance(relation, Compare):
         for left, op, right in zip(relation.operands, relation.operators, relation.operands[1:]):
             if op == "=":

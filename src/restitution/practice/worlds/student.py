@@ -81,7 +81,7 @@ def world_of_lines(base: World, entries: Sequence[Entry], unknown: Collection[st
 def lawful_world(
     base: World, kept: Collection[tuple[str, int, tuple[str, ...]]], unknown: Collection[str]
 ) -> World | None:
-    """A world of scattered values in which the facts hold, and of the laws those that are kept.
+    """A world of scattered values in which the facts and the kept laws hold.
 
     Laws are named with their event and bodies.
     """

@@ -1,4 +1,4 @@
-"""A world asked as a story is: bodies, velocities, places and events over arrays."""
+"""A world with the interface of a story: bodies, velocities, places and events over arrays."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class _Track:
 
 @dataclass(frozen=True, eq=False)
 class Plot:
-    """What a story has whatever its numbers are: events, names in force, bodies by their names.
+    """Parts of a story that no number changes: events, names in force, bodies by their names.
 
     ``known`` keeps what has been worked out of these alone.
     """

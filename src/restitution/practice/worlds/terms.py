@@ -206,7 +206,7 @@ def _letters_of_masses(telling: Telling, spheres: Sequence[str]) -> tuple[Array,
 
 
 class _Match:
-    """The terms of a line laid on those of a law."""
+    """A match of the terms of a line with those of a law."""
 
     def __init__(self, tried: States, slots: Slots, numbers: Sequence[Array], exact: bool) -> None:
         self.slots = slots

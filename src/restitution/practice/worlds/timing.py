@@ -1,4 +1,4 @@
-"""Times in a world whose velocities are not the true ones: of the same contacts at the same places.
+"""Times in a world with other velocities than the true ones, for the same places of contact.
 
 A wall is struck where it stands, two spheres meet as far from each other as they do in truth, and
 a point is reached where it is. So a later event comes when a sphere has gone as far as it has to.
