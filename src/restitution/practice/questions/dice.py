@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from hashlib import sha256
 from typing import TypeVar
 
@@ -38,3 +38,7 @@ class Dice:
         """All of some values, in any order."""
         left = list(values)
         return [left.pop(self.below(len(left))) for _ in values]
+
+
+Recipe = Callable[[Dice], str]
+"""A way to draw the statement of a question."""

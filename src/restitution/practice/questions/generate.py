@@ -18,7 +18,6 @@ from restitution.practice.questions.topics import LEVELS, topic
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from restitution.practice.questions.one_wall import Recipe
     from restitution.problem import Problem
     from restitution.solving.solution import Solution
     from restitution.wording import Question
@@ -133,7 +132,7 @@ def _question(topic: str, level: int, seed: int, mistake: str | None) -> Practic
         dice = Dice(f"{VERSION}/{topic}/{level}/{seed}/{draw}")
         # A seed keeps to one recipe for some draws, so that no recipe is crowded out.
         recipe = recipes[Dice(f"{topic}/{level}/{seed}/{draw // 20}").below(len(recipes))]
-        text = _text(recipe, dice)
+        text = recipe(dice)
         solution, why_not = admissible(text)
         if solution is None:
             clashes[why_not] += 1
@@ -158,13 +157,6 @@ def _question(topic: str, level: int, seed: int, mistake: str | None) -> Practic
 
 
 _CHOICES = 4
-
-
-def _text(recipe: Recipe, dice: object) -> str:
-    from restitution.practice.questions.dice import Dice
-
-    assert isinstance(dice, Dice)
-    return recipe(dice)
 
 
 def _headed(topic: str, level: int, seed: int, mistake: str | None, text: str) -> str:

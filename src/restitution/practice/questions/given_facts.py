@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from math import gcd
 
-from restitution.practice.questions.dice import Dice
+from restitution.practice.questions.dice import Dice, Recipe
 from restitution.practice.questions.nice import (
     COEFFICIENTS,
     Acute,
@@ -15,13 +15,17 @@ from restitution.practice.questions.nice import (
     pair,
     ratio,
     times,
+    unlike_numbers,
     vector,
 )
-from restitution.practice.questions.one_wall import Recipe
+
+
+def _light_and_heavy(d: Dice) -> tuple[int, int]:
+    return d.of([(a, b) for a in range(1, 5) for b in range(2, 7) if a < b])
 
 
 def _unlike_masses(d: Dice, most: int = 5) -> tuple[int, int]:
-    return d.of([(a, b) for a in range(1, most + 1) for b in range(1, most + 1) if a != b])
+    return unlike_numbers(d, range(1, most + 1), range(1, most + 1))
 
 
 # --- at right angles ----------------------------------------------------------------------------
@@ -29,7 +33,7 @@ def _unlike_masses(d: Dice, most: int = 5) -> tuple[int, int]:
 
 def _right_angle_1(d: Dice) -> str:
     """A moves off along the tangent, so B, which was at rest, at right angles to it: e = m/M."""
-    m, big = d.of([(a, b) for a in range(1, 5) for b in range(2, 7) if a < b])
+    m, big = _light_and_heavy(d)
     angle = acute(d, 13)
     speed = angle.hypotenuse * d.between(1, 2)
     return lines_of(
@@ -63,7 +67,7 @@ def _right_angle_2(d: Dice) -> str:
     return lines_of(
         f"sphere A: mass {times(m1, 'm')}, velocity u at alpha",
         f"sphere B: mass {times(m2, 'm')}, at rest",
-        f"given tan(alpha) = {Fraction(angle.across, angle.along)}",
+        f"given tan(alpha) = {angle.tangent}",
         "A hits B: along i",
         "given velocity(A) perpendicular to velocity(A, 0)",
         "part a",
@@ -210,7 +214,7 @@ def _rest_1(d: Dice) -> str:
 
 
 def _rest_2(d: Dice) -> str:
-    m, big = d.of([(a, b) for a in range(1, 5) for b in range(2, 7) if a < b])
+    m, big = _light_and_heavy(d)
     angle = acute(d, 5)
     return lines_of(
         f"sphere A: mass {times(m, 'm')}, velocity u at alpha",
@@ -289,7 +293,7 @@ def _range_1(d: Dice) -> str:
 
 def _range_2(d: Dice) -> str:
     """A is turned back by a heavier sphere at rest."""
-    m1, m2 = d.of([(a, b) for a in range(1, 5) for b in range(2, 7) if a < b])
+    m1, m2 = _light_and_heavy(d)
     c = pair(d, at_rest=True)
     return lines_of(
         f"sphere A: mass {times(m1, 'm')}, velocity {vector(c.p1, c.s1, 'u')}",

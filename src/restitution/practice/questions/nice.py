@@ -45,6 +45,11 @@ class Acute:
     hypotenuse: int
 
     @property
+    def tangent(self) -> Fraction:
+        """The tangent of the angle."""
+        return Fraction(self.across, self.along)
+
+    @property
     def fact(self) -> tuple[str, str, str]:
         """What a question may say of the angle alpha: its tangent, sine or cosine."""
         return (
@@ -52,6 +57,11 @@ class Acute:
             f"sin(alpha) = {self.across}/{self.hypotenuse}",
             f"cos(alpha) = {self.along}/{self.hypotenuse}",
         )
+
+
+def unlike_numbers(d: Dice, first: range, second: range) -> tuple[int, int]:
+    """Two whole numbers that differ, each out of its range."""
+    return d.of([(a, b) for a in first for b in second if a != b])
 
 
 def acute(d: Dice, most: int = 13) -> Acute:
@@ -74,7 +84,7 @@ def mass(d: Dice) -> str:
 
 def masses(d: Dice) -> tuple[Fraction, Fraction]:
     """Two masses that differ: whole, or in tenths."""
-    one, other = d.of([(a, b) for a in range(1, 7) for b in range(1, 7) if a != b])
+    one, other = unlike_numbers(d, range(1, 7), range(1, 7))
     unit = Fraction(1, 10) if d.below(4) == 0 else Fraction(1)
     return one * unit, other * unit
 
@@ -116,6 +126,11 @@ def vector(x: Any, y: Any, letter: str = "") -> str:
 
 def _factor(size: Fraction) -> str:
     return f"{size}" if size.denominator == 1 else f"{size} "
+
+
+def sphere(name: str, motion: str, weight: str = "") -> str:
+    """The line of a sphere: ``motion`` is its velocity, or ``at rest``; without a mass if empty."""
+    return f"sphere {name}: " + (f"mass {weight}, {motion}" if weight else motion)
 
 
 def lines_of(*lines: str) -> str:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from math import isqrt
 
-from restitution.practice.questions.dice import Dice
+from restitution.practice.questions.dice import Dice, Recipe
 from restitution.practice.questions.nice import (
     COEFFICIENTS,
     LINES,
@@ -16,11 +17,10 @@ from restitution.practice.questions.nice import (
     mass,
     number,
     ratio,
+    sphere,
     times,
     vector,
 )
-
-Recipe = Callable[[Dice], str]
 
 # Components along the wall and into it, and away from it afterwards: both speeds are whole.
 _WHOLE_SPEEDS = (
@@ -39,6 +39,12 @@ _WHOLE_SPEEDS = (
 
 def _sphere(d: Dice) -> str:
     return d.of(("P", "P", "Q", "S", "A"))
+
+
+def _whole_speeds(d: Dice) -> tuple[int, int, int, int, int]:
+    """Components along the wall, into it and away from it; the speeds before and after."""
+    along, into, away = d.of(_WHOLE_SPEEDS)
+    return along, into, away, isqrt(along**2 + into**2), isqrt(along**2 + away**2)
 
 
 def _components(d: Dice) -> tuple[int, int]:
@@ -63,17 +69,45 @@ def _after(axis: str, a: int, rebound: Fraction, into: int) -> str:
     return vector(a, -into * rebound) if axis == "i" else vector(-into * rebound, a)
 
 
+def _resolved(line: tuple[int, int], along: Fraction | int, across: Fraction | int) -> str:
+    """A velocity by its components along a slanting line and across it, in units of its vector."""
+    x, y = line
+    return vector(along * x - across * y, along * y + across * x)
+
+
+def _slanting_velocities(d: Dice) -> tuple[str, str, str]:
+    """A slanting line, and a velocity before and after the impact with a wall along it."""
+    line = d.of(LINES)
+    along, into = d.between(1, 4), d.between(2, 6) * d.sign()
+    e = coefficient(d, into)
+    return vector(*line), _resolved(line, along, into), _resolved(line, along, -e * into)
+
+
+def _impact(
+    s: str,
+    wall: str,
+    motion: str,
+    e: Fraction,
+    asked: Sequence[str],
+    *,
+    facts: Sequence[str] = (),
+    weight: str = "",
+) -> str:
+    """The statement of one impact of a sphere, with what is asked of ``P`` asked of it."""
+    return lines_of(
+        f"wall W: along {wall}",
+        sphere(s, motion, weight),
+        *facts,
+        f"{s} hits W: e = {ratio(e)}",
+        *(each.replace("(P", f"({s}") for each in asked),
+    )
+
+
 def _by_vectors(d: Dice, *asked: str, weight: str = "") -> str:
     """A velocity by components, a wall along an axis, and what is asked."""
     s = _sphere(d)
     axis, velocity, _, b, _ = _towards(d)
-    heavy = f"mass {weight}, " if weight else ""
-    return lines_of(
-        f"wall W: along {axis}",
-        f"sphere {s}: {heavy}velocity {velocity}",
-        f"{s} hits W: e = {ratio(coefficient(d, b))}",
-        *(each.replace("(P", f"({s}") for each in asked),
-    )
+    return _impact(s, axis, f"velocity {velocity}", coefficient(d, b), asked, weight=weight)
 
 
 def _speed_and_angle(d: Dice) -> tuple[str, list[str], Acute | None, int]:
@@ -92,43 +126,25 @@ def _by_angle(d: Dice, *asked: str, weight: str = "") -> str:
     s = _sphere(d)
     velocity, facts, angle, speed = _speed_and_angle(d)
     into = speed * angle.across // angle.hypotenuse if angle else speed // 2
-    heavy = f"mass {weight}, " if weight else ""
-    return lines_of(
-        "wall W: along i",
-        f"sphere {s}: {heavy}{velocity}",
-        *facts,
-        f"{s} hits W: e = {ratio(coefficient(d, into))}",
-        *(each.replace("(P", f"({s}") for each in asked),
-    )
+    return _impact(s, "i", velocity, coefficient(d, into), asked, facts=facts, weight=weight)
 
 
 def _slanting(d: Dice, *asked: str, weight: str = "") -> str:
     """A wall that is not along i or j, a velocity by components, and what is asked."""
     s = _sphere(d)
-    x, y = d.of(LINES)
+    line = d.of(LINES)
     along, into = d.between(1, 3), d.between(1, 3) * d.sign()
-    velocity = vector(along * x - into * y, along * y + into * x)
-    heavy = f"mass {weight}, " if weight else ""
-    return lines_of(
-        f"wall W: along {vector(x, y)}",
-        f"sphere {s}: {heavy}velocity {velocity}",
-        f"{s} hits W: e = {ratio(coefficient(d, into))}",
-        *(each.replace("(P", f"({s}") for each in asked),
-    )
+    motion = f"velocity {_resolved(line, along, into)}"
+    return _impact(s, vector(*line), motion, coefficient(d, into), asked, weight=weight)
 
 
 def _in_letters(d: Dice, *asked: str, weight: str = "") -> str:
     """A speed u at an angle with a given tangent, and what is asked."""
     s = _sphere(d)
     angle = acute(d, 13)
-    heavy = f"mass {weight}, " if weight else ""
-    return lines_of(
-        "wall W: along i",
-        f"sphere {s}: {heavy}velocity u at alpha to W",
-        f"given {d.of(angle.fact)}",
-        f"{s} hits W: e = {ratio(coefficient(d, Fraction(angle.across, angle.along)))}",
-        *(each.replace("(P", f"({s}") for each in asked),
-    )
+    facts = [f"given {d.of(angle.fact)}"]
+    e = coefficient(d, angle.tangent)
+    return _impact(s, "i", "velocity u at alpha to W", e, asked, facts=facts, weight=weight)
 
 
 # --- forward ------------------------------------------------------------------------------------
@@ -137,7 +153,7 @@ def _in_letters(d: Dice, *asked: str, weight: str = "") -> str:
 def _forward_4(d: Dice) -> str:
     s = _sphere(d)
     angle = acute(d, 13)
-    e = coefficient(d, Fraction(angle.across, angle.along))
+    e = coefficient(d, angle.tangent)
     return lines_of(
         "wall W: along i",
         f"sphere {s}: velocity u at alpha to W",
@@ -188,8 +204,7 @@ def _coefficient_1(d: Dice) -> str:
 
 def _coefficient_2(d: Dice) -> str:
     s = _sphere(d)
-    a, b, c = d.of(_WHOLE_SPEEDS)
-    u, v = round((a * a + b * b) ** 0.5), round((a * a + c * c) ** 0.5)
+    a, b, _, u, v = _whole_speeds(d)
     return lines_of(
         "wall W: along i",
         f"sphere {s}: velocity {u} at alpha to W",
@@ -206,14 +221,14 @@ def _coefficient_2(d: Dice) -> str:
 def _coefficient_2_by_angles(d: Dice) -> str:
     s = _sphere(d)
     angle = acute(d, 17)
-    e = coefficient(d, Fraction(angle.across, angle.along))
+    e = coefficient(d, angle.tangent)
     return lines_of(
         "wall W: along i",
         f"sphere {s}: velocity {angle.hypotenuse} at alpha to W",
         f"given {angle.fact[0]}",
         f"{s} hits W",
         f"let beta = angle(velocity({s}), W)",
-        f"given tan(beta) = {e * angle.across / angle.along}",
+        f"given tan(beta) = {e * angle.tangent}",
         "part a",
         "find e",
         "part b",
@@ -223,15 +238,12 @@ def _coefficient_2_by_angles(d: Dice) -> str:
 
 def _coefficient_3(d: Dice) -> str:
     s = _sphere(d)
-    x, y = d.of(LINES)
-    along, into = d.between(1, 4), d.between(2, 6) * d.sign()
-    e = coefficient(d, into)
-    back = -e * into
+    line, before, after = _slanting_velocities(d)
     return lines_of(
-        f"wall W: along {vector(x, y)}",
-        f"sphere {s}: velocity {vector(along * x - into * y, along * y + into * x)}",
+        f"wall W: along {line}",
+        f"sphere {s}: velocity {before}",
         f"{s} hits W",
-        f"given velocity({s}) = {vector(along * x - back * y, along * y + back * x)}",
+        f"given velocity({s}) = {after}",
         "part a",
         "find e",
         "part b",
@@ -241,16 +253,12 @@ def _coefficient_3(d: Dice) -> str:
 
 def _coefficient_4(d: Dice) -> str:
     s = _sphere(d)
-    x, y = d.of(LINES)
-    along, into = d.between(1, 4), d.between(2, 6) * d.sign()
-    e = coefficient(d, into)
-    back = -e * into
+    _, before, after = _slanting_velocities(d)
     return lines_of(
         "wall W",
-        f"sphere {s}: mass {mass(d)}, velocity "
-        f"{vector(along * x - into * y, along * y + into * x)}",
+        f"sphere {s}: mass {mass(d)}, velocity {before}",
         f"{s} hits W",
-        f"given velocity({s}) = {vector(along * x - back * y, along * y + back * x)}",
+        f"given velocity({s}) = {after}",
         "part a",
         f"find impulse({s})",
         "part b",
@@ -260,8 +268,7 @@ def _coefficient_4(d: Dice) -> str:
 
 def _coefficient_4_in_letters(d: Dice) -> str:
     s = _sphere(d)
-    a, b, c = d.of(_WHOLE_SPEEDS)
-    u, v = round((a * a + b * b) ** 0.5), round((a * a + c * c) ** 0.5)
+    a, b, _, u, v = _whole_speeds(d)
     return lines_of(
         "wall W: along i",
         f"sphere {s}: mass m, velocity u at alpha to W",
@@ -280,8 +287,7 @@ def _coefficient_4_in_letters(d: Dice) -> str:
 
 def _angle_2(d: Dice) -> str:
     s = _sphere(d)
-    a, b, c = d.of(_WHOLE_SPEEDS)
-    u, v = round((a * a + b * b) ** 0.5), round((a * a + c * c) ** 0.5)
+    _, b, c, u, v = _whole_speeds(d)
     return lines_of(
         "wall W: along i",
         f"sphere {s}: velocity {u} at alpha to W",
@@ -297,14 +303,14 @@ def _angle_2(d: Dice) -> str:
 def _angle_3(d: Dice) -> str:
     s = _sphere(d)
     angle = acute(d, 17)
-    e = coefficient(d, Fraction(angle.across, angle.along))
+    e = coefficient(d, angle.tangent)
     speed = d.between(3, 12)
     return lines_of(
         "wall W: along i",
         f"sphere {s}: velocity {speed} at alpha to W",
         f"{s} hits W: e = {ratio(e)}",
         f"let beta = angle(velocity({s}), W)",
-        f"given tan(beta) = {e * angle.across / angle.along}",
+        f"given tan(beta) = {e * angle.tangent}",
         "part a",
         "find alpha",
         "part b",
@@ -365,7 +371,7 @@ def _deflection_3_at_60(d: Dice) -> str:
 def _deflection_4(d: Dice) -> str:
     s = _sphere(d)
     angle = acute(d, 13)
-    e = coefficient(d, Fraction(angle.across, angle.along))
+    e = coefficient(d, angle.tangent)
     return lines_of(
         "wall W: along i",
         f"sphere {s}: velocity u at alpha to W",
@@ -401,7 +407,7 @@ def _impulse_3(d: Dice) -> str:
 def _impulse_4(d: Dice) -> str:
     s = _sphere(d)
     angle = acute(d, 13)
-    e = coefficient(d, Fraction(angle.across, angle.along))
+    e = coefficient(d, angle.tangent)
     weight = d.of(("m", "2m", "3m"))
     size = (1 + e) * Fraction(angle.across, angle.hypotenuse) * (int(weight[:-1] or 1))
     return lines_of(

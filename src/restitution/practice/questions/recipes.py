@@ -11,7 +11,7 @@ from restitution.practice.questions import (
     two_spheres,
     two_walls,
 )
-from restitution.practice.questions.one_wall import Recipe
+from restitution.practice.questions.dice import Recipe
 
 RECIPES: Mapping[tuple[str, int], tuple[Recipe, ...]] = {
     **one_wall.RECIPES,

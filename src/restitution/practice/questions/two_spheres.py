@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from restitution.practice.questions.dice import Dice
+from restitution.practice.questions.dice import Dice, Recipe
 from restitution.practice.questions.nice import (
     COEFFICIENTS,
     TRIPLES,
@@ -22,7 +22,6 @@ from restitution.practice.questions.nice import (
     times,
     vector,
 )
-from restitution.practice.questions.one_wall import Recipe
 
 
 def _turned(d: Dice) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from math import isqrt
 
-from restitution.practice.questions.dice import Dice
+from restitution.practice.questions.dice import Dice, Recipe
 from restitution.practice.questions.nice import (
     COEFFICIENTS,
     Pair,
@@ -17,10 +17,11 @@ from restitution.practice.questions.nice import (
     masses_of,
     pair,
     ratio,
+    sphere,
     times,
+    unlike_numbers,
     vector,
 )
-from restitution.practice.questions.one_wall import Recipe
 
 
 def _unlike(d: Dice) -> tuple[Fraction, Fraction]:
@@ -37,13 +38,14 @@ def _simple(d: Dice) -> tuple[Fraction, Fraction]:
 
 # --- at right angles ----------------------------------------------------------------------------
 
+_SQUARE = ("wall OX: along i", "wall OY: along j")
+
 
 def _square_1(d: Dice) -> str:
-    a, b = d.of([(a, b) for a in range(2, 13) for b in range(2, 13) if a != b])
+    a, b = unlike_numbers(d, range(2, 13), range(2, 13))
     e = coefficient(d, a, b)
     return lines_of(
-        "wall OX: along i",
-        "wall OY: along j",
+        *_SQUARE,
         f"sphere P: velocity {vector(-a, -b)}",
         f"P hits OX: e = {ratio(e)}",
         "part a",
@@ -60,8 +62,7 @@ def _square_2(d: Dice) -> str:
     speed = angle.hypotenuse * d.between(1, 2)
     asked = d.of(("find speed(P)", "find angle(velocity(P), OX)"))
     return lines_of(
-        "wall OX: along i",
-        "wall OY: along j",
+        *_SQUARE,
         f"sphere P: velocity {speed} at alpha from -i",
         f"given {d.of(angle.fact)}",
         f"P hits OX: e = {ratio(e)}",
@@ -77,8 +78,7 @@ def _square_3(d: Dice) -> str:
     angle = acute(d, 5)
     e, f = _simple(d)
     return lines_of(
-        "wall OX: along i",
-        "wall OY: along j",
+        *_SQUARE,
         f"sphere P: mass {d.of(('m', '2m'))}, velocity u at alpha from -i",
         f"given {d.of(angle.fact)}",
         f"P hits OX: e = {ratio(e)}",
@@ -93,11 +93,10 @@ def _square_3(d: Dice) -> str:
 
 
 def _square_3_with_numbers(d: Dice) -> str:
-    a, b = d.of([(a, b) for a in range(2, 10) for b in range(2, 10) if a != b])
+    a, b = unlike_numbers(d, range(2, 10), range(2, 10))
     e, f = _unlike(d)
     return lines_of(
-        "wall OX: along i",
-        "wall OY: along j",
+        *_SQUARE,
         f"sphere P: mass {mass(d)}, velocity {vector(-a, -b)}",
         f"P hits OX: e = {ratio(e)}",
         f"P hits OY: e = {ratio(f)}",
@@ -112,8 +111,7 @@ def _square_4(d: Dice) -> str:
     e, other = _unlike(d)
     angle = acute(d, 5)
     return lines_of(
-        "wall OX: along i",
-        "wall OY: along j",
+        *_SQUARE,
         "sphere P: mass m, velocity u at alpha from -i",
         "P hits OX",
         "P hits OY",
@@ -130,11 +128,10 @@ def _square_4(d: Dice) -> str:
 
 
 def _square_4_two(d: Dice) -> str:
-    a, b = d.of([(a, b) for a in range(2, 10) for b in range(2, 10) if a != b])
+    a, b = unlike_numbers(d, range(2, 10), range(2, 10))
     e, f = coefficient(d, b), coefficient(d, a)
     return lines_of(
-        "wall OX: along i",
-        "wall OY: along j",
+        *_SQUARE,
         f"sphere P: mass {mass(d)}, velocity {vector(-a, -b)}",
         "P hits OX: e = e1",
         "P hits OY: e = e2",
@@ -151,44 +148,52 @@ def _square_4_two(d: Dice) -> str:
 _SECOND = {60: 120, 120: 60}  # the direction of BC, from that of AB, by the angle between them
 
 
-def _corner(d: Dice, angle: int, speed: str, e: Fraction, f: Fraction, weight: str = "") -> str:
-    heavy = f"mass {weight}, " if weight else ""
+def _corner(
+    d: Dice,
+    angle: int,
+    speed: str,
+    coefficients: tuple[Fraction, Fraction],
+    asked: tuple[str, str],
+    weight: str = "",
+) -> str:
+    """An impact with AB, then one with BC, and what is asked after each."""
+    e, f = coefficients
     start = d.of((30, 60))
     return lines_of(
         "wall AB: along i",
         f"wall BC: along {_SECOND[angle]}°",
-        f"sphere P: {heavy}velocity {speed} at {start}° to AB",
+        sphere("P", f"velocity {speed} at {start}° to AB", weight),
         f"P hits AB: e = {ratio(e)}",
         "part a",
-        "FIRST",
+        asked[0],
         "part b",
         f"P hits BC: e = {ratio(f)}",
-        "SECOND",
+        asked[1],
     )
 
 
 def _corner_1(angle: int) -> Recipe:
     def recipe(d: Dice) -> str:
         e = d.of(COEFFICIENTS)
-        text = _corner(d, angle, f"{2 * d.between(2, 8)}", e, e)
-        return text.replace("FIRST", "find speed(P)").replace("SECOND", "find speed(P)")
+        speed = f"{2 * d.between(2, 8)}"
+        return _corner(d, angle, speed, (e, e), ("find speed(P)", "find speed(P)"))
 
     return recipe
 
 
 def _corner_2(angle: int) -> Recipe:
     def recipe(d: Dice) -> str:
-        e, f = _unlike(d)
-        text = _corner(d, angle, d.of(("u", f"{2 * d.between(2, 8)}")), e, f)
-        first = "find speed(P), angle(velocity(P), AB)"
-        return text.replace("FIRST", first).replace("SECOND", "find speed(P)")
+        coefficients = _unlike(d)
+        speed = d.of(("u", f"{2 * d.between(2, 8)}"))
+        asked = "find speed(P), angle(velocity(P), AB)", "find speed(P)"
+        return _corner(d, angle, speed, coefficients, asked)
 
     return recipe
 
 
 def _corner_3(angle: int) -> Recipe:
     def recipe(d: Dice) -> str:
-        e, f = _simple(d)
+        coefficients = _simple(d)
         weight = d.of(("m", "2m"))
         first = d.of(("find speed(P), impulse", "find speed(P), deflection(P)"))
         second = d.of(
@@ -197,8 +202,7 @@ def _corner_3(angle: int) -> Recipe:
                 "find speed(P), total_energy_lost/energy(0)",
             )
         )
-        text = _corner(d, angle, "u", e, f, weight)
-        return text.replace("FIRST", first).replace("SECOND", second)
+        return _corner(d, angle, "u", coefficients, (first, second), weight)
 
     return recipe
 
@@ -238,13 +242,14 @@ def _root(square: Fraction) -> str:
 
 # --- parallel -----------------------------------------------------------------------------------
 
+_PARALLEL = ("wall L: along i", "wall M: along i")
+
 
 def _parallel_1(d: Dice) -> str:
-    a, b = d.of([(a, b) for a in range(1, 7) for b in range(4, 13) if a != b])
+    a, b = unlike_numbers(d, range(1, 7), range(4, 13))
     e = coefficient(d, b, Fraction(b, 2))
     return lines_of(
-        "wall L: along i",
-        "wall M: along i",
+        *_PARALLEL,
         f"sphere P: velocity {vector(a * d.sign(), -b)}",
         f"P hits L: e = {ratio(e)}",
         "part a",
@@ -260,8 +265,7 @@ def _parallel_2(d: Dice) -> str:
     e, f = _unlike(d)
     speed = angle.hypotenuse * d.between(1, 2)
     return lines_of(
-        "wall L: along i",
-        "wall M: along i",
+        *_PARALLEL,
         f"sphere P: velocity {speed} at alpha to L",
         f"given {d.of(angle.fact)}",
         f"P hits L: e = {ratio(e)}",
@@ -279,8 +283,7 @@ def _parallel_3(d: Dice) -> str:
     weight = d.of(("m", "2m"))
     asked = d.of(("find impulse(1), impulse(2)", "find total_energy_lost"))
     return lines_of(
-        "wall L: along i",
-        "wall M: along i",
+        *_PARALLEL,
         f"sphere P: mass {weight}, velocity u at alpha to L",
         f"given {d.of(angle.fact)}",
         f"P hits L: e = {ratio(e)}",
@@ -293,7 +296,7 @@ def _parallel_3(d: Dice) -> str:
 
 
 def _parallel_3_in_time(d: Dice) -> str:
-    a, b = d.of([(a, b) for a in range(1, 6) for b in range(2, 9) if a != b])
+    a, b = unlike_numbers(d, range(1, 6), range(2, 9))
     e = coefficient(d, b)
     width = b + d.between(1, 4)
     return lines_of(
@@ -313,16 +316,14 @@ def _parallel_4(d: Dice) -> str:
     angle = acute(d, 5)
     e = d.of([e for e in COEFFICIENTS if e.numerator == 1 or e.denominator == 3])
     return lines_of(
-        "wall L: along i",
-        "wall M: along i",
+        *_PARALLEL,
         "sphere P: velocity u at alpha to L",
         "P hits L",
         "P hits M",
         "part a",
         "show tan(angle(velocity(P), M)) = e^2 tan(alpha)",
         "part b",
-        f"given {angle.fact[0]}, tan(angle(velocity(P), M)) = "
-        f"{e * e * Fraction(angle.across, angle.along)}",
+        f"given {angle.fact[0]}, tan(angle(velocity(P), M)) = {e * e * angle.tangent}",
         "find e, speed(P, 1), speed(P)",
     )
 
