@@ -201,14 +201,14 @@ def report(
     angle_error: float | None = None,
     speed_error: float | None = None,
     from_normal: bool = False,
-) -> Made:
+) -> Payload:
     """The report of an experiment as a PDF; or the error, as JSON, where there is none."""
     from restitution.experiments.report import report as written
     from restitution.export import experimenting
 
     asked = (data, kind, angle_error, speed_error, from_normal)
     try:
-        return Made(written(experimenting.experiment_of(*asked), "pdf"), "application/pdf")
+        return Payload(written(experimenting.experiment_of(*asked), "pdf"), "application/pdf")
     except RestitutionError as error:
         return _failed(error)
 
