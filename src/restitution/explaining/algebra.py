@@ -112,7 +112,7 @@ def CONSTANT(value: Fraction | int) -> Quotient:
     """A number as a quotient."""
     value = Fraction(value)
     ring = _ring()
-    return Quotient(ring.ground_new(QQ(value.numerator, value.denominator)), ring.one)
+    return Quotient(ring.ground_new(QQ(int(value.numerator), int(value.denominator))), ring.one)
 
 
 def _bits(polynomial: PolyElement) -> int:

@@ -713,4 +713,5 @@ def _above(x: sp.Expr) -> Fraction:
 
 
 def _q(x: Fraction) -> Any:
-    return QQ(x.numerator, x.denominator)
+    # The numbers of mpmath are those of gmpy2 where it is installed, and FLINT takes none of them.
+    return QQ(int(x.numerator), int(x.denominator))
