@@ -34,6 +34,7 @@ from restitution.explaining.derivation import (
     Link,
     Meaning,
     MoveId,
+    NoteKind,
     Relation,
     whole_of,
 )
@@ -216,7 +217,10 @@ RULES: tuple[Rule, ...] = (
 """The table. A line that no rule fits earns nothing by itself."""
 
 # A method that is not written out, and its answer.
-_UNSEEN: Marks = (reasoned(Mark("M")), reasoned(Mark("A")))
+_FOR_NOTES: Mapping[NoteKind, Marks] = {
+    "unwritten": (reasoned(Mark("M")), reasoned(Mark("A"))),
+    "standing": (reasoned(Mark("B")),),
+}
 
 
 def awarded(
@@ -238,7 +242,7 @@ def awarded(
         derivation,
         lines=tuple(replace(each, marks=proposed[each.number]) for each in derivation.lines),
         notes=tuple(
-            replace(note, marks=_UNSEEN if note.kind == "unwritten" else ())
+            replace(note, marks=_FOR_NOTES.get(note.kind, ()))
             for note in derivation.notes
         ),
     )

@@ -159,7 +159,9 @@ class ItemEnd:
     case: int | None = None
 
 
-NoteKind = Literal["impossible", "contradiction", "missing", "refuted", "undecided", "unwritten"]
+NoteKind = Literal[
+    "impossible", "contradiction", "missing", "refuted", "undecided", "unwritten", "standing"
+]
 
 
 @dataclass(frozen=True)
@@ -170,7 +172,8 @@ class Note:
     that is refuted they cannot hold together with the ``claim``, where letters have the values in
     ``instance``; ``sides`` are what its sides are there. ``reason`` is in the solver's words.
     ``place`` counts the items of the question from 0, in the order asked. One that is
-    ``unwritten`` has its answer as the reason, and the last lines that stand.
+    ``unwritten`` has its answer as the reason, and the last lines that stand. One that is
+    ``standing`` says the answer again, as its ``claim``: an earlier part came to it already.
     """
 
     item: str

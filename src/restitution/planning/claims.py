@@ -668,7 +668,7 @@ class Claims:
             for n in letters(side)
         }
         pool = [*refs, *self.judge.known(n for n in names if n in roles(self.scene.problem))]
-        line = self._by_its_tangent(relation, pool)
+        line = self._by_its_ratio(relation, pool)
         if line is not None:
             return line
         rooted = self._rooted(refs, relation, pool)
@@ -701,20 +701,26 @@ class Claims:
             self.worths.back(mark)
         return line
 
-    def _by_its_tangent(self, relation: Relation, pool: Sequence[Ref]) -> int | None:
-        """A bound in degrees of an acute angle of the data, by that of its tangent."""
+    def _by_its_ratio(self, relation: Relation, pool: Sequence[Ref]) -> int | None:
+        """A bound in degrees of an acute angle of the data, by that of a ratio of it.
+
+        That is the one that is bounded already, or else the tangent.
+        """
         match relation.options:
             case ((Link(Letter(name) as letter, sign, Degrees(degrees)),),) if 0 < degrees < 90:
-                tangent = Apply("tan", letter)
+                ratio = self._bounded_ratio(letter, pool)
             case _:
                 return None
         if self.judge.bounds(name) != (f"acute: {name}",):
             return None
-        most = tidy(sp.tan(sp.rad(sp.Rational(degrees.numerator, degrees.denominator))))
+        angle = sp.rad(sp.Rational(degrees.numerator, degrees.denominator))
+        most = tidy(_RATIOS[ratio.function](angle))
+        if ratio.function == "cos":
+            sign = FLIPPED[sign]
         mark = self.worths.mark()
-        bound = next(self._bounding(tangent, sign, most), None)
+        bound = next(self._bounding(ratio, sign, most), None)
         if bound is None:
-            told = Relation(((Link(tangent, sign, tree_of(most)),),))
+            told = Relation(((Link(ratio, sign, tree_of(most)),),))
             bound = self.judge.write((Move("compare"), Move("sign")), pool, told)
         if bound is not None:
             known = self.judge.known([name])
@@ -723,6 +729,17 @@ class Claims:
                 return line
         self.worths.back(mark)
         return None
+
+    def _bounded_ratio(self, letter: Letter, pool: Sequence[Ref]) -> Apply:
+        """The ratio of an angle of which a premise bounds the square; else the tangent."""
+        for ref in pool:
+            own = self.scene.desk.line(ref).relation if isinstance(ref, int) else None
+            match own:
+                case Relation(((Link(Binary("^", Apply() as ratio, power), sign, _),),)):
+                    two = power == Number(Fraction(2))
+                    if ratio.argument == letter and sign in FLIPPED and two:
+                        return ratio
+        return Apply("tan", letter)
 
     def _bounding(self, subject: Expression, sign: Sign, most: sp.Expr) -> Iterator[int]:
         """The lines in force that bound an expression so by a number."""
@@ -805,6 +822,9 @@ def _renamed(link: Link, meaning: Meaning) -> Link:
 def _is_subject(tree: Expression) -> bool:
     """Whether a side is a letter, a ratio of an angle, or a power of one of them."""
     return not isinstance(tree, Binary) or tree.op == "^"
+
+
+_RATIOS = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan}
 
 
 def _near(sign: Sign) -> tuple[str, ...]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Sequence
 from dataclasses import replace
 
-from restitution.explaining.derivation import Derivation, Line, Meaning, Relation
+from restitution.explaining.derivation import Derivation, Line, Meaning, Note, Relation
 from restitution.expression.tree import Name, Quantity
 
 _LAWS = frozenset({"unchanged", "momentum", "restitution", "restitution-wall"})
@@ -20,7 +20,29 @@ _OF_AN_IMPACT = _LAWS | {"component", "impulse-vector", "straight-line", "chord"
 
 def gathered(derivation: Derivation) -> Derivation:
     """The same working in the order of the story, with what belongs together in one place."""
-    return _Gathering(_where_needed(derivation)).whole()
+    return _with_standing(_Gathering(_where_needed(derivation)).whole())
+
+
+def _with_standing(derivation: Derivation) -> Derivation:
+    """The same working with a note for each answer to which an earlier part came already."""
+    parts = derivation.asked
+    order = list(parts)
+    notes = [
+        Note(
+            end.item,
+            "standing",
+            order.index(end.item),
+            end.part,
+            premises=(end.line,),
+            claim=end.answer,
+        )
+        for end in derivation.items
+        if (line := derivation.line(end.line)) is not None
+        and line.item in parts
+        and parts[line.item or ""] != end.part
+        and end.case is None
+    ]
+    return replace(derivation, notes=(*derivation.notes, *notes)) if notes else derivation
 
 
 def _where_needed(derivation: Derivation) -> Derivation:

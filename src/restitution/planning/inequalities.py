@@ -64,22 +64,31 @@ def isolated(scene: Scene, x: sp.Expr, symbol: sp.Symbol) -> tuple[Expression, s
 
 
 def without_signs(scene: Scene, gap: sp.Expr, sign: Sign) -> tuple[Sign, sp.Expr] | None:
-    """``gap sign 0`` without the factors whose signs are certain; None if nothing is left."""
+    """``gap sign 0`` without the factors whose signs are certain; None if nothing is left.
+
+    A factor below a line is not zero, so what holds of its reciprocal is strict, and holds of it.
+    """
     above, below = sp.fraction(factored(one_fraction(gap)))
     kept: list[sp.Expr] = []
     turned = False
-    for each in (*sp.Mul.make_args(above), *sp.Mul.make_args(below)):
+    for each in sp.Mul.make_args(above):
         base, power = each.as_base_exp()
-        if power.is_Integer and power % 2 == 0 and each in sp.Mul.make_args(below):
-            continue
         own = certain(scene, each)
-        if own is None and each in sp.Mul.make_args(below):
-            # What stands below a line is not zero: so the ends of letters do not matter.
-            own = proved_sign(scene.model.inside, each)
         if own is None:
-            if each in sp.Mul.make_args(below):
-                return None
             kept.append(base if power.is_Integer and power % 2 else each)
+        elif own < 0:
+            turned = not turned
+    for each in sp.Mul.make_args(below):
+        base, power = each.as_base_exp()
+        if power.is_Integer and power % 2 == 0:
+            continue
+        # What stands below a line is not zero: so the ends of letters do not matter.
+        own = certain(scene, each) or proved_sign(scene.model.inside, each)
+        if own is None:
+            if kept and sign not in _STRICT:
+                return None
+            kept.append(base if power.is_Integer else each)
+            sign = _STRICT_OF[sign]
         elif own < 0:
             turned = not turned
     if not kept:
@@ -198,3 +207,7 @@ def bounds(role: Any, generator: sp.Expr, symbol: sp.Symbol) -> list[tuple[Sign,
         own: Any = sign + ("=" if closed else "")
         ends.append((FLIPPED[own] if falling else own, value))
     return ends
+
+
+_STRICT_OF: dict[Sign, Sign] = {"<": "<", "<=": "<", ">": ">", ">=": ">"}
+_STRICT = ("<", ">")

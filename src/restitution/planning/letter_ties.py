@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from restitution.components import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import (
@@ -238,7 +239,8 @@ class Ties:
         """Whether an expression grows with a letter, or falls; None where that is open."""
         above, below = sp.fraction(factored(one_fraction(sp.diff(x, symbol))))
         odd = [factor for factor in sp.Mul.make_args(below) if not factor.as_base_exp()[1].is_even]
-        return certain(self.scene, above / sp.Mul(*odd))
+        # At an end of its range the slope may be zero, as that of a square is.
+        return proved_sign(self.scene.model.inside, above / sp.Mul(*odd)) or None
 
     def put_in(self, line: int, gone: sp.Symbol, sign: Sign) -> Link | None:
         """An equation of which one side is a letter, or a ratio of it, with its bound in place.

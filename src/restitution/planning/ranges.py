@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from restitution.explaining.derivation import Link, Relation, Sign
-from restitution.expression.tree import Expression
+from restitution.expression.tree import Apply, Expression
 from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import tree_of
@@ -30,7 +31,44 @@ def write_range(
             line = claims.write_parts(asked, relation)
         else:
             line = claims.join_the_rest(claims.write(relation), relation)
+            if not shown:
+                relation = _by_its_ratio(claims, asked, line, relation)
     scene.desk.end(name, line, relation, shown=shown)
+
+
+def _by_its_ratio(claims: Claims, asked: Expression, line: int, relation: Relation) -> Relation:
+    """The range of an angle with its ends by the ratio that the line above bounds.
+
+    From ``cos θ ≥ 1/3`` comes ``θ ≤ arccos(1/3)``, and not an inverse tangent.
+    """
+    desk = claims.scene.desk
+    own = desk.line(line)
+    if own.relation != relation:
+        return relation
+    for ref in own.premises:
+        match desk.line(ref).relation if isinstance(ref, int) else None:
+            case Relation((links,)):
+                bounds = [each for each in links if each.left == Apply("cos", asked)]
+                bounds += [each for each in links if each.left == Apply("sin", asked)]
+            case _:
+                continue
+        for bound in bounds:
+            ratio = bound.left.function  # type: ignore[union-attr]
+            inverse = Apply(f"arc{ratio}", bound.right)
+            links = tuple(
+                Link(_as(inverse, each.left), each.sign, _as(inverse, each.right))
+                for each in relation.only
+            )
+            told = Relation((links,))
+            if told != relation and claims.judge.follows(own.move, own.premises, told):
+                desk.lines[line - 1] = replace(own, relation=told)
+                return told
+    return relation
+
+
+def _as(inverse: Expression, side: Expression) -> Expression:
+    """An end of a range that is an inverse tangent as another inverse ratio."""
+    return inverse if isinstance(side, Apply) and side.function == "arctan" else side
 
 
 def relation_of(asked: Expression, result: ItemResult) -> Relation:

@@ -403,7 +403,27 @@ class _Equation:
             line = self._cleared(each, known) or self._last([each, *others, *known])
             if line is not None:
                 return line
+        for each in lines:
+            line = self._rooted(each, [other for other in lines if other != each], known)
+            if line is not None:
+                return line
         raise NotPlannedError("a relation of letters")
+
+    def _rooted(self, line: int, others: Sequence[int], known: Sequence[Ref]) -> int | None:
+        """A letter, or a ratio of one, by its square, of which the root is taken last."""
+        left, right = self.link.left, self.link.right
+        if not isinstance(left, Letter | Apply):
+            return None
+        squared = chain(square(left), (tree_of(tidy(self.scene.scalar(right) ** 2)), None))
+        mark = self.scene.desk.mark()
+        middle = self.judge.write(_LAST, [line, *others, *known], squared)
+        if middle is not None:
+            moves = (Move("rearrange"), Move("reject"), Move("compare"))
+            root = self.judge.write(moves, [middle, *known], self.relation)
+            if root is not None:
+                return root
+        self.scene.desk.back(mark)
+        return None
 
     def _cleared(self, line: int, known: Sequence[Ref]) -> int | None:
         """A square that is a quotient of letters, from a line into which values were put.

@@ -14,7 +14,7 @@ from restitution.workings.naming import Naming
 from restitution.workings.refuted import claim_of, refutation
 
 # These notes are of one item each.
-_ALONE = frozenset({"refuted", "undecided", "unwritten"})
+_ALONE = frozenset({"refuted", "undecided", "unwritten", "standing"})
 
 
 class Notes:
@@ -65,6 +65,10 @@ class Notes:
             return refutation(first, self._derivation, self._naming, self._ends)
         if first.kind == "undecided":
             return say("undecided.claim", claim=claim_of(first, self._naming, self._ends))
+        if first.kind == "standing":
+            line = self._derivation.line(max(first.lines))
+            label = None if line is None else self._ends.part(line)
+            return say("carried.part", label=label) if label else say("carried.above")
         if first.kind == "unwritten" and first.claim is not None:
             return say("note.unwritten-line-from" if first.premises else "note.unwritten-line")
         if first.kind == "unwritten":

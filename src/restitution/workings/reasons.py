@@ -334,7 +334,7 @@ class Reasons:
 
     def _shape(self, line: Line) -> tuple[Sentence, ...]:
         """What bounds a value by its form, the plainest that fits."""
-        ways = (self._square, self._factor, self._wave, self._share)
+        ways = (self._square, self._positive_square, self._factor, self._wave, self._share)
         return next((reasons for way in ways if (reasons := tuple(way(line)))), ())
 
     def _square(self, line: Line) -> Iterator[Sentence]:
@@ -353,7 +353,7 @@ class Reasons:
             elif left != links[0].left:
                 continue
             for link in own.relation.options[0]:
-                for term, square in _squares(link.right, links[0].sign):
+                for term, square in (*_squares(link.right, links[0].sign), *_inner(link.right)):
                     if self._is_left(link.right, term, bound):
                         facts = [Link(square, ">=", ZERO)]
                         match term:
@@ -364,6 +364,20 @@ class Reasons:
                         for fact in facts:
                             yield say("derived.fact", fact=self._laid(Relation(((fact,),))))
                         return
+
+    def _positive_square(self, line: Line) -> Iterator[Sentence]:
+        """That the square of a ratio is positive, where what it is equal to has to be so."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.options:
+            case ((Link(_, ">" | "<", right),),) if right == ZERO and line.move.id == "sign":
+                pass
+            case _:
+                return
+        own = [self._relation_of(ref) for ref in line.premises]
+        match own:
+            case [Relation(((Link(Binary("^", Apply(), _) as square, "=", _),),))]:
+                positive = Relation(((Link(square, ">", ZERO),),))
+                yield say("derived.fact", fact=self._laid(positive))
 
     def _is_left(self, whole: Expression, square: Expression, bound: Expression) -> bool:
         """Whether a bound is what is left of a whole without a square."""
@@ -535,6 +549,17 @@ def _squares(tree: Expression, sign: str) -> Iterator[tuple[Expression, Expressi
                 case Binary("*", factor, Binary("^", _, Number(Fraction(numerator=2))) as inner):
                     if not letters(factor):
                         yield term, inner
+
+
+def _inner(tree: Expression) -> Iterator[tuple[Expression, Expression]]:
+    """The squares of letters in a quotient: what it is without one may bound it."""
+    for node in walk(tree):
+        match node:
+            case Binary("/", _, below):
+                for term in walk(below):
+                    match term:
+                        case Binary("^", Letter(), Number(Fraction(numerator=2, denominator=1))):
+                            yield term, term
 
 
 def _bounds_below(relation: Relation | None, letter: Letter) -> bool:
