@@ -303,7 +303,10 @@ class Claims:
         own = Relation(((link,),))
         if ZERO in (link.left, link.right):
             return self.compared([line], own) or self.monotone(line, own)
-        return self.monotone(line, own) or self.compared([line], own)
+        written = self.monotone(line, own)
+        if written is None and not is_plain(self.scene, line, own):
+            written = self._by_quotient(line, own)
+        return written or self.compared([line], own)
 
     def angle_of(
         self,

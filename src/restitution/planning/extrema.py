@@ -150,7 +150,8 @@ class _Extremum:
         if tangent.has(sp.zoo) or self.scene.model.sign(tangent) <= 0:
             return self._of_wide_angle(asked)
         line, letter, extent = self._tangent(asked)
-        if is_of_two_angles(asked):
+        line = self._put(line)
+        if is_of_two_angles(asked) or self.claims.worths.is_of_statement(letter):
             asked, whole = letter, replace(whole, left=letter)
         self.value = tangent
         self.end = Link(Apply("tan", letter), whole.sign, tree_of(tangent))

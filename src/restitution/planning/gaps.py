@@ -28,16 +28,22 @@ _TO_FORM = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
 def is_plain(scene: Scene, line: int, relation: Relation) -> bool:
     """Whether a bound of what a line says is seen at once.
 
-    It is where one is the other times factors with one letter each: each has its own bound.
+    It is where one is the other times factors with one letter each, and no letter is in two of
+    them: each has its own bound. An angle is compared by its tangent.
     """
     whole = scene.desk.last_link(line)
     value = scene_value(scene, whole.right)
     known = roles(scene.problem)
     for link in relation.only:
         bound = _bound(link, whole.left)
-        if bound is None:
+        own: sp.Expr | None = None
+        if bound is not None:
+            own = scene_value(scene, bound[1])
+        elif isinstance(whole.left, Apply) and whole.left.function == "tan":
+            turn = _bound(link, whole.left.argument)
+            own = None if turn is None else tidy(sp.tan(scene_value(scene, turn[1])))
+        if own is None or own.has(sp.zoo):
             return True
-        own = scene_value(scene, bound[1])
         if value == 0 or own == 0:
             continue
         ratio = sp.factor(sp.together(value / own))
@@ -46,6 +52,9 @@ def is_plain(scene: Scene, line: int, relation: Relation) -> bool:
         if any(len(factor.free_symbols) > 1 for factor in sp.Mul.make_args(ratio)):
             return False
         if any(_has_root(factor) for factor in sp.Mul.make_args(ratio)):
+            return False
+        inside = [s for factor in sp.Mul.make_args(ratio) for s in factor.free_symbols]
+        if len(set(inside)) < len(inside):
             return False
     return True
 

@@ -95,6 +95,8 @@ class Worths:
         """The tangent of an angle by a letter for it: the line, the letter, and its range."""
         desk = self.scene.desk
         if isinstance(angle, Letter):
+            if self.is_of_statement(angle):
+                return line, angle, self.judge.bounds(angle.name)
             quantity = self.meant(angle)
             if not isinstance(quantity, Quantity):
                 return line, angle, ()
@@ -111,6 +113,10 @@ class Worths:
         if number is None:
             raise NotPlannedError("a letter for an angle")
         return number, Letter(name), (self._extent(name, angle), let)
+
+    def is_of_statement(self, tree: Expression) -> bool:
+        """Whether the statement has a letter for a quantity."""
+        return isinstance(tree, Letter) and f"let {tree.name}" in self.scene.facts
 
     def meant(self, tree: Expression) -> Expression:
         """What a letter that the working introduces stands for; any other tree itself."""
@@ -187,6 +193,13 @@ class Worths:
 
     def angle(self, angle: Quantity) -> int:
         """Writes the tangent of an angle, with a letter that is introduced before it."""
+        for fact in self.name_of(angle):
+            # The statement has a letter for it, and a line may say the tangent of that.
+            if isinstance(fact, str):
+                letter = self.scene.facts[fact].relation.only[0].right
+                standing = self._tangent(Apply("tan", letter))
+                if standing is not None:
+                    return standing
         if self._tangent(Apply("tan", angle)) is not None or angle.kind not in _ANGLES:
             return self.quantity(angle)
         mark = self.mark()
