@@ -40,11 +40,18 @@ class Term:
 
 
 def write_turn(
-    scene: Scene, turn: Turn, angle_line: Callable[[Scene, Quantity], int]
+    scene: Scene,
+    turn: Turn,
+    angle_line: Callable[[Scene, Quantity], int],
+    in_letters: bool = False,
 ) -> int | None:
-    """The line of an angle in numbers, by two that are worked out; None where they have letters."""
+    """The line of an angle by two that are worked out.
+
+    None where they have letters, unless it is sought ``in_letters``.
+    """
     mark = scene.desk.mark()
     have_angles = turn.first.angle is not None and turn.second.angle is not None
+    have_angles = have_angles or in_letters
     trees: list[Expression | None] = []
     refs: list[Ref] = []
     whole: Any = sp.Integer(0)
@@ -108,7 +115,7 @@ def _in_numbers(
             return scene.desk.last_link(line).right, together(own, (line,))
         return (side.angle, own) if letters_too else None
     ratio = tidy(side.across.value / side.along.value)
-    if ratio.free_symbols:
+    if ratio.free_symbols and not letters_too:
         return None
     line = angle_line(scene, side.named)
     return scene.desk.last_link(line).right, (line, letter_of(scene, side.named)[1])

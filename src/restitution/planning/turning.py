@@ -603,11 +603,17 @@ def _by_turn(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int |
         letter, _ = letter_of(scene, asked)
         line = write_turn_tangent(scene, turn, Letter(letter))
         if line is not None:
-            break
+            value = tidy(scene.scalar(scene.desk.last_link(line).right))
+            if wanted is not None or scene.model.proved_sign(scene.model.in_data(value)):
+                break
+            # Its tangent does not tell whether it is obtuse: the angles themselves do.
+            scene.desk.back(mark)
+            line = write_turn(scene, turn, angle_line, in_letters=True)
+            if line is not None:
+                return line
         scene.desk.back(mark)
     else:
         return None
-    value = tidy(scene.scalar(scene.desk.last_link(line).right))
     return Ratio(line, letter, "tan", value, _RANGES["deflection"].format(letter))
 
 
