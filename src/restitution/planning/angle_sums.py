@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     has_quantity,
     letters,
 )
+from restitution.planning.angles import RIGHT
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.forms import ONE, difference, in_tangents, product, swept, tree_of
 from restitution.planning.impacts import scene_value
@@ -89,6 +90,8 @@ def write_sum(scene: Scene, each: GivenEquation) -> int:
         relation = Relation(((Link(Binary("/", above, below), "=", value),),))
         move = Move("identity", "sum-of-angles")
     own_refs = scene.judge.enough(move, (each.fact.id,), relation, ranges)
+    if own_refs is None and move.record == "complement":
+        own_refs = _by_the_other(scene, each, names, relation, ranges)
     if own_refs is None:
         raise NotPlannedError("a sum of angles")
     number = scene.desk.write(move, own_refs, relation)
@@ -99,6 +102,24 @@ def write_sum(scene: Scene, each: GivenEquation) -> int:
     if premises is None:
         raise NotPlannedError("a sum of angles")
     return scene.desk.write(Move("put"), premises, put)
+
+
+def _by_the_other(
+    scene: Scene,
+    each: GivenEquation,
+    names: Sequence[str],
+    relation: Relation,
+    ranges: Sequence[Ref],
+) -> tuple[Ref, ...] | None:
+    """What two complements rest on, of which the sum is given: one of them by the other."""
+    moved = [name for name in names if _quantity(scene, name) is not None]
+    for name in moved:
+        (other,) = (own for own in names if own != name)
+        alone = chain(Letter(name), (Binary("-", RIGHT, Letter(other)), None))
+        if scene.judge.follows(Move("rearrange"), (each.fact.id,), alone):
+            line = scene.desk.write(Move("rearrange"), (each.fact.id,), alone)
+            return scene.judge.enough(Move("identity", "complement"), (line,), relation, ranges)
+    return None
 
 
 def _with(tree: Expression, values: Mapping[Any, Expression]) -> Expression:

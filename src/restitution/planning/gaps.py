@@ -28,8 +28,8 @@ _TO_FORM = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
 def is_plain(scene: Scene, line: int, relation: Relation) -> bool:
     """Whether a bound of what a line says is seen at once.
 
-    It is where one is the other times factors with one letter each, and no letter is in two of
-    them: each has its own bound. An angle is compared by its tangent.
+    It is where one is the other times factors with one letter each, and what holds a letter only
+    grows with it, or only falls: each has its own bound. An angle is compared by its tangent.
     """
     whole = scene.desk.last_link(line)
     value = scene_value(scene, whole.right)
@@ -53,10 +53,21 @@ def is_plain(scene: Scene, line: int, relation: Relation) -> bool:
             return False
         if any(_has_root(factor) for factor in sp.Mul.make_args(ratio)):
             return False
-        inside = [s for factor in sp.Mul.make_args(ratio) for s in factor.free_symbols]
-        if len(set(inside)) < len(inside):
+        if not all(_is_monotone(scene, ratio, symbol) for symbol in ratio.free_symbols):
             return False
     return True
+
+
+def _is_monotone(scene: Scene, product: sp.Expr, symbol: sp.Symbol) -> bool:
+    """Whether the factors with a letter together only grow with it, or only fall.
+
+    It is asked only where several have it.
+    """
+    own = [factor for factor in sp.Mul.make_args(product) if symbol in factor.free_symbols]
+    if len(own) < 2:
+        return True
+    slope = sp.factor(sp.diff(sp.expand(sp.Mul(*own)), symbol))
+    return bool(proved_sign(scene.model.inside, slope))
 
 
 def is_left(worths: Worths, tree: Expression, value: sp.Expr) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from fractions import Fraction
 
 import sympy as sp
 
@@ -285,6 +286,8 @@ class Ties:
             if at_end.has(sp.zoo, sp.oo, sp.nan) or gone in at_end.free_symbols:
                 return None
             value = tidy(factored(at_end))
+            if is_square(kept) and value.is_number and value.is_negative:
+                return None  # that holds of every square
             return Link(kept, sign if slope > 0 else FLIPPED[sign], tree_of(value))
         return None
 
@@ -297,6 +300,14 @@ def _as_right_angle(each: GivenEquation) -> GivenEquation:
                 later, early = (Quantity("velocity", body, k) for k in (stage, stage - 1))
                 return replace(each, link=Link(early, "perpendicular to", later))
     return each
+
+
+def is_square(tree: Expression) -> bool:
+    """Whether a side is the square of something."""
+    match tree:
+        case Binary("^", _, Number(Fraction(numerator=2, denominator=1))):
+            return True
+    return False
 
 
 def is_letter_or_square(tree: Expression) -> bool:

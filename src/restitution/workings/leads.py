@@ -341,6 +341,10 @@ class Leads:
             else:
                 yield say("derived.cancel", factor=laid, reasons=known)
             return
+        rearranged = self._angles_given(line) if line.move.id == "rearrange" else None
+        if rearranged is not None and line.premises == (rearranged.id,):
+            yield say("derived.since", facts=(self._naming.fact(rearranged),))
+            return
         divided = self._divided(line)
         if divided is not None:
             yield divided
