@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 import sympy as sp
@@ -16,13 +17,22 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Number,
     Quantity,
     has_quantity,
     letters,
 )
 from restitution.planning.angles import RIGHT
 from restitution.planning.desk import NotPlannedError, chain, together
-from restitution.planning.forms import ONE, difference, in_tangents, product, swept, tree_of
+from restitution.planning.forms import (
+    ONE,
+    difference,
+    in_tangents,
+    product,
+    square,
+    swept,
+    tree_of,
+)
 from restitution.planning.impacts import scene_value
 from restitution.planning.polynomials import expanded
 from restitution.planning.premises import background
@@ -36,7 +46,10 @@ def is_sum(scene: Scene, each: GivenEquation) -> bool:
 
 
 def _terms(scene: Scene, each: GivenEquation) -> tuple[str, str, int, sp.Expr] | None:
-    """Two letters, the sign of the second (the first has +), and what the sum is worth."""
+    """Two letters, the sign of the second (the first has +), and what the sum is worth.
+
+    The sign is 2 where the first is twice the second.
+    """
     sides = (each.link.left, each.link.right)
     names = list(dict.fromkeys(name for side in sides for name in sorted(letters(side))))
     if len(names) != 2 or any(has_quantity(side) for side in sides):
@@ -49,6 +62,9 @@ def _terms(scene: Scene, each: GivenEquation) -> tuple[str, str, int, sp.Expr] |
     left, right = (scene_value(scene, side) for side in sides)
     gap = expanded(left - right)
     a, b = (sp.diff(gap, own) for own in (first, second))
+    if {abs(a), abs(b)} == {1, 2} and a * b < 0 and gap.subs({first: 0, second: 0}) == 0:
+        twice, once = names if abs(a) == 1 else names[::-1]
+        return twice, once, 2, sp.Integer(0)
     if abs(a) != 1 or abs(b) != 1:
         return None
     rest = gap.subs({first: 0, second: 0})
@@ -79,8 +95,13 @@ def write_sum(scene: Scene, each: GivenEquation) -> int:
         refs += own
     ranges = background(scene, names)
     subjects = [Apply("tan", Letter(name)) for name in names]
-    if angle == sp.pi / 2 and sign == 1:
-        relation: Relation = chain(product(*subjects), (ONE, None))
+    if sign == 2:
+        below = difference(ONE, square(subjects[1]))
+        doubled = Binary("/", product(Number(Fraction(2)), subjects[1]), below)
+        relation: Relation = chain(subjects[0], (doubled, None))
+        move = Move("identity", "double-angle")
+    elif angle == sp.pi / 2 and sign == 1:
+        relation = chain(product(*subjects), (ONE, None))
         move = Move("identity", "complement")
     else:
         above: Expression = Binary("+" if sign == 1 else "-", *subjects)

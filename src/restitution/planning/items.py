@@ -194,6 +194,8 @@ def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
         scene.desk.end(name, scene.desk.write(Move("put"), (line, fact.id), relation), relation)
         return
     own = formula(scene, quantity)
+    if asked.name in letters(tree_of(own.value)):
+        raise NotPlannedError(f"{asked.name} by itself")
     own = replace(own, quantity=asked, refs=together((fact.id,), own.refs))
     scene.desk.end(name, write_formula(scene, own), chain(asked, (tree_of(own.value), None)))
 

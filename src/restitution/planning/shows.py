@@ -336,8 +336,10 @@ def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[in
     factor = tidy(ax / bx) if bx != 0 else tidy(ay / by)
     sign = proved_sign(scene.model.oracle, factor)
     wanted = {"in the direction of": 1, "opposite to": -1}.get(relation.relation, sign)
-    if not isinstance(left, Quantity) or sign is None or sign == 0 or sign != wanted:
+    if not isinstance(left, Quantity) or sign == 0 or sign != wanted:
         raise NotPlannedError("two directions")
+    if sign is None and relation.relation != "parallel to":
+        raise NotPlannedError("two directions")  # the factor may vanish, or have either sign
     if isinstance(right, Quantity) and right.kind == "line_of_centres":
         fact = scene.facts.get(f"axis {right.stage}")
         if fact is None:

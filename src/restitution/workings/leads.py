@@ -444,6 +444,9 @@ class Leads:
                 match fact.relation.only:
                     case (Link(Binary("+" | "-"), "=") | Link(_, "=", Binary("+" | "-")),):
                         return fact
+                    case (Link(left, "=", right),) if line.move.record == "double-angle":
+                        if isinstance(left, Binary) or isinstance(right, Binary):
+                            return fact
         return None
 
     def _turned(self, line: Line) -> Sentence | None:
