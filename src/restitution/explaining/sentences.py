@@ -443,6 +443,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "centres does not close."
     ),
     "range.every": "So every value of {letter} is possible:",
+    "range.every-holds": "This always holds, so every value of {letter} is possible:",
     "extremum.approached": "as {place}, but does not reach it",
     "extremum.no-greatest": "as {place}, so there is no greatest value",
     "extremum.no-least": "as {place}, so there is no least value",

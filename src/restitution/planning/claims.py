@@ -171,7 +171,7 @@ class Claims:
         """Joins to a range the conditions that are given and that others imply."""
         desk = self.scene.desk
         line = desk.line(number)
-        if number == len(desk.lines) and line.move.id == "sign" and self._own_range(line.premises):
+        if number == len(desk.lines) and line.move.id == "sign" and self.is_own_range(line.premises):
             desk.lines.pop()
             kept = self._kept_bounds(relation)
             move = Move("compare") if kept else line.move
@@ -195,7 +195,7 @@ class Claims:
                 premises = (*premises, condition)
         return desk.write(line.move, premises, relation)
 
-    def _own_range(self, premises: Sequence[Ref]) -> bool:
+    def is_own_range(self, premises: Sequence[Ref]) -> bool:
         """Whether premises only say what a letter may be anyway."""
         return all(
             isinstance(premise, str) and premise not in self.scene.facts for premise in premises

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import Literal
 
 import sympy as sp
 
+from restitution.components import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import FLIPPED, Fact, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import (
@@ -23,7 +25,7 @@ from restitution.planning.desk import together
 from restitution.planning.forms import ZERO, swept, tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.inequalities import solve_linear, turned, without_signs
-from restitution.planning.polynomials import expanded
+from restitution.planning.polynomials import expanded, factored, one_fraction
 from restitution.planning.quantities import body_and_stage, frame_after
 from restitution.planning.squares import (
     solve_quadratic,
@@ -124,7 +126,12 @@ class Conditions:
             return None
         return self.finished(line, sign, x, wanted)
 
-    def stated(self, fact: Fact, wanted: Expression | None) -> int | None:
+    def stated(
+        self,
+        fact: Fact,
+        wanted: Expression | None,
+        shown: Literal["line", "silent"] = "silent",
+    ) -> int | None:
         """The line of one of them; where it holds of itself, a silent one that says it in letters.
 
         No range comes of that: a working only says that it holds.
@@ -139,7 +146,31 @@ class Conditions:
             tree_of(self.scene.put(self.scene.scalar(side))[0]) for side in (link.left, link.right)
         ]
         relation = Relation(((Link(trees[0], link.sign, trees[1]),),))
-        return self.judge.write((Move("put"),), pool, relation, shown="silent")
+        return self.judge.write((Move("put"),), pool, relation, shown=shown)
+
+    def holding(self, fact: Fact) -> int | None:
+        """The line of one that holds of itself, without its positive factors.
+
+        None of one that does not, or that no line says.
+        """
+        (link,) = fact.relation.only
+        mark = self.worths.mark()
+        first = self.stated(fact, None, shown="line")
+        if first is None or self.scene.desk.line(first).move.id != "put":
+            self.worths.back(mark)
+            return None
+        gap = self.gap(link)
+        above, _ = sp.fraction(factored(one_fraction(gap)))
+        sums = [each for each in sp.Mul.make_args(above) if each.as_base_exp()[0].is_Add]
+        sign = link.sign if link.sign[0] == ">" else FLIPPED[link.sign]
+        rest = expanded(sp.Mul(*sums))
+        positive = proved_sign(self.scene.model.inside, rest)
+        if not sums or not positive:
+            return first
+        told = Relation(((Link(tree_of(positive * rest), sign, ZERO),),))
+        moves = (Move("rearrange"), Move("cancel"))
+        last = self.judge.write(moves, [first, *self.worths.known_in(gap)], told)
+        return first if last is None else last
 
     def _past_a_right_angle(
         self, fact: Fact, link: Link, angle: Quantity, wanted: Expression | None

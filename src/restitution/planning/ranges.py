@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.explaining.derivation import Link, Relation, Sign
+from restitution.explaining.derivation import Link, Move, Relation, Sign
 from restitution.expression.tree import Apply, Expression
 from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError
@@ -31,9 +31,24 @@ def write_range(
             line = claims.write_parts(asked, relation)
         else:
             line = claims.join_the_rest(claims.write(relation), relation)
+            line = _with_what_holds(claims, line, relation)
             if not shown:
                 relation = _by_its_ratio(claims, asked, line, relation)
     scene.desk.end(name, line, relation, shown=shown)
+
+
+def _with_what_holds(claims: Claims, line: int, relation: Relation) -> int:
+    """A range that is that of a letter anyway, below the given conditions: each always holds."""
+    desk = claims.scene.desk
+    own = desk.line(line)
+    if line != len(desk.lines) or not claims.is_own_range(own.premises):
+        return line
+    desk.lines.pop()
+    conditions = claims.conditions
+    found = (conditions.holding(each) for each in conditions.inequalities())
+    held = [each for each in found if each is not None]
+    move = Move("compare") if held else own.move
+    return desk.write(move, (*held, *own.premises), relation)
 
 
 def _by_its_ratio(claims: Claims, asked: Expression, line: int, relation: Relation) -> Relation:

@@ -804,7 +804,10 @@ class Leads:
             case Relation(((Link(_, _, Letter() as letter), Link()),)) if (
                 self._reasons.is_own_range(line)
             ):
-                yield say("range.every", letter=self._naming.laid(letter))
+                above = [each for each in map(self._cited, line.premises) if each is not None]
+                holds = any(each.move.id in ("put", "rearrange", "cancel") for each in above)
+                name = "range.every-holds" if holds else "range.every"
+                yield say(name, letter=self._naming.laid(letter))
         for ref in line.premises if line.move.id == "compare" else ():
             own = self._derivation.line(ref) if isinstance(ref, int) else None
             if own is None or own.shown != "silent" or own.move.id != "put":
