@@ -353,8 +353,39 @@ def _quadratic(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     return by_roots(scene, number, above, symbol, Letter(symbol.name), symbol)
 
 
+def _without_an_angle(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """An angle of the data goes, as sin² + cos² = 1; what is left is solved."""
+    whole = numerator(residual(scene, number))
+    angles = {f.args[0] for f in whole.atoms(sp.sin, sp.cos)} - {symbol}
+    gone = [each for each in sorted(angles, key=str) if each.is_Symbol and _goes(whole, each)]
+    if not gone or symbol in inside_functions(whole):
+        return None
+    move = Move("identity", "pythagoras")
+    link = scene.desk.last_link(number)
+    left, right = (
+        tree_of(_in_sines(expanded(scene_value(scene, side)), gone))
+        for side in (link.left, link.right)
+    )
+    refs = scene.judge.enough(move, (number,), chain(left, (right, None)), ())
+    if refs is None:
+        return None
+    return close(scene, scene.desk.write(move, refs, chain(left, (right, None))), symbol)
+
+
+def _goes(x: sp.Expr, angle: sp.Symbol) -> bool:
+    """Whether an angle is not in an expression any more, once its cosines are sines."""
+    return angle in x.free_symbols and angle not in _in_sines(x, [angle]).free_symbols
+
+
+def _in_sines(x: sp.Expr, angles: Iterable[sp.Symbol]) -> sp.Expr:
+    for angle in angles:
+        x = expanded(x.subs(sp.cos(angle) ** 2, 1 - sp.sin(angle) ** 2))
+    return factored(x)
+
+
 SHAPES: tuple[Shape, ...] = (
     _already,
+    _without_an_angle,
     _squared,
     sum_of_angles,
     ratio,

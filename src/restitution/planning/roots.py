@@ -242,7 +242,9 @@ def _rejected(
     for premises in (*_by_one_law(scene, laws, rest), *_by_laws(laws, rest)):
         if scene.judge.follows(move, (line, *premises), relation):
             return scene.desk.write(move, (line, *premises), relation)
-    refs = scene.judge.enough(move, (line,), relation, (*own, *laws, *_values(scene, laws), *rest))
+    told = [each for each in scene.judge.known(names) if each in scene.facts]
+    pool = (*own, *laws, *_values(scene, laws), *rest, *told)
+    refs = scene.judge.enough(move, (line,), relation, pool)
     if refs is None:
         raise NotPlannedError(f"nothing excludes a value of {symbol}")
     return scene.desk.write(move, refs, relation)
