@@ -160,6 +160,8 @@ def _known_tree(scene: Scene, tree: Expression, symbol: sp.Symbol | None) -> Sou
             if known is None or isinstance(known.value, tuple):
                 return None
             value, refs = scene.put(known.value)
+            if value != known.value and not value.free_symbols & scene.model.final.keys():
+                return _settled_letter(scene, tree, known, Source(value, refs))
             return Source(value, together(known.refs, refs))
         case Apply("sin" | "cos" | "tan" as kind, Letter(name)):
             if symbol is not None and name == symbol.name:
@@ -171,6 +173,20 @@ def _known_tree(scene: Scene, tree: Expression, symbol: sp.Symbol | None) -> Sou
             value, refs = scene.put(getattr(sp, kind)(letter))
             return Source(value, refs) if refs else None
     return None
+
+
+def _settled_letter(scene: Scene, letter: Letter, known: Source, final: Source) -> Source:
+    """What a letter is by now, in a line of its own before that is put in."""
+    whole = together(known.refs, final.refs)
+    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    relation = chain(letter, (tree_of(final.value), None))
+    if len(lines) != 1 or scene.desk.last_link(lines[0]).left != letter:
+        return Source(final.value, whole)
+    line = scene.judge.write((Move("put"),), whole, relation)
+    if line is None:
+        return Source(final.value, whole)
+    scene.desk.know(letter, final.value, (line,))
+    return Source(final.value, (line,))
 
 
 def _unknown_of(scene: Scene, number: int, symbol: sp.Symbol) -> sp.Symbol:

@@ -54,7 +54,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
         determine(scene, solver, asked)
         _determine_velocities(scene, solver, asked)
     named = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
-    asked = _in_a_frame(scene, asked)
+    asked = in_a_frame(scene, asked)
     match asked:
         case Letter() | Quantity() if is_angle(scene, asked) and not _is_wall(scene, asked):
             scene.desk.end(name, *write_angle(scene, asked))
@@ -83,7 +83,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             _expression(scene, asked, name)
         case Apply("sin" | "cos" | "tan" as kind, Letter(letter)):
             _ratio(scene, asked, kind, letter, name)
-        case Quantity("along" | "across") if _is_named(scene, asked):
+        case Quantity("along" | "across") if is_named(scene, asked):
             known = scene.desk.known(asked)
             assert known is not None
             _letter(scene, asked, next(iter(known.value.free_symbols)), name)
@@ -301,7 +301,7 @@ def _axis(scene: Scene, number: int, name: str) -> None:
     scene.desk.end(name, line, scene.desk.relation(line))
 
 
-def _in_a_frame(scene: Scene, asked: Expression) -> Expression:
+def in_a_frame(scene: Scene, asked: Expression) -> Expression:
     """A component that is asked as lines say it, where its direction is one of its impact."""
     match asked:
         case Quantity("along" | "across" as kind, (Quantity("velocity", (Name(body),), at), way)):
@@ -321,7 +321,7 @@ def _in_a_frame(scene: Scene, asked: Expression) -> Expression:
     return asked
 
 
-def _is_named(scene: Scene, asked: Quantity) -> bool:
+def is_named(scene: Scene, asked: Quantity) -> bool:
     """Whether a component that is asked is one for which the working has a letter."""
     known = scene.desk.known(asked)
     letters = {component.symbol for component in scene.model.components.values()}

@@ -36,6 +36,7 @@ from restitution.planning.deflections import cosine_of_deflection
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.extrema import write_extremum
 from restitution.planning.forms import ZERO, alike, product, square, swept, tree_of
+from restitution.planning.items import in_a_frame, is_named
 from restitution.planning.order import Solver
 from restitution.planning.polynomials import expanded
 from restitution.planning.quantities import Formula, body_and_stage, frame_after
@@ -179,6 +180,9 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
                 return line, scene.desk.relation(line)
             if (turned := _turned_by(claims, link)) is not None:
                 return turned, scene.desk.relation(turned)
+            component = _component_shown(claims, link)
+            if component is not None:
+                return component
             return _Equation(claims, link).write(), Relation(((link,),))
         case Compare(operators=operators) if "=" not in operators:
             links = links_of(scene.problem, item.relation, now)
@@ -210,6 +214,32 @@ def _is_of_components(link: Link) -> bool:
         case Quantity("along", (_, one)), Quantity("along", (_, other)):
             return one == other
     return False
+
+
+def _component_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:
+    """A component to be shown for which the working has a letter: the line of that."""
+    if not isinstance(link.left, Quantity) or link.left.kind not in ("along", "across"):
+        return None
+    scene, mark = claims.scene, claims.worths.mark()
+    if has_quantity(link.right):
+        return None
+    claims.worths.determine(link.left)
+    asked = in_a_frame(scene, link.left)
+    named = scene.desk.known(asked)
+    letter = None
+    if isinstance(asked, Quantity) and named is not None and is_named(scene, asked):
+        letter = Letter(str(named.value))
+    known = None if letter is None else scene.desk.known(letter)
+    line = next((ref for ref in known.refs if isinstance(ref, int)), None) if known else None
+    if letter is not None and line is not None:
+        relation = chain(letter, (link.right, None))
+        if scene.desk.last_link(line).right != link.right:
+            names = claims.judge.known(letters(link.right))
+            line = claims.judge.write((Move("rearrange"),), [line, *names], relation)
+        if line is not None:
+            return line, relation
+    claims.worths.back(mark)
+    return None
 
 
 def _turned_by(claims: Claims, link: Link) -> int | None:

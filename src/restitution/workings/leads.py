@@ -693,8 +693,12 @@ class Leads:
                 facts = tuple(self._fact(fact) for fact in source.facts)
                 self._given |= {*source.facts}
                 spoken = self._spoken_of(source)
+                # What a line says anew of its own letter is not put into it.
+                subject = None if isinstance(line.relation, Meaning) else _subject(line.relation)
                 letters = tuple(
-                    self._named(each) for each in source.letters if spoken.isdisjoint(walk(each))
+                    self._named(each)
+                    for each in source.letters
+                    if spoken.isdisjoint(walk(each)) and each != subject
                 )
                 is_claim = any(isinstance(e, Sentence) and e.topic == "claim" for e in facts)
                 moves = self._moves(source.facts)
@@ -904,6 +908,12 @@ def _degrees(tree: Expression) -> Fraction:
         case Degrees(value):
             return value
     return Fraction(0)
+
+
+def _subject(relation: Relation) -> Expression | None:
+    """The letter of which a line says what it is."""
+    left = relation.options[0][0].left
+    return left if isinstance(left, Letter) else None
 
 
 def _read_off(line: Line) -> str | None:
