@@ -46,7 +46,10 @@ def _with_standing(derivation: Derivation) -> Derivation:
 
 
 def _where_needed(derivation: Derivation) -> Derivation:
-    """The same working, in which another ratio of an angle stands where it is first used."""
+    """The same working, in which what was written on the way stands where it is first used.
+
+    That is another ratio of an angle, or a component, which may have been written for its sign.
+    """
     parts = derivation.asked
     items = {each: n for n, each in enumerate(parts)}
     used: dict[int, str] = {}
@@ -56,11 +59,13 @@ def _where_needed(derivation: Derivation) -> Derivation:
         item = used.get(line.number, line.item)
         ends = any(each.line == line.number for each in derivation.items)
         moves = (
-            line.move.id == "triangle"
+            (line.move.id == "triangle" or line.move.record == "component")
             and not ends
             and line.number not in within
             and {item, line.item} <= items.keys()
-            and parts[item or ""] == parts[line.item or ""]
+            and (
+                parts[item or ""] == parts[line.item or ""] or line.move.record == "component"
+            )
             and items[item or ""] > items[line.item or ""]
         )
         own = replace(line, item=item) if moves else line

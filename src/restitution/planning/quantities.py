@@ -666,6 +666,9 @@ def _impulse(scene: Scene, quantity: Quantity) -> Formula:
         return _impulse_vector(scene, quantity, event)
     if event not in scene.model.frames:
         return _size_of_blow(scene, quantity, event)
+    whole = _size_of_impulse(scene, quantity, event)
+    if whole is not None:
+        return whole
     frame = scene.frame(event)
     spheres = scene.spheres(event)
     body = spheres[0]
@@ -709,15 +712,30 @@ def _is_open(scene: Scene, body: str, event: int) -> bool:
     return component is not None and bool(scene.unknown(component.symbol))
 
 
+def _size_of_impulse(scene: Scene, quantity: Quantity, event: int) -> Formula | None:
+    """The size of an impulse of which a line tells both components."""
+    for body in scene.spheres(event):
+        known = scene.desk.known(Quantity("impulse", (Name(body),), event))
+        if known is None or not isinstance(known.value, Vector) or 0 in tuple(known.value):
+            continue
+        if not any(sp.sympify(each, strict=True).free_symbols for each in known.value):
+            return _size(Move("define", "size", event, (body,)), quantity, known)
+    return None
+
+
 def _size_of_blow(scene: Scene, quantity: Quantity, event: int) -> Formula:
     """The size of a blow that is given as a vector."""
     blow = scene.data(f"impulse {event}")
     if not isinstance(blow.value, Vector):
         raise NotPlannedError("the size of a blow")
-    tree = Apply("sqrt", total(square(tree_of(each)) for each in blow.value if each != 0))
-    value = tidy(sp.sqrt(tidy(expanded(blow.value.dot(blow.value)))))
-    move = Move("define", "size", event, scene.bodies(event))
-    return Formula(move, _itself, quantity, tree, value, blow.refs)
+    return _size(Move("define", "size", event, scene.bodies(event)), quantity, blow)
+
+
+def _size(move: Move, quantity: Quantity, vector: Source) -> Formula:
+    """The size of a vector by its components."""
+    tree = Apply("sqrt", total(square(tree_of(each)) for each in vector.value if each != 0))
+    value = tidy(sp.sqrt(tidy(expanded(vector.value.dot(vector.value)))))
+    return Formula(move, _itself, quantity, tree, value, vector.refs)
 
 
 def _impulse_vector(scene: Scene, quantity: Quantity, event: int) -> Formula:

@@ -159,7 +159,8 @@ class _Writer:
                 if not lets:
                     yield from self._introduced()
             if not waiting:
-                yield from self._recalled(line)
+                for each in _resolved_with(shown[index:]):
+                    yield from self._recalled(each)
             if lets:
                 introductions = tuple(self.introductions.of(lets))
                 # What they are letters of may have to be introduced itself.
@@ -393,6 +394,17 @@ def _is_of_a_letter(line: Line | None) -> bool:
         case Relation(((Link(Letter(), "=", right),),)):
             return not letters(right)
     return False
+
+
+def _resolved_with(lines: Sequence[Line]) -> Iterator[Line]:
+    """A line; of a component, those of the others that are resolved with it."""
+    first, *rest = lines
+    yield first
+    if first.move.record == "component":
+        for each in rest:
+            if each.move.record != "component" or each.move.event != first.move.event:
+                return
+            yield each
 
 
 def _because(mark: Mark) -> Mark:
