@@ -159,8 +159,7 @@ class _Writer:
                 if not lets:
                     yield from self._introduced()
             if not waiting:
-                for each in _resolved_with(shown[index:]):
-                    yield from self._recalled(each)
+                yield from self._recalled(tuple(_resolved_with(shown[index:])))
             if lets:
                 introductions = tuple(self.introductions.of(lets))
                 # What they are letters of may have to be introduced itself.
@@ -235,32 +234,35 @@ class _Writer:
         if introduced:
             yield Step("setting", sentences=introduced)
 
-    def _recalled(self, line: Line) -> Iterator[Step]:
-        """The values of earlier parts on which a line rests, where it does not name them."""
-        source = self.sources.of(line)
-        named = () if source is None else source.numbered
+    def _recalled(self, lines: Sequence[Line]) -> Iterator[Step]:
+        """The values of earlier parts on which lines rest, where these do not name them."""
         values: dict[str | None, list[Row]] = {}
-        for ref in self._whole_velocity(line.premises):
-            own = self.derivation.line(ref) if isinstance(ref, int) else None
-            if own is None or ref in named or (self.ends.part(line), ref) in self.recalled:
-                continue
-            label = self.ends.part(own)
-            if label == self.ends.part(line) or not self._is_recalled(own):
-                continue
-            assert isinstance(own.relation, Relation)
-            self.recalled.add((self.ends.part(line), own.number))
-            link = own.relation.only[-1]
-            left = own.relation.only[0].left
-            value = self.naming.laid(link.right)
-            if is_plain(value) and value != lay.Number("0"):
-                value = with_unit(value, self.measures.unit(left))
-            row = Row((self.naming.laid(left), value), ("=",))
-            values.setdefault(label, []).append(row)
+        for line in lines:
+            part, source = self.ends.part(line), self.sources.of(line)
+            named = () if source is None else source.numbered
+            for ref in self._whole_velocity(line.premises):
+                own = self.derivation.line(ref) if isinstance(ref, int) else None
+                if own is None or ref in named or (part, ref) in self.recalled:
+                    continue
+                label = self.ends.part(own)
+                if label == part or not self._is_recalled(own):
+                    continue
+                self.recalled.add((part, own.number))
+                values.setdefault(label, []).append(self._again(own))
         for label, rows in values.items():
             where = say("carried.part", label=label) if label else say("carried.above")
             self.afresh()
-            item = self.ends.place(line)
+            item = self.ends.place(lines[0])
             yield Step("result", tuple(rows), sentences=(where,), item=item)
+
+    def _again(self, line: Line) -> Row:
+        """What a line says of its left side, as a row."""
+        assert isinstance(line.relation, Relation)
+        left = line.relation.only[0].left
+        value = self.naming.laid(line.relation.only[-1].right)
+        if is_plain(value) and value != lay.Number("0"):
+            value = with_unit(value, self.measures.unit(left))
+        return Row((self.naming.laid(left), value), ("=",))
 
     def _whole_velocity(self, refs: Sequence[Ref]) -> Sequence[Ref]:
         """Premises, with the velocity that was put together in place of what it was made of.
