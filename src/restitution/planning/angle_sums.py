@@ -64,7 +64,9 @@ def _terms(scene: Scene, each: GivenEquation) -> tuple[str, str, int, sp.Expr] |
     a, b = (sp.diff(gap, own) for own in (first, second))
     if {abs(a), abs(b)} == {1, 2} and a * b < 0 and gap.subs({first: 0, second: 0}) == 0:
         twice, once = names if abs(a) == 1 else names[::-1]
-        return twice, once, 2, sp.Integer(0)
+        # Where the statement gives the smaller angle, its double is put in for the other.
+        moved = _quantity(scene, once) is not None
+        return (twice, once, 2, sp.Integer(0)) if moved else None
     if abs(a) != 1 or abs(b) != 1:
         return None
     rest = gap.subs({first: 0, second: 0})

@@ -13,6 +13,7 @@ from restitution.explaining.derivation import Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Name,
     Polar,
@@ -69,7 +70,10 @@ def write_deflection(scene: Scene, each: GivenEquation) -> int:
         above.reverse()
     below = total((product(trees[0], trees[2]), product(trees[1], trees[3])))
     tangent, more = scene.put(sp.tan(angle))
-    relation = chain(tree_of(tidy(tangent)), (swept(Binary("/", difference(*above), below)), None))
+    degrees = tree_of(angle, angle=True)
+    named = isinstance(degrees, Degrees)
+    left = Apply("tan", degrees) if named else tree_of(tidy(tangent))
+    relation = chain(left, (swept(Binary("/", difference(*above), below)), None))
     move = Move("define", "tan-deflection", event, (name.name,))
     sources = together(each.refs, refs, *(own.refs for own in (*early, *late)))
     return _written(scene, move, sources, relation, (*frame.refs, *more))

@@ -99,7 +99,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
                 solver.determine(sorted(scene.unknown(own.value), key=str))
                 own = formula(scene, asked)
             line = write_formula(scene, own)
-            scene.desk.end(name, line, chain(asked, (tree_of(own.value), None)))
+            scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
         case _ if not has_quantity(asked):
             _of_letters(scene, asked, name)
         case _:

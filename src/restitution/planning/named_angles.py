@@ -17,7 +17,7 @@ from restitution.expression.tree import (
     letters,
 )
 from restitution.planning.desk import chain, together
-from restitution.planning.forms import swept, tree_of
+from restitution.planning.forms import in_tangents, swept, tree_of
 from restitution.planning.premises import background
 from restitution.planning.quantities import Formula
 from restitution.planning.scene import Scene
@@ -85,7 +85,8 @@ def ratio_line(
     match right:
         case Binary("/", above, below) if isinstance(swept(below), Negate):
             first = Binary("/", swept(above), swept(below))
-    relation = chain(ratio, (first, None), (tree_of(value), "rearrange"))
+    final = in_tangents(value) if sp.sympify(value, strict=True).is_number else value
+    relation = chain(ratio, (first, None), (tree_of(final), "rearrange"))
     if sp.sympify(value, strict=True).has(sp.Abs):
         known = background(scene, letters(relation.only[0].right))
         refs = scene.judge.enough(move, refs, relation, known) or refs

@@ -1056,6 +1056,8 @@ def write_formula(scene: Scene, own: Formula) -> int:
             )
         if _trivial(own.right, final):
             right = final
+        elif _is_figure(own.value) and isinstance(right, Apply):
+            final = right  # what follows is its decimal: no other form of it is plainer
         by: MoveId = "identity" if _by_pythagoras(scene, own) else "rearrange"
         relation = chain(own.left, (right, None), (final, by))
         if _has_roots_of_letters(own.right):
@@ -1073,6 +1075,12 @@ def _has_roots_of_letters(tree: Expression) -> bool:
         isinstance(node, Apply) and node.function == "sqrt" and letters(node.argument)
         for node in walk(inside)
     )
+
+
+def _is_figure(value: Any) -> bool:
+    """Whether a number is made of sines and cosines of degrees that have no exact values."""
+    own = sp.sympify(value, strict=True)
+    return bool(own.is_number and own.atoms(sp.sin, sp.cos, sp.tan))
 
 
 def _trivial(right: Expression, final: Expression) -> bool:

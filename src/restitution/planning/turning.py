@@ -27,7 +27,7 @@ from restitution.expression.tree import (
 from restitution.planning.angles import angle_to_a_line, range_of
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.either_side import angle_of_centres
-from restitution.planning.forms import difference, total, tree_of
+from restitution.planning.forms import difference, in_tangents, total, tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import in_direction
 from restitution.planning.lines_between import (
@@ -424,7 +424,7 @@ def _degrees(angle: sp.Expr, value: sp.Expr) -> Expression:
         number = Fraction(int(degrees.p), int(degrees.q))
         return Negate(Degrees(-number)) if number < 0 else Degrees(number)
     function = "arccos" if angle.has(sp.acos) else "arctan"
-    tree = tree_of(value)
+    tree = tree_of(in_tangents(value) if value.is_number else value)
     if function == "arctan" and isinstance(tree, Negate):
         return Negate(Apply(function, tree.operand))
     return Apply(function, tree)

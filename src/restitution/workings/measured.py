@@ -251,6 +251,8 @@ def as_answer(tree: Expression, place: bool = False) -> tuple[tuple[lay.Layout, 
     else:
         return ()
     sides = shown.operands if isinstance(shown, lay.Relation) else (shown,)
+    if len(sides) == 1 and _is_rounded_alone(value, shown, tree):
+        sides = (shown, shown)  # the exact form is too long for an answer
     decimals = tuple((_without_zeros(side), "=") if exact else (side, "≈") for side in sides[1:])
     return ((sides[0], "="), *decimals) if place else decimals
 
@@ -297,6 +299,13 @@ def _rounded(value: sp.Expr, angle: bool) -> lay.Layout | None:
     if isinstance(shown, lay.Relation):
         return shown.operands[-1]
     return None
+
+
+def _is_rounded_alone(value: Any, shown: lay.Layout, tree: Expression) -> bool:
+    """Whether only the decimal of a number is shown, which has an exact form."""
+    if not isinstance(value, sp.Expr) or value.is_Rational or value.free_symbols:
+        return False
+    return shown != lay.from_sympy(value, degrees=_is_angle(tree))
 
 
 def _rounded_vector(x: Any, y: Any) -> lay.Layout | None:
