@@ -685,6 +685,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Dividing {first} by {factor}, which is not zero by {equations:and}, as {reasons:and}:"
     ),
     "derived.either": "{values:or}",
+    "derived.both": "{values:and}",
     "derived.for": "when {place}",
     "derived.acute": "{angle} is acute",
     "derived.positive": "{letter} is positive",
