@@ -392,9 +392,27 @@ def determine(scene: Scene, solver: Solver, asked: Expression) -> None:
         solver.determine(goals(scene, asked))
     except NotPlannedError:
         solver.back(standing)
+        if _determine_components(scene, solver, asked):
+            return
+        solver.back(standing)
         if not _determine_letters(scene, solver):
             raise
         solver.determine(goals(scene, asked))
+
+
+def _determine_components(scene: Scene, solver: Solver, asked: Expression) -> bool:
+    """Finds first a component after an impact, by what is asked; then that."""
+    components = {component.symbol for component in scene.model.components.values()}
+    for symbol in sorted(components & scene.model.final.keys(), key=str):
+        standing = solver.mark()
+        try:
+            solver.determine([symbol])
+            solver.determine(goals(scene, asked))
+        except NotPlannedError:
+            solver.back(standing)
+        else:
+            return True
+    return False
 
 
 def _determine_letters(scene: Scene, solver: Solver) -> bool:
