@@ -242,8 +242,7 @@ def awarded(
         derivation,
         lines=tuple(replace(each, marks=proposed[each.number]) for each in derivation.lines),
         notes=tuple(
-            replace(note, marks=_FOR_NOTES.get(note.kind, ()))
-            for note in derivation.notes
+            replace(note, marks=_FOR_NOTES.get(note.kind, ())) for note in derivation.notes
         ),
     )
 

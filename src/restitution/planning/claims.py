@@ -171,7 +171,11 @@ class Claims:
         """Joins to a range the conditions that are given and that others imply."""
         desk = self.scene.desk
         line = desk.line(number)
-        if number == len(desk.lines) and line.move.id == "sign" and self.is_own_range(line.premises):
+        if (
+            number == len(desk.lines)
+            and line.move.id == "sign"
+            and self.is_own_range(line.premises)
+        ):
             desk.lines.pop()
             kept = self._kept_bounds(relation)
             move = Move("compare") if kept else line.move

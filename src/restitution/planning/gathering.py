@@ -63,9 +63,7 @@ def _where_needed(derivation: Derivation) -> Derivation:
             and not ends
             and line.number not in within
             and {item, line.item} <= items.keys()
-            and (
-                parts[item or ""] == parts[line.item or ""] or line.move.record == "component"
-            )
+            and (parts[item or ""] == parts[line.item or ""] or line.move.record == "component")
             and items[item or ""] > items[line.item or ""]
         )
         own = replace(line, item=item) if moves else line

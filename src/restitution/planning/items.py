@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     has_quantity,
+    letters,
     walk,
 )
 from restitution.planning import journeys, place_trees
@@ -324,8 +325,8 @@ def in_a_frame(scene: Scene, asked: Expression) -> Expression:
 def is_named(scene: Scene, asked: Quantity) -> bool:
     """Whether a component that is asked is one for which the working has a letter."""
     known = scene.desk.known(asked)
-    letters = {component.symbol for component in scene.model.components.values()}
-    return known is not None and known.value in letters
+    components = {component.symbol for component in scene.model.components.values()}
+    return known is not None and known.value in components
 
 
 def _letter(scene: Scene, asked: Expression, letter: sp.Symbol, name: str) -> None:
@@ -431,11 +432,11 @@ def _determine_letters(scene: Scene, solver: Solver) -> bool:
 
 def _determine_velocities(scene: Scene, solver: Solver, asked: Expression) -> None:
     """The components of which an angle is made, where it is the same whatever they are."""
-    letters = {component.symbol for component in scene.model.components.values()}
+    components = {component.symbol for component in scene.model.components.values()}
     for angle in walk(asked):
         if isinstance(angle, Letter | Quantity) and is_angle(scene, angle):
             velocities = _velocities_of(scene, quantity_of(scene, angle))
-            open_ = {s for each in velocities for s in scene.unknown(each)} & letters
+            open_ = {s for each in velocities for s in scene.unknown(each)} & components
             if open_:
                 solver.determine(sorted(open_, key=str))
 

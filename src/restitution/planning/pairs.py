@@ -51,7 +51,8 @@ def _above(scene: Scene, line: int) -> sp.Expr:
 
 def _background(scene: Scene, lines: Iterable[int]) -> tuple[Any, ...]:
     names = {each.name for line in lines for each in residual(scene, line).free_symbols}
-    return background(scene, names)
+    told = (each for each in scene.judge.known(names) if each in scene.facts)
+    return (*background(scene, names), *told)
 
 
 def _write(scene: Scene, move: Move, lines: Sequence[int], relation: Relation) -> int | None:
@@ -193,6 +194,19 @@ def _expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     return _put_in(scene, lines, unknowns, Letter(x.name), value, Move("rearrange"))
 
 
+def _square_of_unknown(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
+    """An unknown of which only the square stands in both: that is put into the other."""
+    x, _ = unknowns
+    own, other = (_above(scene, line) for line in lines)
+    if x in inside_functions(own) | inside_functions(other) or x not in own.free_symbols:
+        return False
+    poly = sp.Poly(own, x)
+    if set(poly.monoms()) != {(2,), (0,)} or any(n % 2 for (n,) in sp.Poly(other, x).monoms()):
+        return False
+    value = tidy(-poly.nth(0) / poly.nth(2))
+    return _put_in(scene, lines, unknowns, square(Letter(x.name)), value, Move("rearrange"))
+
+
 def _ratio_expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     """A sine, cosine or tangent that stands alone and linearly in one equation."""
     x, _ = unknowns
@@ -293,6 +307,7 @@ SHAPES: tuple[Callable[[Scene, Pair, Unknowns], bool], ...] = (
     _linear,
     _polar,
     _expressed,
+    _square_of_unknown,
     _ratio_expressed,
     _square_expressed,
 )

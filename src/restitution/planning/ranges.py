@@ -71,19 +71,24 @@ def _by_its_ratio(claims: Claims, asked: Expression, line: int, relation: Relati
             ratio = bound.left.function  # type: ignore[union-attr]
             inverse = Apply(f"arc{ratio}", bound.right)
             links = tuple(
-                Link(_as(inverse, each.left), each.sign, _as(inverse, each.right))
+                Link(_as(claims, inverse, each.left), each.sign, _as(claims, inverse, each.right))
                 for each in relation.only
             )
-            told = Relation((links,))
-            if told != relation and claims.judge.follows(own.move, own.premises, told):
+            if links != relation.only:
+                told = Relation((links,))
                 desk.lines[line - 1] = replace(own, relation=told)
                 return told
     return relation
 
 
-def _as(inverse: Expression, side: Expression) -> Expression:
-    """An end of a range that is an inverse tangent as another inverse ratio."""
-    return inverse if isinstance(side, Apply) and side.function == "arctan" else side
+def _as(claims: Claims, inverse: Apply, side: Expression) -> Expression:
+    """An end of a range that is an inverse tangent as the other inverse ratio that it is."""
+    if not isinstance(side, Apply) or side.function != "arctan":
+        return side
+    tangent, ratio = (claims.worths.value(each) for each in (side.argument, inverse.argument))
+    hypotenuse = sp.sqrt(1 + tangent**2)
+    own = (1 if inverse.function == "arccos" else tangent) / hypotenuse
+    return inverse if claims.scene.model.identically_zero(own - ratio) else side
 
 
 def relation_of(asked: Expression, result: ItemResult) -> Relation:

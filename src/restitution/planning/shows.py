@@ -35,7 +35,7 @@ from restitution.planning.conditions import has_quantity_in
 from restitution.planning.deflections import cosine_of_deflection
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.extrema import write_extremum
-from restitution.planning.forms import ZERO, alike, product, square, swept, tree_of
+from restitution.planning.forms import ZERO, alike, negative, product, square, swept, tree_of
 from restitution.planning.items import in_a_frame, is_named
 from restitution.planning.order import Solver
 from restitution.planning.polynomials import expanded
@@ -450,8 +450,13 @@ class _Equation:
         mark = self.scene.desk.mark()
         middle = self.judge.write(_LAST, [line, *others, *known], squared)
         if middle is not None:
-            moves = (Move("rearrange"), Move("reject"), Move("compare"))
-            root = self.judge.write(moves, [middle, *known], self.relation)
+            root = self.judge.write((Move("rearrange"),), [middle, *known], self.relation)
+            if root is not None:
+                return root
+            both = Relation(((self.link,), (Link(left, "=", negative(right)),)))
+            roots = self.judge.write((Move("roots"),), [middle, *known], both)
+            if roots is not None:
+                root = self.judge.write((Move("reject"),), [roots, *known], self.relation)
             if root is not None:
                 return root
         self.scene.desk.back(mark)

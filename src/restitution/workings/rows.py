@@ -302,11 +302,11 @@ class Rows:
             sides = (self._naming.laid(root.left), self._naming.laid(root.right))
             return Row((sides[0], lay.Phrase((lay.Words("±"), sides[1]), "")), ("=",))
         if any(len(chains(option)) > 1 for option in options):
-            ways = tuple(
+            cases = tuple(
                 say("derived.both", values=tuple(self._bare(e, asked) for e in chains(option)))
                 for option in options
             )
-            return Row((operand(say("derived.either", values=ways)),), (), alternatives=True)
+            return Row((operand(say("derived.either", values=cases)),), (), alternatives=True)
         words = _WORDS.get(first[0].sign)
         if words is not None and all(len(option) == 1 for option in options):
             left = self._naming.side(first[0].left)

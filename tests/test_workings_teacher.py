@@ -1,0 +1,225 @@
+"""Workings as a mark scheme sets them out: what each has to say, and in which order.
+
+The values are worked out by hand, beside each statement.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+import pytest
+from workings import planned
+
+from restitution.explaining.awarding import awarded, marks_of
+from restitution.workings import to_text
+from restitution.workings.derived import explanation_of
+
+WALL = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W{e}
+"""
+REST = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass {m}, at rest
+A hits B: along i{e}
+"""
+CORNER = """
+wall X: along i
+wall Y: along j
+sphere P: mass m, velocity u at alpha to X
+P hits X: e = e
+P hits Y: e = {f}
+"""
+
+# Statement, and what its working says, in this order.
+SAYS = {
+    # cos²α + e² sin²α lost: (1 − e²) sin²α = 1/4, so sin²α is least for e = 0.
+    "a bound of a square rests on a square that is not negative": (
+        WALL.format(e="") + "given energy_lost = 1/4 energy(0)\nshow alpha >= 30°",
+        ["sin²α ≥ ¼, as e² ≥ 0", "sin α ≥ ½, as α is acute", "α ≥ 30°"],
+    ),
+    # cos²α = 3/(8(1 − e²)) ≥ 3/8.
+    "an angle has the end that the bound of its ratio gives": (
+        REST.format(m="2m", e="") + "given energy_lost = 1/4 energy(0)\nfind range of alpha",
+        ["cos²α ≥ ⅜, as e² ≥ 0", "cos α ≥ √6/4, as α is acute", "α ≤ arccos(√6/4)"],
+    ),
+    # cos²α + e² sin²α = 1/2, so tan²α = 1/(1 − 2e²).
+    "what stands below a line is positive": (
+        WALL.format(e="") + "given speed(P) = u/sqrt(2)\nfind range of e",
+        ["1 − 2e² > 0, as tan²α > 0", "e² < ½", "0 ≤ e < √2/2"],
+    ),
+    # (u cos α)² = e (u sin α)².
+    "a root is taken for a printed form": (
+        WALL.format(e="") + "given deflection(P) = 90°\nshow tan(alpha) = 1/sqrt(e)",
+        ["tan²α = 1/e", "tan α = 1/√e, as α is acute"],
+    ),
+    # v = (1 − e)u cos α/2: tan θ = (1 + e)t/(1 − e + 2t²), with e = 2/3 it is 5t/(1 + 6t²).
+    "a greatest deflection that the statement names": (
+        REST.format(m="m", e="")
+        + "let theta = deflection(A)\npart a\n"
+        + "show tan(theta) = (1 + e) tan(alpha)/(1 - e + 2 tan^2(alpha))\n"
+        + "part b\ngiven e = 2/3\nfind maximum of deflection(A) over alpha",
+        [
+            "Since e = ⅔, from (3):\n    tan θ = 5 tan α/(1 + 6 tan²α)",
+            "S ≥ 2√6",
+            "tan θ ≤ 5√6/12",
+            "greatest value of θ = arctan(5√6/12)",
+        ],
+    ),
+    # 3t/(1 + 4t²) = 3/(1/t + 4t), and 1/t + 4t is at least 4.
+    "a quotient is bounded before its angle is": (
+        REST.format(m="m", e=": e = 1/2".replace(":", ","))
+        + "let theta = deflection(A)\npart a\n"
+        + "show tan(theta) = 3 tan(alpha)/(1 + 4 tan^2(alpha))\n"
+        + "part b\nshow theta <= arctan(3/4)",
+        ["tan θ = 3/(1/tan α + 4 tan α)", "S ≥ 4", "tan θ ≤ ¾", "θ ≤ arctan(3/4)"],
+    ),
+    # v = −(4e − 1)u cos α/5: A is sent back.
+    "a deflection in letters that may be obtuse": (
+        REST.format(m="4m", e="") + "given e > 1/4\nfind deflection(A) in terms of alpha, e",
+        ["δ = 180° − α − arctan(5 tan α/(4e − 1))"],
+    ),
+    # tan β = tan α/3 and tan α tan β = 1.
+    "two angles with the sum 90°": (
+        WALL.format(e=": e = 1/3")
+        + "let beta = angle(velocity(P), W)\ngiven alpha + beta = 90°\nfind alpha",
+        ["Since α + β = 90°:\n    β = 90° − α", "tan α tan β = 1", "tan²α = 3", "α = 60°"],
+    ),
+    # tan β = tan α/3 with α = 2β: 1 − tan²β = 2/3.
+    "an angle that is twice another": (
+        WALL.format(e=": e = 1/3")
+        + "let beta = angle(velocity(P), W)\ngiven alpha = 2 beta\nfind beta",
+        ["Since α = 2β, by the formulae for the double angle:", "tan α = √3", "β = 30°"],
+    ),
+    "a velocity that is a multiple of another is parallel to it": (
+        CORNER.format(f="e") + "show velocity(P) parallel to velocity(P, 0)",
+        ["= −e𝐮", "So 𝐯₂ is parallel to 𝐮, as required."],
+    ),
+    # v₁ = (2 − e)u and v₂ = 2(1 + e)(1 − 4e)u/5: their difference is (8 + e + 8e²)u/5.
+    "a condition that always holds": (
+        (
+            "sphere A: mass 2m, velocity 3u i\nsphere B: mass m, at rest\n"
+            "sphere C: mass 4m, at rest\nA hits B: along i\nB hits C: along i\n"
+            "given A and B collide again\nfind range of e"
+        ),
+        ["(2 − e)u > 2(1 + e)(1 − 4e)u/5", "8 + e + 8e² > 0", "This always holds", "0 ≤ e ≤ 1"],
+    ),
+    # f²cos²α + e²sin²α is e².
+    "an angle of the data that goes": (
+        CORNER.format(f="f") + "given total_energy_lost = 1/2 energy(0), f = e, e > 0\nfind e",
+        ["As sin² + cos² = 1:\n    2(1 − e²) = 1", "e² = ½", "e = √2/2"],
+    ),
+    # e = q/p, and (1 − e²)p² = (p² + q²)/4.
+    "a root that the signs of letters exclude": (
+        (
+            "sphere A: mass m, velocity p i + q j\nsphere B: mass m, velocity -p i + q j\n"
+            "A hits B: along i\ngiven velocity(A) perpendicular to velocity(B), p > 0, q > 0\n"
+            "given energy_lost = 1/4 energy(0)\nfind e"
+        ),
+        ["p = √15 q/3, as p > 0 and q > 0", "e = √15/5"],
+    ),
+    # w = 2 + 4e is 4, and 8m − 2m = 2mv + 4m.
+    "what a letter is by now stands before it is put in": (
+        (
+            "sphere A: mass 2m, velocity 4i + 3j\nsphere B: mass m, velocity -2i + 3j\n"
+            "A hits B: along i\npart a\ngiven speed(B) = sqrt(34)\nfind e\n"
+            "part b\ngiven e = 1/2\nfind velocity(A)"
+        ),
+        ["(b)", "w = 2 + 4e", "Since e = ½:\n    w = 4", "= 2mv + 4m", "v = 1"],
+    ),
+    # 4 = −5x/... : v = (x − 18)/10 by both laws, and 9 = 2(x − v).
+    "a component of the data by an impulse": (
+        (
+            "sphere A: mass 2, velocity x i + 3j\nsphere B: mass 3, velocity -2i + j\n"
+            "A hits B: along i, e = 1/2\ngiven impulse = 9, x > 0\nunknown x\nfind x"
+        ),
+        ["v = (x − 18)/10", "9 = 2(x − (x − 18)/10)", "x = 3"],
+    ),
+    "the size of an impulse that is known as a vector": (
+        (
+            "wall W\nsphere P: mass 0.5, velocity 6i + 2j\nP hits W\n"
+            "given velocity(P) = 2i + 5j\nfind impulse(P), impulse"
+        ),
+        ["(−2𝐢 + 1.5𝐣) N s", "√(2² + 1.5²) = 2.5 N s"],
+    ),
+    # 10 = 2(4e + 4).
+    "an answer of an earlier part stands again": (
+        (
+            "wall W: along i\nsphere P: mass 2, velocity 3i - 4j\nP hits W\n"
+            "given impulse = 10\npart a\nfind velocity(P)\npart b\nfind e\n"
+            "part c\nfind deflection(P)"
+        ),
+        ["e = ¼", "(b)\n\nFrom part (a):\n    e = ¼", "(c)", "From part (a):\n    𝐯_P = (3𝐢 + 𝐣)"],
+    ),
+    # tan β = e tan 50°.
+    "sines and cosines of degrees": (
+        (
+            "wall W: along i\nsphere P: velocity 12 at 50° to W\nP hits W: e = 0.6\n"
+            "find speed(P), deflection(P)"
+        ),
+        ["√((7.2 sin 50°)² + (12 cos 50°)²) ≈ 9.48", "= 0.6 tan 50°", "β = arctan(0.6 tan 50°)"],
+    ),
+}
+
+# What no such working says.
+NEVER = {
+    "a component that is to be shown": (
+        (
+            "sphere A: mass m, velocity u at alpha\nsphere B: mass m, velocity v at beta from -i\n"
+            "A hits B: along i, e = 1\nshow along(velocity(A), i) = -v cos(beta)"
+        ),
+        "Components along the axes",
+    ),
+    "what only a later part needs": (
+        (
+            "sphere A: mass 2, velocity 5i - 2j\nsphere B: mass 4, velocity -i + 2j\nA hits B\n"
+            "given velocity(A) = -i + 2j\npart a\nfind velocity(B)\npart b\nfind e"
+        ),
+        "𝐣)) m s⁻¹\n\n(b)",
+    ),
+}
+
+
+@cache
+def text(statement: str) -> str:
+    """The working of a statement that the follower accepts, as text without line ends in it."""
+    problem, derivation = planned(statement)
+    return to_text(explanation_of(awarded(derivation), problem))
+
+
+def without_marks(working: str) -> str:
+    """A working without its column of marks, and with rows that were broken in one line."""
+    plain = re.sub(r" {2,}(D?[MAB]\d\S*( |$))+", "", working, flags=re.MULTILINE)
+    return re.sub(r" {2,}(?==|as )", " ", plain)
+
+
+@pytest.mark.parametrize("name", SAYS)
+def test_it_says_what_a_mark_scheme_says(name: str) -> None:
+    statement, phrases = SAYS[name]
+    working, at = without_marks(text(statement)), 0
+    for phrase in phrases:
+        found = working.find(phrase, at)
+        assert found >= 0, f"{phrase!r} is not in\n{working[at:]}"
+        at = found + len(phrase)
+    assert "not written out" not in working
+
+
+@pytest.mark.parametrize("name", NEVER)
+def test_it_has_no_needless_line(name: str) -> None:
+    statement, phrase = NEVER[name]
+    assert phrase not in text(statement)
+
+
+def test_what_only_a_later_part_needs_stands_there() -> None:
+    statement, _ = NEVER["what only a later part needs"]
+    first, _, second = text(statement).partition("(b)")
+    assert "·" not in first
+    assert second.count("𝐯_A ·") == 1
+
+
+def test_a_part_whose_answer_stands_already_has_a_mark() -> None:
+    statement, _ = SAYS["an answer of an earlier part stands again"]
+    _, derivation = planned(statement)
+    assert marks_of(awarded(derivation))["b"] == 1
