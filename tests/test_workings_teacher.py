@@ -151,7 +151,13 @@ SAYS = {
             "given impulse = 10\npart a\nfind velocity(P)\npart b\nfind e\n"
             "part c\nfind deflection(P)"
         ),
-        ["e = ¼", "(b)\n\nFrom part (a):\n    e = ¼", "(c)", "From part (a):\n    𝐯_P = (3𝐢 + 𝐣)"],
+        [
+            "e = ¼",
+            "(b)\n\nFrom part (a):\n    e = ¼",
+            "(c)",
+            "Substituting for e in (1):\n    component of 𝐯_P along 𝐣 = 1",
+            "tan θ = ⅓",
+        ],
     ),
     # tan β = e tan 50°.
     "sines and cosines of degrees": (

@@ -738,14 +738,19 @@ class Claims:
         return None
 
     def _bounded_ratio(self, letter: Letter, pool: Sequence[Ref]) -> Apply:
-        """The ratio of an angle of which a premise bounds the square; else the tangent."""
+        """The ratio of an angle that a premise bounds, or its square; else the tangent."""
         for ref in pool:
             own = self.scene.desk.line(ref).relation if isinstance(ref, int) else None
             match own:
+                case Relation(((Link(Apply() as ratio, sign, _),),)):
+                    pass
                 case Relation(((Link(Binary("^", Apply() as ratio, power), sign, _),),)):
-                    two = power == Number(Fraction(2))
-                    if ratio.argument == letter and sign in FLIPPED and two:
-                        return ratio
+                    if power != Number(Fraction(2)):
+                        continue
+                case _:
+                    continue
+            if ratio.argument == letter and sign in FLIPPED and ratio.function in _RATIOS:
+                return ratio
         return Apply("tan", letter)
 
     def _bounding(self, subject: Expression, sign: Sign, most: sp.Expr) -> Iterator[int]:

@@ -300,6 +300,13 @@ class Desk:
         """The last line of an item."""
         self.ends.append(ItemEnd(item, line, answer, self.part, shown))
 
+    def is_of_this_part(self, number: int) -> bool:
+        """Whether a line was written for an item of the part that is written now."""
+        own, now = (
+            (item or "").rstrip("0123456789") for item in (self.line(number).item, self.item)
+        )
+        return own == now
+
     def new_note(self, item: str, kind: NoteKind, reason: str = "", **rest: Any) -> Note:
         """A note on the item that is next, with these fields."""
         items = {*(end.item for end in self.ends), *(note.item for note in self.notes)}

@@ -265,7 +265,7 @@ def settled(scene: Scene, tree: Expression) -> Source | None:
     """What a component, or a letter, is known to be; None where it is not.
 
     Where letters in it have been found since, what that makes of it is a line of its own, unless
-    a number only takes the place of a letter.
+    a number only takes the place of a letter in a line of the same part.
     """
     known = scene.desk.known(tree)
     if known is None:
@@ -276,9 +276,11 @@ def settled(scene: Scene, tree: Expression) -> Source | None:
         return known
     value, refs = scene.put(known.value)
     lines = [ref for ref in known.refs if isinstance(ref, int)]
-    if value == known.value or len(lines) != 1 or _is_plain(known.value, value):
+    if value == known.value or len(lines) != 1:
         return known
     (line,) = lines
+    if _is_plain(known.value, value) and scene.desk.is_of_this_part(line):
+        return known
     if scene.desk.last_link(line).left != tree:
         return known
     move = Move("put")

@@ -18,17 +18,15 @@ from typing import TYPE_CHECKING, Any
 from restitution.explaining.derivation import (
     Derivation,
     Line,
-    Link,
     Meaning,
     Move,
     Note,
-    Ref,
     Relation,
 )
 from restitution.explaining.layouts import chains
 from restitution.explaining.marks import Mark, Marks, reasoned
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Letter, Quantity, is_zero, letters
+from restitution.expression.tree import Letter, Quantity, is_zero
 from restitution.problem import Problem, Show
 from restitution.render import layout as lay
 from restitution.render.text import to_text
@@ -240,7 +238,7 @@ class _Writer:
         for line in lines:
             part, source = self.ends.part(line), self.sources.of(line)
             named = () if source is None else source.numbered
-            for ref in self._whole_velocity(line.premises):
+            for ref in line.premises:
                 own = self.derivation.line(ref) if isinstance(ref, int) else None
                 if own is None or ref in named or (part, ref) in self.recalled:
                     continue
@@ -263,22 +261,6 @@ class _Writer:
         if is_plain(value) and value != lay.Number("0"):
             value = with_unit(value, self.measures.unit(left))
         return Row((self.naming.laid(left), value), ("=",))
-
-    def _whole_velocity(self, refs: Sequence[Ref]) -> Sequence[Ref]:
-        """Premises, with the velocity that was put together in place of what it was made of.
-
-        That is plainer where a component holds a letter of which the value was put in there.
-        """
-        for whole in self.derivation.lines:
-            if whole.move.record != "assemble" or whole.number in refs:
-                continue
-            parts = [ref for ref in whole.premises if isinstance(ref, int) and ref in refs]
-            letters_put_in = [e for e in map(self.derivation.line, parts) if _is_of_a_letter(e)]
-            if len(parts) < 2 or not letters_put_in:
-                continue
-            if all(self.ends.part(e) == self.ends.part(whole) for e in letters_put_in if e):
-                return (whole.number, *(ref for ref in refs if ref not in parts))
-        return refs
 
     @staticmethod
     def _is_recalled(line: Line) -> bool:
@@ -388,14 +370,6 @@ class _Writer:
             item = self.group if not sentences else item
             self.group = item
         return Step(kind, tuple(rows), None if named else title, sentences, item=item)
-
-
-def _is_of_a_letter(line: Line | None) -> bool:
-    """Whether a line is the value of a letter of the statement, as a number."""
-    match None if line is None else line.relation:
-        case Relation(((Link(Letter(), "=", right),),)):
-            return not letters(right)
-    return False
 
 
 def _resolved_with(lines: Sequence[Line]) -> Iterator[Line]:
