@@ -104,9 +104,12 @@ Their wording, diagrams, room for working, and worked solutions if wanted.
     restitution sheet ball.impact -o ball.html
     restitution sheet *.impact -o scheme.pdf --scheme
     restitution sheet *.impact -o test.pdf --variants 3 --seed 7
+    restitution sheet --experiment -o wall.pdf --trials 10
 
-The last writes test-1.pdf, test-1-scheme.pdf and so on: the same questions with
-other numbers. PDF needs the extra "pdf": pip install 'restitution[pdf]'.
+The fifth writes test-1.pdf, test-1-scheme.pdf and so on: the same questions
+with other numbers. The last is a worksheet of the experiment that finds e at a
+wall: what to do, a table, axes, questions. PDF needs the extra "pdf": pip
+install 'restitution[pdf]'.
 """
 
 _PLAY = """Play the motion of a question in the browser.
@@ -385,10 +388,13 @@ def draw(
 @app.command(help=_SHEET)
 def sheet(
     context: typer.Context,
-    files: _Files,
     output: Annotated[
         str, typer.Option("--output", "-o", metavar="PATH", help="The sheet; - is standard output.")
     ],
+    files: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="FILE...", help="Files that hold a statement; - is standard input."),
+    ] = None,
     form: Annotated[
         SheetFormat | None,
         typer.Option("--format", "-f", help="Else the ending of the output's name tells it."),
@@ -426,12 +432,30 @@ def sheet(
     seed: Annotated[
         int, typer.Option(metavar="S", min=0, help="Which versions, with --variants.")
     ] = 1,
+    experiment: Annotated[
+        bool,
+        typer.Option("--experiment", help="A worksheet of the experiment with a wall; no files."),
+    ] = False,
+    trials: Annotated[
+        int | None,
+        typer.Option(metavar="N", help="Rows of its table, with --experiment; else 8."),
+    ] = None,
     time_limit: _TimeLimit = TIME_LIMIT,
 ) -> None:
     """Set the questions of all files on one sheet."""
     from restitution.export.sheet import Options
 
     form = _form_of(output, form, SheetFormat, SheetFormat.pdf)
+    if experiment:
+        if files or scheme or variants is not None:
+            message = "a worksheet takes no files, no --scheme and no --variants"
+            raise typer.BadParameter(message, param_hint="--experiment")
+        _write_worksheet(output, form, title, solutions, trials)
+        raise typer.Exit
+    if trials is not None:
+        raise typer.BadParameter("this needs --experiment", param_hint="--trials")
+    if not files:
+        raise typer.BadParameter("a file is missing, or --experiment", param_hint="FILE...")
     options = Options(solutions, diagrams, space, marks.value, scheme)
     if variants is not None and output == "-":
         raise typer.BadParameter("versions need a file each", param_hint="--variants")
@@ -470,6 +494,25 @@ def sheet(
             named, path = f"{named}: mark scheme", _numbered(output, f"-{number}-scheme")
             _write_sheet(path, entries, named, replace(plain, scheme=True), form, files)
     raise typer.Exit(worst)
+
+
+def _write_worksheet(
+    output: str, form: SheetFormat, title: str | None, solutions: bool, trials: int | None
+) -> None:
+    """The worksheet of the experiment with a wall."""
+    from restitution.experiments.worksheet import USUAL_TRIALS, worksheet
+    from restitution.render.document.html import to_html
+    from restitution.render.document.typst import to_pdf
+
+    try:
+        rows = USUAL_TRIALS if trials is None else trials
+        document = worksheet(rows, solutions=solutions, title=title)
+    except StatementError as error:
+        raise typer.BadParameter(error.message, param_hint="--trials") from None
+    pdf = form is SheetFormat.pdf
+    content = _made(lambda: to_pdf(document)) if pdf else to_html(document).encode()
+    with _refusing():
+        write_file(output, content, [])
 
 
 _TITLE = "Oblique impacts"

@@ -8,6 +8,7 @@ from typing import Literal
 
 from restitution.counting import counted
 from restitution.drawing.svg import abreast
+from restitution.experiments.formulas import ALPHA, BETA, RATIO, TAN_ALPHA, TAN_BETA, E
 from restitution.experiments.numbers import fixed, with_error
 from restitution.experiments.plots import law_plot, residual_plot, speed_plot
 from restitution.experiments.results import Check, Experiment, Point
@@ -24,17 +25,11 @@ from restitution.render.document import (
     Picture,
     Table,
 )
-from restitution.render.layout import Function, Letter, Phrase
 
 MOST_ROWS = 500
 """Readings that are printed; more are counted."""
 MOST_PICTURES = 12
 """Trials of which the tracks are drawn."""
-
-ALPHA, BETA = Letter("alpha"), Letter("beta")
-TAN_ALPHA, TAN_BETA = Function("tan", ALPHA), Function("tan", BETA)
-
-RATIO = Phrase((TAN_BETA, TAN_ALPHA), " / ")
 
 _LAW, _OTHER = 125.0, 120.0  # widths of the plots, in millimetres
 _ONE, _TWO = 84.0, 168.0  # of tracks, one or two beside each other
@@ -73,7 +68,7 @@ def document_of(experiment: Experiment) -> Document:
 def _result(experiment: Experiment) -> Iterator[Block]:
     interval, error = experiment.interval, experiment.standard_error
     result = with_error(experiment.e, error)
-    yield Paragraph(("Coefficient of restitution ", Letter("e"), f" = {result}"), "result")
+    yield Paragraph(("Coefficient of restitution ", E, f" = {result}"), "result")
     count = counted(len(experiment.points), "reading")
     left_out = len(experiment.table.faults)
     beside = f", {counted(left_out, 'row')} left out" if left_out else ""

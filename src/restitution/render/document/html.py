@@ -37,7 +37,7 @@ table.full { width: 100% } thead { display: table-header-group } tr { break-insi
 th, td { padding: .18rem .5rem; vertical-align: top; font-size: .95em }
 th { border-bottom: 1.5px solid var(--ink); font-weight: 600; vertical-align: bottom }
 td { border-bottom: 1px solid var(--line) }
-.ruled th, .ruled td { border: 1px solid var(--soft) }
+.ruled.full { table-layout: fixed } .ruled th, .ruled td { border: 1px solid var(--soft) }
 .l { text-align: left } .c { text-align: center } .r { text-align: right }
 figure { margin: 1rem 0; text-align: center; break-inside: avoid }
 figure svg { max-width: 100%; height: auto }

@@ -78,7 +78,9 @@ def _table(table: Table) -> str:
     )
     # The last column of words takes the room that is left.
     kinds = ["auto"] * len(table.align)
-    if "l" in table.align and not table.narrow:
+    if table.ruled and not table.narrow:
+        kinds = ["1fr"] * len(table.align)  # room to write in
+    elif "l" in table.align and not table.narrow:
         kinds[table.align.rfind("l")] = "1fr"
     sides = ", ".join(_ALIGNED[each] for each in table.align)
     lines = "0.4pt" if table.ruled else "(x, y) => (bottom: if y == 0 { 0.8pt } else { 0.25pt })"
