@@ -11,6 +11,7 @@ import pypdf
 import pytest
 from commands import run
 
+from restitution import law
 from restitution.drawing.scene import Line
 from restitution.errors import StatementError
 from restitution.experiments import questions
