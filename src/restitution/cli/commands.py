@@ -510,7 +510,7 @@ def _write_worksheet(
     except StatementError as error:
         raise typer.BadParameter(error.message, param_hint="--trials") from None
     pdf = form is SheetFormat.pdf
-    content = _made(lambda: to_pdf(document)) if pdf else to_html(document).encode()
+    content = _content_or_exit(lambda: to_pdf(document)) if pdf else to_html(document).encode()
     with _refusing():
         write_file(output, content, [])
 
