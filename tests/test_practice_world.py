@@ -25,9 +25,9 @@ from restitution.practice.worlds.timing import retimed
 from restitution.practice.worlds.world import World, stacked
 from restitution.problem import Compare, Show, Value
 from restitution.solving.numbers import FIELD
-from restitution.solving.part import Numbers
 from restitution.solving.solution import Branch
 from restitution.solving.story import Story
+from restitution.solving.unknowns import Numbers
 from restitution.vector import Vector
 
 EXAMPLES = sorted((Path(r.__file__).parent / "examples").glob("*.impact"))

@@ -17,7 +17,8 @@ from restitution.render.layout import from_sympy
 from restitution.render.text import to_text
 from restitution.solving import solve
 from restitution.solving.conditions import AnyOf, Condition, Equation
-from restitution.solving.part import Letters, settle
+from restitution.solving.setting import settle
+from restitution.solving.unknowns import Letters
 
 Stage: TypeAlias = Literal["tree", "equations", "derivation"]
 

@@ -10,7 +10,8 @@ from restitution.language.writing import relation_text
 from restitution.problem import Arrival, Given, Impact, Kick, Part, Problem, Relation
 from restitution.solving.facts import givens
 from restitution.solving.letters import narrowed_by, roles
-from restitution.solving.part import Setting, work_out
+from restitution.solving.part import work_out
+from restitution.solving.setting import Setting
 from restitution.wording.clauses import clause
 from restitution.wording.scene import scene_of
 from restitution.wording.text import inline

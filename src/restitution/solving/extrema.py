@@ -26,7 +26,7 @@ from restitution.render.text import to_text
 from restitution.solving import forms
 from restitution.solving.letters import is_angle
 from restitution.solving.numbers import Sample, at, sample
-from restitution.solving.part import Desk, Outcome, Trial
+from restitution.solving.part import Desk, Outcome
 from restitution.solving.ranges import (
     Candidate,
     _images,
@@ -38,6 +38,7 @@ from restitution.solving.ranges import (
     turning,
 )
 from restitution.solving.regions import DRAWS, DRAWS_TRIED, Region
+from restitution.solving.setting import Trial
 from restitution.solving.solution import Answer, ItemResult
 
 

@@ -41,7 +41,7 @@ from restitution.solving import forms, missing
 from restitution.solving.cases import Case, cases
 from restitution.solving.letters import is_angle, roles
 from restitution.solving.numbers import Sample, at, draw, number_of, sample, sign_at
-from restitution.solving.part import Desk, Letters, Outcome, Setting, Trial, declared
+from restitution.solving.part import Desk, Outcome
 from restitution.solving.regions import (
     DRAWS,
     DRAWS_TRIED,
@@ -55,7 +55,9 @@ from restitution.solving.regions import (
     to_set,
     zeros,
 )
+from restitution.solving.setting import Setting, Trial, declared
 from restitution.solving.solution import Answer, ItemResult
+from restitution.solving.unknowns import Letters
 from restitution.solving.validity import (
     Limitation,
     bounds_of,

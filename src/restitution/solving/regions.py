@@ -43,7 +43,9 @@ from restitution.solving.admission import Admission, Demand
 from restitution.solving.algebra import solve_system
 from restitution.solving.conditions import AnyOf, Condition
 from restitution.solving.numbers import Sample, at, number_of, sample
-from restitution.solving.part import Letters, Outcome, Setting, Trial, out_of_range
+from restitution.solving.part import Outcome
+from restitution.solving.setting import Setting, Trial, out_of_range
+from restitution.solving.unknowns import Letters
 
 DRAWS = 4
 DRAWS_TRIED = 60

@@ -42,8 +42,9 @@ from restitution.solving.coefficients import without_impossible
 from restitution.solving.conditions import Equation
 from restitution.solving.facts import requirements
 from restitution.solving.neat import neat
-from restitution.solving.part import Letters, Outcome
+from restitution.solving.part import Outcome
 from restitution.solving.solution import Branch, ItemResult
+from restitution.solving.unknowns import Letters
 
 if TYPE_CHECKING:
     from restitution.solving.solver import _Worker

@@ -68,17 +68,9 @@ from restitution.solving.coefficients import (
 )
 from restitution.solving.letters import is_angle
 from restitution.solving.numbers import at, sample
-from restitution.solving.part import (
-    SYMBOLIC,
-    Desk,
-    Letters,
-    Numbers,
-    Outcome,
-    Setting,
-    Trial,
-    impossible,
-)
+from restitution.solving.part import Desk, Outcome, impossible
 from restitution.solving.quantities import stage_number
+from restitution.solving.setting import Setting, Trial
 from restitution.solving.solution import (
     Answer,
     Branch,
@@ -91,6 +83,7 @@ from restitution.solving.solution import (
 )
 from restitution.solving.stages import by_nested_roots
 from restitution.solving.story import Story
+from restitution.solving.unknowns import SYMBOLIC, Letters, Numbers
 from restitution.solving.validity import Limitation, limitations, with_condition
 from restitution.solving.verify import verify_principles, verify_value
 from restitution.vector import Vector
