@@ -12,6 +12,10 @@ from restitution.language import parse
 from restitution.solving import algebra, solve
 from restitution.solving import polynomials as plain
 from restitution.solving.letters import ACUTE, COEFFICIENT, POSITIVE, REAL
+from restitution.solving.number_fields import split_over_numbers
+from restitution.solving.real_roots import roots
+from restitution.solving.resultants import resultant
+from restitution.solving.signs import definite, rational_below, vanishing
 
 x, y, m = sp.symbols("x y m", positive=True)
 e = sp.Symbol("e", nonnegative=True)
@@ -146,7 +150,7 @@ def test_radicands_are_split_into_coprime_numbers():
     ],
 )
 def test_zero_is_decided_by_normal_form(expression, vanishes):
-    assert plain.vanishing(sp.sympify(expression)) is vanishes
+    assert vanishing(sp.sympify(expression)) is vanishes
 
 
 @pytest.mark.parametrize(
@@ -169,13 +173,13 @@ def test_zero_is_decided_by_normal_form(expression, vanishes):
     ],
 )
 def test_signs(expression, sign):
-    assert plain.definite(sp.sympify(expression)) == sign
+    assert definite(sp.sympify(expression)) == sign
 
 
 def test_signs_of_sines_are_those_that_are_known():
     c, s = sp.cos(angle), sp.sin(angle)
-    assert plain.definite(c + x * s) == 0
-    assert plain.definite(c + x * s, frozenset({c, s})) == 1
+    assert definite(c + x * s) == 0
+    assert definite(c + x * s, frozenset({c, s})) == 1
 
 
 def test_coefficients():
@@ -217,7 +221,7 @@ def test_resultants(f, g):
     rows = [[0] * k + a + [0] * (len(b) - 2 - k) for k in range(len(b) - 1)]
     rows += [[0] * k + b + [0] * (len(a) - 2 - k) for k in range(len(a) - 1)]
     wanted = sp.expand(sp.Matrix(rows).det(method="berkowitz"))
-    found = plain.resultant(f, g, x)
+    found = resultant(f, g, x)
     ratio = sp.radsimp(sp.cancel(found / wanted))
     assert ratio.is_Rational
     assert ratio != 0
@@ -225,15 +229,15 @@ def test_resultants(f, g):
 
 def test_factors_over_surds():
     whole = sp.expand((x**2 - 2 * r3 * x + 1) * (x**2 + r3) * (x - 5))
-    assert set(plain.split_over_numbers(whole, x)) == {
+    assert set(split_over_numbers(whole, x)) == {
         x - 5,
         x**2 + r3,
         x**2 - 2 * r3 * x + 1,
     }
     conjugates = sp.expand((x**4 - 3) * (x - r3))
-    assert set(plain.split_over_numbers(conjugates, x)) == {x - r3, x**2 + r3, x**2 - r3}
+    assert set(split_over_numbers(conjugates, x)) == {x - r3, x**2 + r3, x**2 - r3}
     root = sp.sqrt(5 + r3)
-    assert set(plain.split_over_numbers(sp.expand((x - root) * (x**2 - root * x + r3)), x)) == {
+    assert set(split_over_numbers(sp.expand((x - root) * (x**2 - root * x + r3)), x)) == {
         x - root,
         x**2 - root * x + r3,
     }
@@ -241,11 +245,11 @@ def test_factors_over_surds():
 
 def test_a_root_without_a_formula_is_a_letter_with_its_polynomial():
     root = sp.CRootOf(x**3 + x + 1, 0)
-    assert plain.vanishing(root**3 + root + 1) is True
-    assert plain.vanishing(root**2 - root) is False
-    assert plain.rational_below(1 / root) == -1 - root**2
+    assert vanishing(root**3 + root + 1) is True
+    assert vanishing(root**2 - root) is False
+    assert rational_below(1 / root) == -1 - root**2
     for quotient in ((2 * root + 1) / (root**2 - 3), (root + r3) / (root - r3)):
-        simpler = plain.rational_below(quotient)
+        simpler = rational_below(quotient)
         assert abs(sp.N(simpler - quotient, 30)) < sp.Float("1e-28")
         assert all(node.exp.is_positive for node in simpler.atoms(sp.Pow))
 
@@ -288,12 +292,12 @@ def test_work_is_refused_before_it_is_begun():
             with pytest.raises(UnsupportedError, match="too hard to solve exactly"):
                 algebra.solve_system([f, g], [a, b], frozenset(), frozenset(), {})
             left.append(limit.left)
-        for cached in (plain.numerator, plain.coefficients, plain.factors, plain.resultant):
+        for cached in (plain.numerator, plain.coefficients, plain.factors, resultant):
             cached.cache_clear()
     assert left[0] == left[1]
 
 
 def test_cubics_with_letters_are_beyond_people():
     with pytest.raises(UnsupportedError, match="degree 3 with letters"):
-        algebra.roots(x**3 + m * x + y, x)
-    assert algebra.roots(x**3 - 8 * m**3, x) == [2 * m]
+        roots(x**3 + m * x + y, x)
+    assert roots(x**3 - 8 * m**3, x) == [2 * m]

@@ -28,7 +28,7 @@ from restitution.oracle import (
 )
 from restitution.oracle.roles import COEFFICIENT, Role
 from restitution.solving.conditions import AnyOf, Condition, Equation
-from restitution.solving.polynomials import sign as sign_of
+from restitution.solving.signs import sign as sign_of
 
 COEFFICIENT_RULE = "a coefficient of restitution lies in [0, 1]"
 

@@ -25,8 +25,8 @@ from restitution.render.text import to_text
 from restitution.solving.bodies import coefficient_outside
 from restitution.solving.conditions import Equation
 from restitution.solving.numbers import Sample
-from restitution.solving.polynomials import sign
 from restitution.solving.setting import Setting
+from restitution.solving.signs import sign
 from restitution.solving.solution import Branch
 from restitution.solving.story import Happening
 from restitution.solving.unknowns import Numbers

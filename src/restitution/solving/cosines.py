@@ -13,13 +13,8 @@ from fractions import Fraction
 
 import sympy as sp
 
-from restitution.solving.polynomials import (
-    TooLargeError,
-    afford,
-    coefficients,
-    resultant,
-    terms_in,
-)
+from restitution.solving.polynomials import TooLargeError, afford, coefficients, terms_in
+from restitution.solving.resultants import resultant
 from restitution.work import remembered
 
 MOST_BASIS = 24

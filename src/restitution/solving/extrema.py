@@ -24,19 +24,12 @@ from restitution.render.layout import (
 )
 from restitution.render.text import to_text
 from restitution.solving import forms
+from restitution.solving.images import Candidate, is_near, is_reached
 from restitution.solving.letters import is_angle
+from restitution.solving.limits import limit_at, limits, turning
 from restitution.solving.numbers import Sample, at, sample
 from restitution.solving.part import Desk, Outcome
-from restitution.solving.ranges import (
-    Candidate,
-    _images,
-    _is_reached,
-    _limit_at,
-    _near,
-    limits,
-    require_stated,
-    turning,
-)
+from restitution.solving.ranges import require_stated, values_of_trials
 from restitution.solving.regions import DRAWS, DRAWS_TRIED, Region
 from restitution.solving.setting import Trial
 from restitution.solving.solution import Answer, ItemResult
@@ -62,7 +55,7 @@ def find_extremum(
     sign = 1 if item.kind == "maximum" else -1
     candidates: list[tuple[Trial, tuple[Candidate, bool, Any, Sample]]] = []
     values: dict[int, sp.Expr] = {}
-    for trial, value in _images(outcome, item.expression, now, f"the {item.kind}"):
+    for trial, value in values_of_trials(outcome, item.expression, now, f"the {item.kind}"):
         values[id(trial)] = value
         best = _best(replace(outcome, trials=(trial,)), value, name, sign)
         if best is not None:
@@ -159,10 +152,10 @@ def _winner(
 ) -> tuple[Candidate, bool, Any, Sample] | None:
     best: tuple[Candidate, bool, Any, Sample] | None = None
     for candidate in candidates:
-        number = _limit_at(candidate.value, drawn)
-        if number is None or not _near(region, candidate, drawn):
+        number = limit_at(candidate.value, drawn)
+        if number is None or not is_near(region, candidate, drawn):
             continue
-        reached = _is_reached(region, candidate, drawn)
+        reached = is_reached(region, candidate, drawn)
         if (
             best is None
             or sign * number > sign * best[2]

@@ -9,12 +9,8 @@ from contextlib import suppress
 
 import sympy as sp
 
-from restitution.solving.polynomials import (
-    TooLargeError,
-    rational_below,
-    reduced,
-    without_cos_squared,
-)
+from restitution.solving.polynomials import TooLargeError, reduced, without_cos_squared
+from restitution.solving.signs import rational_below
 from restitution.work import remembered, spend
 
 _LARGE = 400

@@ -27,10 +27,6 @@ from sympy.polys.polyerrors import NotInvertible, PolynomialError
 from sympy.polys.rings import PolyRing
 
 from restitution.errors import UnsupportedError
-from restitution.exact import digits_apart, rationalised
-from restitution.expression.enclosed import UndefinedError, sign_of
-from restitution.oracle.points import BeyondError, Program
-from restitution.solving.numbers import at
 from restitution.work import remembered, spend
 
 Element = Any
@@ -39,10 +35,6 @@ Element = Any
 WORD = 64
 LARGEST = 3_000_000
 """Operations that one step may be estimated to take."""
-
-MOST_COLUMNS = 12
-
-
 TOO_HARD = "the equations of this question are too hard to solve exactly"
 
 
@@ -389,7 +381,7 @@ def numerator(x: sp.Expr) -> sp.Expr:
     if not below.is_ground and size < LARGEST:
         afford(size)
         above, _ = above.cancel(below)
-    return field.expression(_whole(above))
+    return field.expression(without_denominators(above))
 
 
 def _opened(x: sp.Expr) -> sp.Expr:
@@ -407,7 +399,7 @@ def _opened(x: sp.Expr) -> sp.Expr:
     return x.func(*arguments) if tuple(arguments) != x.args else x
 
 
-def _whole(a: Element) -> Element:
+def without_denominators(a: Element) -> Element:
     """A polynomial without denominators in its coefficients."""
     return a.clear_denoms()[1]
 
@@ -446,10 +438,11 @@ def coefficients(x: sp.Expr, symbol: sp.Symbol) -> tuple[sp.Expr, ...]:
     Raises PolynomialError for what is no polynomial in it.
     """
     field = Field([x], [symbol])
-    return tuple(field.expression(coefficient) for coefficient in _coefficients(field, x, symbol))
+    return tuple(map(field.expression, field_coefficients(field, x, symbol)))
 
 
-def _coefficients(field: Field, x: sp.Expr, symbol: sp.Symbol) -> list[Element]:
+def field_coefficients(field: Field, x: sp.Expr, symbol: sp.Symbol) -> list[Element]:
+    """The coefficients in the ring of a field, of which ``symbol`` is the first letter."""
     if any(atom.has(symbol) for atom in field.atoms[1:]):
         raise PolynomialError(f"{x} is no polynomial in {symbol}")
     above, below = field.fraction(x)
@@ -462,10 +455,10 @@ def _coefficients(field: Field, x: sp.Expr, symbol: sp.Symbol) -> list[Element]:
         above = field.times(above, inverse)
     else:
         above = above.mul_ground(1 / QQ.convert(below.LC))
-    return _by_powers(above)
+    return by_powers(above)
 
 
-def _by_powers(a: Element) -> list[Element]:
+def by_powers(a: Element) -> list[Element]:
     """The coefficients of the powers of the first letter, from the highest."""
     parts: dict[int, Element] = {}
     for monomial, c in a.items():
@@ -496,7 +489,8 @@ def degree(x: sp.Expr, symbol: sp.Symbol) -> int:
     return max(len(coefficients(x, symbol)) - 1, 0)
 
 
-def _from_powers(parts: Sequence[Element]) -> Element:
+def from_powers(parts: Sequence[Element]) -> Element:
+    """The polynomial with these coefficients of the first letter, highest power first."""
     total = parts[0].ring.zero
     top = len(parts) - 1
     for n, part in enumerate(parts):
@@ -522,7 +516,7 @@ def factors(x: sp.Expr) -> tuple[sp.Expr, ...]:
         if above.is_ground:
             continue
         for key, factor in _split(above):
-            expression = field.expression(_whole(factor))
+            expression = field.expression(without_denominators(factor))
             if not expression.is_number:
                 factors_.setdefault(expression, key)
     lone = sp.Mul(*[each for each in factors_ if not each.is_Add]).args
@@ -552,11 +546,11 @@ def _split(a: Element) -> list[tuple[Any, Element]]:
         for factor, power in rest.factor_list()[1]:
             dense = factor.to_dense()
             key = (len(dense), len(used), power, dense)
-            parts.append((key, _into(ring, factor, used)))
+            parts.append((key, embedded(ring, factor, used)))
     return parts
 
 
-def _into(ring: PolyRing, a: Element, places: Sequence[int]) -> Element:
+def embedded(ring: PolyRing, a: Element, places: Sequence[int]) -> Element:
     """A polynomial of a ring in some of the letters, as one in all of them."""
     polynomial = ring.zero
     for monomial, c in a.items():
@@ -577,347 +571,3 @@ def factoring(a: Element) -> float:
     if len(degrees) == 1:
         size = max(degrees) ** 2  # of one letter only, the coefficients modulo many primes
     return float(size * (1 + max(degrees)) * (1 + bits(a) / WORD) * len(degrees))
-
-
-# --- resultants -------------------------------------------------------------------------------
-
-
-@remembered(256)
-def resultant(f: sp.Expr, g: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
-    """The resultant of two polynomials with respect to a letter, multiplied out."""
-    field = Field([f, g], [symbol])
-    a, b = _coefficients(field, f, symbol), _coefficients(field, g, symbol)
-    m, n = len(a) - 1, len(b) - 1
-    if m < 0 or n < 0:
-        return sp.S.Zero
-    afford(_eliminating(field, a, b))
-    if any(r.power > 1 for r in field.relations) and m + n <= MOST_COLUMNS:
-        result = _determinant(field, _sylvester(a, b, field.ring.zero))
-    elif m == 0 or n == 0:
-        result = field.power(a[0], n) if m == 0 else field.power(b[0], m)
-    else:
-        one, other = (_whole(_from_powers(each)) for each in (a, b))
-        result = field.normal(one.resultant(other).set_ring(field.ring))
-    return field.expression(_whole(_primitive(result)))
-
-
-def _primitive(a: Element) -> Element:
-    return a.primitive()[1] if a != 0 else a
-
-
-def _eliminating(field: Field, a: Sequence[Element], b: Sequence[Element]) -> float:
-    """An estimate of the operations of a resultant: the terms it may have, and their size."""
-    m, n = len(a) - 1, len(b) - 1
-    reduced = {r.index: r.power - 1 for r in field.relations}
-    terms = 1.0
-    for index in range(1, len(field.atoms)):
-        top = [max((mono[index] for part in each for mono in part), default=0) for each in (a, b)]
-        grown = n * top[0] + m * top[1]
-        terms *= 1 + min(grown, reduced.get(index, grown))
-    size = n * max(map(bits, a)) + m * max(map(bits, b))
-    given = max(len(part) for part in (*a, *b))
-    return terms * given * (m + n) ** 2 * (1 + size / WORD) / 16
-
-
-def _sylvester(a: Sequence[Element], b: Sequence[Element], zero: Element) -> list[list[Element]]:
-    m, n = len(a) - 1, len(b) - 1
-    return [
-        *[[zero] * k + list(a) + [zero] * (n - 1 - k) for k in range(n)],
-        *[[zero] * k + list(b) + [zero] * (m - 1 - k) for k in range(m)],
-    ]
-
-
-def _determinant(field: Field, rows: Sequence[Sequence[Element]]) -> Element:
-    """The determinant by minors of the first rows: without division, so that relations hold."""
-    minors: dict[int, Element] = {0: field.ring.one}
-    for row in rows:
-        deeper: dict[int, Element] = {}
-        for columns, minor in minors.items():
-            for column, entry in enumerate(row):
-                if entry == 0 or columns >> column & 1:
-                    continue
-                term = field.times(minor, entry)
-                if (columns >> column).bit_count() % 2:
-                    term = -term
-                key = columns | 1 << column
-                deeper[key] = deeper[key] + term if key in deeper else term
-        minors = {key: value for key, value in deeper.items() if value != 0}
-    return minors.get((1 << len(rows)) - 1, field.ring.zero)
-
-
-# --- zero and signs ---------------------------------------------------------------------------
-
-
-@remembered(4096)
-def vanishing(x: sp.Expr) -> bool | None:
-    """Whether an expression is zero whatever its letters are; None where that is not decided."""
-    if x.is_Rational:
-        return bool(x == 0)
-    if x.is_Symbol:
-        return False
-    try:
-        field = Field([x])
-        above, _ = field.fraction(x)
-        for circle in field.circles:
-            above = field.using(circle, above)
-    except (PolynomialError, TooLargeError):
-        return None
-    if above == 0:
-        return True
-    return False if field.exact else None
-
-
-@remembered(2048)
-def plain_number(x: sp.Expr) -> sp.Expr | None:
-    """A number in roots as a sum without roots in denominators; None for any other.
-
-    A root of a root that could be taken may stand in the way: then None too.
-    """
-    if x.has(sp.sin, sp.cos):
-        return None
-    try:
-        field = Field([x])
-        if not all(atom.is_Pow or isinstance(atom, sp.CRootOf) for atom in field.atoms):
-            return None
-        above, below = field.fraction(x)
-        inverse = field.inverse(below)
-    except (PolynomialError, TooLargeError):
-        return None
-    return None if inverse is None else field.expression(field.times(above, inverse))
-
-
-def sign(x: sp.Expr) -> int | None:
-    """The sign of a number; None for what is not real.
-
-    Zero is proved by normal form, or else by as many digits as tell a number made with roots from
-    zero. A number of another kind is zero if four hundred digits show no sign.
-    """
-    if x.is_Rational:
-        return int(x.p > 0) - int(x.p < 0)
-    if vanishing(x):
-        return 0
-    try:
-        seen = at(x, {}).sign
-        digits = None if seen else digits_apart(x)
-        if seen or digits is None:
-            return seen
-        (interval,) = Program.of([x]).enclosures({}, 2 * digits + 20)
-    except (UndefinedError, BeyondError, KeyError, ArithmeticError):
-        return None
-    return None if interval is None else sign_of(interval) or 0
-
-
-@remembered(2048)
-def definite(x: sp.Expr, positive: frozenset[sp.Expr] = frozenset()) -> int:
-    """1 or −1 where the signs of letters and terms prove that sign; 0 where they do not.
-
-    ``positive`` are other expressions in it that are known to be so, such as sines.
-    """
-    if x.is_Symbol:
-        return 1 if x.is_positive else 0
-    if x.is_number:
-        return sign(x) or 0
-    try:
-        field = Field([x])
-        above, below = field.fraction(x)
-    except (PolynomialError, TooLargeError):
-        return 0
-    return _definite(field, above, positive) * _definite(field, below, positive)
-
-
-def _definite(field: Field, a: Element, known_positive: frozenset[sp.Expr]) -> int:
-    numbers = {index for index, atom in enumerate(field.atoms) if atom.is_number}
-    terms: dict[tuple[int, ...], Element] = {}
-    for monomial, c in a.items():
-        kept = tuple(0 if n in numbers else power for n, power in enumerate(monomial))
-        number = tuple(power if n in numbers else 0 for n, power in enumerate(monomial))
-        terms.setdefault(kept, field.ring.zero)[number] = c
-    signs = [atom in known_positive or _sign_of_atom(atom, known_positive) for atom in field.atoms]
-    common, strict = 0, False
-    for monomial, part in terms.items():
-        own = sign(field.expression(part))
-        if own is None:
-            return 0
-        if own == 0:
-            continue
-        positive = True
-        for known, power in zip(signs, monomial, strict=True):
-            if power and known is not True:
-                if known is None and power % 2:
-                    return 0
-                positive = False
-        if common not in (0, own):
-            return 0
-        common, strict = own, strict or positive
-    return common if strict else 0
-
-
-def _sign_of_atom(x: sp.Expr, positive: frozenset[sp.Expr]) -> bool | None:
-    """True for positive, False for not negative, None for real."""
-    if x.is_Symbol:
-        return True if x.is_positive else False if x.is_nonnegative else None
-    if x.is_number:
-        return None  # counted with the coefficients
-    if x.is_Pow and x.exp.q % 2 == 0:
-        return definite(x.base, positive) > 0
-    return False if isinstance(x, sp.Abs) else None
-
-
-def rational_below(x: sp.Expr, max_terms: int = 4) -> sp.Expr:
-    """A number without roots in denominators, in SymPy's form for surds.
-
-    Large numbers with roots of roots, with which SymPy might never end, are multiplied out by their
-    conjugates; a root without a formula stands in a polynomial of lower degree than its own. What
-    is more comes back as it is.
-    """
-    if x.has(sp.sin, sp.cos):
-        return x
-    if x.has(sp.CRootOf):
-        plain = plain_number(x)
-        return x if plain is None else plain
-    plain = rationalised(x)
-    if plain is not None:
-        return plain
-    nested = any(node.base.has(sp.Pow) for node in x.atoms(sp.Pow) if not node.exp.is_Integer)
-    large = sp.count_ops(x) > _LARGE_NUMBER
-    if nested and not large:
-        return sp.radsimp(sp.expand(x), max_terms=max_terms)
-    plain = plain_number(x)
-    if nested or (large and plain is None):
-        return x if plain is None else plain
-    return sp.radsimp(sp.expand(x) if plain is None else plain, max_terms=max_terms)
-
-
-_LARGE_NUMBER = 60
-
-
-# --- polynomials in one letter with numbers as coefficients ------------------------------------
-
-
-def split_over_numbers(x: sp.Expr, symbol: sp.Symbol) -> list[sp.Expr]:
-    """The irreducible factors of a polynomial in one letter over the field of its coefficients.
-
-    They are found by its norm, the product of all its conjugates (Trager). Where the field has
-    divisors of zero (a root that could be taken), the polynomial comes back whole.
-    """
-    field = Field([x], [symbol])
-    whole = _coefficients(field, x, symbol)
-    if not any(m for part in whole for m in part if any(m)):
-        return [field.expression(each) for each in split(_whole(_from_powers(whole)))]
-    simple = _without_squares(field, whole)
-    if simple is None:
-        return [x]
-    surds = sum((field.ring.gens[r.index] for r in field.relations), field.ring.zero)
-    for shift in range(4):
-        moved = _moved(field, simple, surds * shift)
-        norm = field.free_of_roots(_from_powers(moved))
-        lone = _alone(norm)
-        afford(factoring(lone) * 4)
-        if not lone.is_squarefree:
-            continue
-        factors_ = []
-        for factor in split(lone):
-            common = _gcd(field, moved, _by_powers(_into(field.ring, factor, [0])))
-            if common is None:
-                return [x]
-            if len(common) > 1:
-                factors_.append(_moved(field, common, surds * -shift))
-        factors_.sort(key=lambda parts: (len(parts), [_coordinates(part) for part in parts]))
-        return [field.expression(_from_powers(parts)) for parts in factors_]
-    return [x]
-
-
-def _coordinates(a: Element) -> list[Any]:
-    """A number of a field by its coordinates, those of the highest surds first."""
-    return sorted(a.items(), reverse=True)
-
-
-def norm(x: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
-    """A multiple of a polynomial in one letter with rational coefficients."""
-    field = Field([x], [symbol])
-    whole = _from_powers(_coefficients(field, x, symbol))
-    multiple = field.free_of_roots(whole)
-    if any(power for m in multiple for power in m[1:]):
-        raise UnsupportedError("an equation whose coefficients are no roots of rational numbers")
-    return field.expression(_whole(multiple))
-
-
-def isolating(x: sp.Expr, symbol: sp.Symbol) -> float:
-    """An estimate of the operations of finding the real roots of a polynomial over ℚ."""
-    field = Field([x], [symbol])
-    whole = _from_powers(_coefficients(field, x, symbol))
-    top = max(m[0] for m in whole)
-    return float(10 * top**3 * (1 + bits(whole) / WORD))
-
-
-def _alone(a: Element) -> Element:
-    """A polynomial in the first letter only, in a ring of its own."""
-    if any(power for m in a for power in m[1:]):
-        raise UnsupportedError("an equation whose coefficients are no roots of rational numbers")
-    ring = PolyRing(["x0"], QQ, lex)
-    return ring.from_dict({(m[0],): c for m, c in a.items()})
-
-
-def _moved(field: Field, a: Sequence[Element], by: Element) -> list[Element]:
-    """The coefficients of p(x + by), by Horner's rule."""
-    if by == 0:
-        return list(a)
-    total: list[Element] = []
-    for each in a:
-        shifted = [*total, field.ring.zero]
-        for n, part in enumerate(total):
-            shifted[n + 1] = shifted[n + 1] + field.times(part, by)
-        shifted[-1] = shifted[-1] + each
-        total = shifted
-    return total
-
-
-def _remainder(field: Field, a: Sequence[Element], b: Sequence[Element]) -> list[Element] | None:
-    """The remainder of a division by a polynomial whose leading coefficient is 1."""
-    left = list(a)
-    while len(left) >= len(b):
-        top = left[0]
-        left = [
-            part - field.times(top, b[n]) if n < len(b) else part for n, part in enumerate(left)
-        ][1:]
-        while left and left[0] == 0:
-            left.pop(0)
-    return left
-
-
-def _monic(field: Field, a: Sequence[Element]) -> list[Element] | None:
-    inverse = field.inverse(a[0])
-    if inverse is None:
-        return None
-    return [field.ring.one, *[field.times(part, inverse) for part in a[1:]]]
-
-
-def _gcd(field: Field, a: Sequence[Element], b: Sequence[Element]) -> list[Element] | None:
-    """The common divisor, with leading coefficient 1; None where numbers cannot be divided."""
-    one, other = list(a), list(b)
-    while other:
-        monic = _monic(field, other)
-        if monic is None:
-            return None
-        one, other = monic, _remainder(field, one, monic) or []
-    return _monic(field, one)
-
-
-def _without_squares(field: Field, a: Sequence[Element]) -> list[Element] | None:
-    top = len(a) - 1
-    slope = [part.mul_ground(QQ(top - n)) for n, part in enumerate(a[:-1])]
-    common = _gcd(field, a, slope) if slope else None
-    if common is None or len(common) == 1:
-        return None if slope and common is None else list(a)
-    return _quotient(field, a, common)
-
-
-def _quotient(field: Field, a: Sequence[Element], b: Sequence[Element]) -> list[Element]:
-    left, quotient = list(a), []
-    while len(left) >= len(b):
-        top = left[0]
-        quotient.append(top)
-        left = [
-            part - field.times(top, b[n]) if n < len(b) else part for n, part in enumerate(left)
-        ][1:]
-    return quotient

@@ -13,6 +13,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.errors import UnsupportedError
+from restitution.expression.evaluate import Evaluator, evaluate
 from restitution.expression.tree import Degrees, letters, walk
 from restitution.oracle import (
     BeyondError,
@@ -38,13 +39,14 @@ from restitution.render.layout import display
 from restitution.render.text import to_text
 from restitution.solving import missing
 from restitution.solving.admission import formula_of
+from restitution.solving.claimed import claimed_set, same_set, same_value
 from restitution.solving.coefficients import without_impossible
 from restitution.solving.conditions import Equation
 from restitution.solving.facts import requirements
 from restitution.solving.neat import neat
 from restitution.solving.part import Outcome
 from restitution.solving.solution import Branch, ItemResult
-from restitution.solving.unknowns import Letters
+from restitution.solving.unknowns import SYMBOLIC, Letters
 
 if TYPE_CHECKING:
     from restitution.solving.solver import _Worker
@@ -264,8 +266,6 @@ def _used(worker: _Worker, outcome: Outcome) -> set[str]:
 
 
 def _leading(tree: Any) -> Fraction:
-    from restitution.expression.evaluate import evaluate
-
     value = sp.sympify(evaluate(tree, lambda name: sp.Symbol(name, positive=True)), strict=True)
     if any(isinstance(node, Degrees) for node in walk(tree)):
         value = value * 180 / sp.pi  # an angle is printed in degrees
@@ -285,11 +285,7 @@ def _show_set_or_extremum(worker: _Worker, step: Show, now: int, line: int | Non
         raise result.error
     roles = worker.desk.settle(step.in_terms_of, subject).roles
     letters_ = Letters(roles)
-    from restitution.expression.evaluate import Evaluator, Symbolic
-
-    evaluator = Evaluator(Symbolic(), letters_.letter)
-    from restitution.solving.ranges import claimed_set, same_set, same_value
-
+    evaluator = Evaluator(SYMBOLIC, letters_.letter)
     if isinstance(subject, Extremum):
         claimed = evaluator.scalar(step.relation.operands[-1])
         value = result.answers[0].value

@@ -30,7 +30,10 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Pair,
+    Polar,
     Quantity,
+    Unit,
     letters,
     line_and_column,
     walk,
@@ -364,9 +367,6 @@ class Story:
 
     def _frame_matters(self) -> bool:
         """Whether anything but directions to the one wall fixes the axes."""
-        from restitution.expression.tree import Pair, Polar, Unit, walk
-        from restitution.problem import trees
-
         if len(self.walls) != 1:
             return True
         for tree in trees(self.problem):
