@@ -38,6 +38,7 @@ from restitution.problem import (
     Find,
     Given,
     Impact,
+    Item,
     Kick,
     Let,
     Meets,
@@ -228,7 +229,7 @@ def _relation(bodies: _Bodies, relation: Relation) -> Iterator[StatementError]:
                 yield _error(f"{first.name} cannot hit itself", first.place)
 
 
-def _item(bodies: _Bodies, item: Any) -> Iterator[StatementError]:
+def _item(bodies: _Bodies, item: Item) -> Iterator[StatementError]:
     match item:
         case Extremum(_, expression, over):
             yield from _in(bodies, expression, _NOTHING)

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import random
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 
 from restitution import exact
 from restitution.errors import ContradictionError, ImpossibleError, UnsupportedError
-from restitution.expression.enclosed import UndefinedError
+from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.oracle import BeyondError, Oracle, Proof, Relation
 from restitution.problem import Extremum
@@ -34,6 +33,9 @@ from restitution.solving.regions import DRAWS, DRAWS_TRIED, Region
 from restitution.solving.setting import Trial
 from restitution.solving.solution import Answer, ItemResult
 
+Extreme = tuple[Candidate, bool, Enclosed, Sample]
+"""The best candidate, whether it is reached, its value at some data, and these data."""
+
 
 def find_extremum(
     desk: Desk, item: Extremum, now: int, in_terms_of: tuple[str, ...] | None
@@ -53,7 +55,7 @@ def find_extremum(
     angles = {n for n, role in setting.roles.items() if role.kind == "angle"}
     angle = is_angle(item.expression, angles, walls)
     sign = 1 if item.kind == "maximum" else -1
-    candidates: list[tuple[Trial, tuple[Candidate, bool, Any, Sample]]] = []
+    candidates: list[tuple[Trial, Extreme]] = []
     values: dict[int, sp.Expr] = {}
     for trial, value in values_of_trials(outcome, item.expression, now, f"the {item.kind}"):
         values[id(trial)] = value
@@ -114,9 +116,7 @@ def _proved(outcome: Outcome, value: sp.Expr, best: Candidate, reached: bool, si
     return verdict.proof if verdict else "undecided"
 
 
-def _best(
-    outcome: Outcome, value: sp.Expr, name: str, sign: int
-) -> tuple[Candidate, bool, Any, Sample] | None:
+def _best(outcome: Outcome, value: sp.Expr, name: str, sign: int) -> Extreme | None:
     region = Region(outcome, name)
     roles = {**outcome.setting.roles, **outcome.letters.hidden_roles}
     symbol = region.symbol
@@ -131,7 +131,7 @@ def _best(
             candidates.append(Candidate(at_point, {name: point}, sides))
     data = region.data()
     rng = random.Random(31)
-    winners: list[tuple[Candidate, bool, Any, Sample]] = []
+    winners: list[Extreme] = []
     for _ in range(DRAWS_TRIED if data else 1):
         drawn = sample(data, roles, rng)
         chosen = _winner(region, value, candidates, drawn, sign)
@@ -149,8 +149,8 @@ def _best(
 
 def _winner(
     region: Region, value: sp.Expr, candidates: list[Candidate], drawn: Sample, sign: int
-) -> tuple[Candidate, bool, Any, Sample] | None:
-    best: tuple[Candidate, bool, Any, Sample] | None = None
+) -> Extreme | None:
+    best: Extreme | None = None
     for candidate in candidates:
         number = limit_at(candidate.value, drawn)
         if number is None or not is_near(region, candidate, drawn):

@@ -5,7 +5,6 @@ from __future__ import annotations
 import random
 from collections.abc import Mapping
 from itertools import product
-from typing import Any
 
 import sympy as sp
 
@@ -110,7 +109,7 @@ def _approached(x: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool) -> s
     return None if sign in (None, 0) else sign * sp.oo
 
 
-def limit_at(value: sp.Expr, drawn: Sample) -> Any | None:
+def limit_at(value: sp.Expr, drawn: Sample) -> Enclosed | None:
     """A limit as a number at some values of the data; None where it has none."""
     if value in (sp.oo, -sp.oo):
         return Enclosed.of(INFINITE if value == sp.oo else -INFINITE)

@@ -42,6 +42,7 @@ from restitution.problem import (
     Extremum,
     Find,
     Given,
+    Item,
     Let,
     Part,
     Problem,
@@ -398,7 +399,7 @@ class _Worker:
 
     # --- items --------------------------------------------------------------------------------
 
-    def _item(self, item: Any, now: int, in_terms_of: tuple[str, ...] | None) -> ItemResult:
+    def _item(self, item: Item, now: int, in_terms_of: tuple[str, ...] | None) -> ItemResult:
         kind: ItemKind = "value"
         try:
             if isinstance(item, Range):

@@ -22,6 +22,7 @@ from restitution.problem import (
     Relation,
     Show,
     Sphere,
+    Step,
     Unknown,
     Wall,
 )
@@ -192,8 +193,8 @@ class _Run:
 
 def _runs(part: Part) -> list[_Run]:
     """The runs of a part; what is said of letters alone stands where something is first asked."""
-    event: Any = None
-    steps: list[Any] = []
+    event: Event | None = None
+    steps: list[Step] = []
     runs: list[_Run] = []
     for step in part.steps:
         if isinstance(step, Event):
@@ -213,7 +214,7 @@ def _runs(part: Part) -> list[_Run]:
     return runs
 
 
-def _run_of(label: str | None, event: Any, steps: Sequence[Any]) -> _Run:
+def _run_of(label: str | None, event: Event | None, steps: Sequence[Step]) -> _Run:
     return _Run(
         event,
         label,
@@ -261,7 +262,7 @@ def _run(scene: Scene, now: int, run: _Run, lets: frozenset[str]) -> tuple[int, 
 def _statement(phrase: Words) -> Sentence:
     """A clause as a sentence, which does not begin with mathematics."""
     first = phrase[0]
-    return sentence(phrase if isinstance(first, str | Named) else ("it is given that ", phrase))
+    return sentence("" if isinstance(first, str | Named) else "it is given that ", phrase)
 
 
 def _under(scene: Scene, given: Sequence[Relation], asked: Listing) -> Listing | None:

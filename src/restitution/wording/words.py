@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
 
 from restitution.counting import counted
 from restitution.wording.structure import Named, Piece, Sentence, Words
@@ -11,11 +10,11 @@ from restitution.wording.structure import Named, Piece, Sentence, Words
 _COUNTS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"]
 
 
-def words(*parts: Any) -> Words:
+def words(*parts: Piece | Words) -> Words:
     """One row of pieces from pieces and rows of them; neighbouring texts become one."""
     flat: list[Piece] = []
 
-    def add(part: Any) -> None:
+    def add(part: Piece | Words) -> None:
         if isinstance(part, tuple):
             for each in part:
                 add(each)
@@ -24,11 +23,12 @@ def words(*parts: Any) -> Words:
         elif part != "":
             flat.append(part)
 
-    add(parts)
+    for part in parts:
+        add(part)
     return tuple(flat)
 
 
-def sentence(*parts: Any) -> Sentence:
+def sentence(*parts: Piece | Words) -> Sentence:
     """Words with a capital at the beginning and a full stop at the end."""
     phrase = words(*parts, ".")
     if isinstance(phrase[0], str):
@@ -36,11 +36,11 @@ def sentence(*parts: Any) -> Sentence:
     return phrase
 
 
-def listed(each: Sequence[Any], link: str = "and") -> Words:
+def listed(each: Sequence[Piece | Words], link: str = "and") -> Words:
     """``A``, ``A and B``, ``A, B and C``."""
     if len(each) < 2:
         return words(*each)
-    front: list[Any] = [each[0]]
+    front: list[Piece | Words] = [each[0]]
     for item in each[1:-1]:
         front += [", ", item]
     before = "" if link.startswith(",") else " "

@@ -7,12 +7,11 @@ not a mistake.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import islice
-from typing import Any
 
 import numpy as np
 
@@ -148,7 +147,7 @@ def bench_of(question: Problem | Solution, part: str | None) -> Bench:
     return bench
 
 
-def _numbers(expressions: Any) -> Iterator[Fraction]:
+def _numbers(expressions: Iterable[Expression]) -> Iterator[Fraction]:
     return (
         node.value
         for tree in expressions

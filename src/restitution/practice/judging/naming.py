@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -87,7 +87,7 @@ class Names:
     """Names the mistakes in the lines of one problem."""
 
     def __init__(self, problem: Problem) -> None:
-        self.worlds: dict[Any, World | None] = {}
+        self.worlds: dict[tuple[str, int, int], World | None] = {}
         self.problem = problem
         events = events_of(problem)
         self.variants = tuple(each for event in events for each in variants_at(event, events))

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 
@@ -53,7 +53,7 @@ _COEFFICIENT = re.compile(r"e(_\w+)?'*")
 class Naming(Protocol):
     """The interface of what names mistakes."""
 
-    worlds: dict[Any, World | None]
+    worlds: dict[tuple[str, int, int], World | None]
 
     def explained(self, entry: Entry, judge: Judge) -> Explained:
         """What explains a claim that is false."""
@@ -112,7 +112,7 @@ class Judge:
         self._base = self.worlds[0]
         self._stated: set[tuple[str, int | None]] = set()
         self._phrases: dict[str, tuple[Expression, ...]] = {}
-        self._known_uses: dict[Any, tuple[Use, ...]] = {}
+        self._known_uses: dict[tuple[Claim, int, bool], tuple[Use, ...]] = {}
 
     # --- a script -----------------------------------------------------------------------------
 

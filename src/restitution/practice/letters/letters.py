@@ -7,12 +7,11 @@ a heading opens one, and outside it the meaning holds on.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
-from typing import Any
 
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
@@ -107,7 +106,7 @@ def _distinct(best: Interpretation, rivals: Iterable[Interpretation]) -> Iterato
             yield each
 
 
-def _signature(each: Interpretation) -> Any:
+def _signature(each: Interpretation) -> Hashable:
     return frozenset((m.letter, m.quantity, m.since) for m in each.meanings)
 
 
@@ -115,7 +114,7 @@ def _signature(each: Interpretation) -> Any:
 
 
 def _interpretations(
-    script: Script, around: Surroundings, declared: Mapping[str, Any]
+    script: Script, around: Surroundings, declared: Mapping[str, Expression | Sequence[Expression]]
 ) -> list[Interpretation]:
     search_ = _Search(script, around, *declarations(script, around, declared))
     interpretations = search_.interpretations(())
@@ -154,7 +153,7 @@ class _Search:
         self.declared = declared
         self.fixed = tuple(fixed)
         self.angular = self._angular()
-        self.slots: dict[Any, Slot | None] = {}
+        self.slots: dict[tuple[str, int, Scope], Slot | None] = {}
         self.items: dict[int, list[tuple[Link, frozenset[str]]]] = {}
         self.certain = {
             each.letter: each for each in declared if len(each.trees) == 1 and not each.since
@@ -164,7 +163,7 @@ class _Search:
             self.items[line.number] = [(link, names) for link, names in links if names]
         self.directions = around.directions(self.lines)
         self.failing: set[int] = set()
-        self.relations: dict[Any, Relation] = {}
+        self.relations: dict[tuple[int, tuple[Claim, ...]], Relation] = {}
         self.defined: set[str] = set()
         self.definitions = dict(self._definitions())
 

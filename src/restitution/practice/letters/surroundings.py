@@ -6,7 +6,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -153,7 +152,7 @@ class DeclaredLetter:
 
 
 def declarations(
-    script: Script, around: Surroundings, declared: Mapping[str, Any]
+    script: Script, around: Surroundings, declared: Mapping[str, Expression | Sequence[Expression]]
 ) -> tuple[list[DeclaredLetter], list[FixedLetter]]:
     """What is declared in the box and in lines; letters of the statement that are fixed."""
     letters_declared: list[DeclaredLetter] = []

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from restitution.practice.questions.dice import Dice
 from restitution.practice.questions.topics import LEVELS, TOPICS
@@ -49,7 +49,7 @@ class _Attempt:
         return self.share >= _WELL and not self.lost_method
 
 
-def sureness(attempts: Iterable[Mapping[str, Any]], day: int) -> dict[str, float]:
+def sureness(attempts: Iterable[Mapping[str, object]], day: int) -> dict[str, float]:
     """How sure one is of each topic, 0 to 1, in the order of topics.
 
     The last three attempts count, the latest most, with the level of each; it fades by half for
@@ -59,7 +59,7 @@ def sureness(attempts: Iterable[Mapping[str, Any]], day: int) -> dict[str, float
     return {name: _sureness(known.get(name, []), day) for name in _IDS}
 
 
-def next_question(attempts: Sequence[Mapping[str, Any]], day: int) -> Next:
+def next_question(attempts: Sequence[Mapping[str, object]], day: int) -> Next:
     """The topic and level that come next.
 
     First comes a mistake that was named twice since its topic last went well, then topics that are
@@ -98,7 +98,7 @@ def level_of(attempts: Sequence[_Attempt]) -> int:
     return last.level
 
 
-def due_on(attempts: Iterable[Mapping[str, Any]]) -> dict[str, int]:
+def due_on(attempts: Iterable[Mapping[str, object]]) -> dict[str, int]:
     """The day on which each topic tried so far comes back."""
     return {name: _due(tried) for name, tried in _by_topic(attempts).items()}
 
@@ -167,19 +167,19 @@ def _can_be_shown(mistake: str) -> bool:
 # --- reading ------------------------------------------------------------------------------------
 
 
-def _by_topic(attempts: Iterable[Mapping[str, Any]]) -> dict[str, list[_Attempt]]:
+def _by_topic(attempts: Iterable[Mapping[str, object]]) -> dict[str, list[_Attempt]]:
     known: dict[str, list[_Attempt]] = {}
     for each in _attempts(attempts):
         known.setdefault(each.topic, []).append(each)
     return known
 
 
-def _attempts(attempts: Iterable[Mapping[str, Any]]) -> list[_Attempt]:
+def _attempts(attempts: Iterable[Mapping[str, object]]) -> list[_Attempt]:
     read = [_attempt(each) for each in attempts]
     return [each for each in read if each is not None]
 
 
-def _attempt(data: Any) -> _Attempt | None:
+def _attempt(data: object) -> _Attempt | None:
     """An attempt as read; None where it is none."""
     if not isinstance(data, Mapping) or data.get("topic") not in _IDS:
         return None
@@ -196,9 +196,9 @@ def _attempt(data: Any) -> _Attempt | None:
     return _Attempt(data["topic"], level, day, share, data.get("lost_method") is True, mistakes)
 
 
-def _whole(value: Any) -> int | None:
+def _whole(value: object) -> int | None:
     return value if isinstance(value, int) and not isinstance(value, bool) else None
 
 
-def _is_id(value: Any) -> bool:
+def _is_id(value: object) -> bool:
     return isinstance(value, str) and 0 < len(value) <= _WORDS

@@ -110,7 +110,7 @@ _MOST_STEPS = 16
 @dataclass(frozen=True)
 class _Trial:
     story: Story
-    errors: Any
+    errors: np.ndarray
 
 
 def _trial(problem: Problem, part: Part, values: Mapping[str, float]) -> _Trial | None:
@@ -123,7 +123,7 @@ def _trial(problem: Problem, part: Part, values: Mapping[str, float]) -> _Trial 
     return _Trial(story, errors) if np.all(np.isfinite(errors)) else None
 
 
-def _is_met(errors: Any, values: Mapping[str, float]) -> bool:
+def _is_met(errors: np.ndarray, values: Mapping[str, float]) -> bool:
     scale = max(1.0, *map(abs, values.values())) if values else 1.0
     return not errors.size or float(np.max(np.abs(errors))) < 1e-8 * scale
 
@@ -133,8 +133,8 @@ def _slopes(
     part: Part,
     values: Mapping[str, float],
     sought: Sequence[str],
-    errors: Any,
-) -> Any:
+    errors: np.ndarray,
+) -> np.ndarray | None:
     """Slopes of the errors in each value sought, a matrix; None where one has no value."""
     columns = []
     for name in sought:

@@ -69,7 +69,7 @@ def acute(d: Dice, most: int = 13) -> Acute:
     return Acute(*d.of([each for each in TRIPLES if each[2] <= most]))
 
 
-def coefficient(d: Dice, *sizes: Any) -> Fraction:
+def coefficient(d: Dice, *sizes: Fraction | int) -> Fraction:
     """A coefficient of restitution with which products with some sizes are simple."""
     best = [e for e in COEFFICIENTS if all((e * Fraction(x)).denominator <= 2 for x in sizes)]
     return d.of(best or COEFFICIENTS)
@@ -89,7 +89,7 @@ def masses(d: Dice) -> tuple[Fraction, Fraction]:
     return one * unit, other * unit
 
 
-def number(x: Any) -> str:
+def number(x: Fraction | int) -> str:
     """A fraction as text: whole, as a decimal of one place in tenths, or as a/b."""
     x = Fraction(x)
     if x.denominator in (10, 5) and abs(x) < 1:
@@ -97,12 +97,12 @@ def number(x: Any) -> str:
     return f"{x}"
 
 
-def ratio(x: Any) -> str:
+def ratio(x: Fraction | int) -> str:
     """A fraction as text, never as a decimal."""
     return f"{Fraction(x)}"
 
 
-def times(x: Any, letter: str) -> str:
+def times(x: Fraction | int, letter: str) -> str:
     """A number times a letter, as people write it: ``3u``, ``u``, ``1/2 u``."""
     x = Fraction(x)
     if x == 1:
@@ -110,7 +110,7 @@ def times(x: Any, letter: str) -> str:
     return f"{x}{letter}" if x.denominator == 1 else f"{x} {letter}"
 
 
-def vector(x: Any, y: Any, letter: str = "") -> str:
+def vector(x: Fraction | int, y: Fraction | int, letter: str = "") -> str:
     """A vector as text, its components times a letter: ``3u i - 4u j``."""
     text = ""
     for value, axis in ((Fraction(x), "i"), (Fraction(y), "j")):

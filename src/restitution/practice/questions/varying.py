@@ -31,8 +31,8 @@ from restitution.expression.tree import (
 )
 from restitution.practice.questions.dice import Dice
 from restitution.practice.questions.nice import COEFFICIENTS, TRIPLES, ugly_value
-from restitution.problem import Compare, Find, Given, Impact, Problem, Relation, Show, Value
-from restitution.solving.solution import Solution
+from restitution.problem import Compare, Find, Given, Impact, Problem, Relation, Show, Step, Value
+from restitution.solving.solution import ItemResult, Solution
 
 MOST_DRAWS = 2000
 _ANGLES = (30, 45, 60)
@@ -139,7 +139,7 @@ def _require_alike(solution: Solution, original: Solution) -> None:
             raise UnsupportedError(f"{one.text} would not hold")
 
 
-def _items(solution: Solution) -> list[Any]:
+def _items(solution: Solution) -> list[ItemResult]:
     return [item for part in solution.parts.values() for item in part.items]
 
 
@@ -166,7 +166,7 @@ def _redrawn(problem: Problem, dice: Dice) -> Problem:
     return replace(problem, title=title, spheres=spheres, parts=parts)
 
 
-def _step(step: Any, dice: Dice) -> Any:
+def _step(step: Step, dice: Dice) -> Step:
     if isinstance(step, Impact) and step.e is not None and not letters(step.e):
         return replace(step, e=_fraction(dice.of(COEFFICIENTS)))
     if isinstance(step, Given):
@@ -175,7 +175,7 @@ def _step(step: Any, dice: Dice) -> Any:
     return step
 
 
-def _relation(relation: Any, dice: Dice) -> Any:
+def _relation(relation: Relation, dice: Dice) -> Relation:
     """A fact about letters alone: a tangent, a coefficient."""
     if not isinstance(relation, Compare) or relation.operators != ("=",):
         return relation
@@ -322,7 +322,7 @@ def _asked_forward(
     )
     parts = []
     for part in problem.parts:
-        steps: list[Any] = []
+        steps: list[Step] = []
         for step in part.steps:
             if isinstance(step, Given):
                 asked = [
@@ -409,7 +409,7 @@ def _put(problem: Problem, values: list[Expression]) -> Problem:
             value = Binary("*", value, right.right)
         return replace(relation, operands=(left, value))
 
-    def step_with(step: Any) -> Any:
+    def step_with(step: Step) -> Step:
         if isinstance(step, Given):
             return replace(step, relations=tuple(map(put, step.relations)))
         return step
@@ -422,17 +422,17 @@ def _shown_again(problem: Problem) -> Problem:
     if not any(_printed(step) for part in problem.parts for step in part.steps):
         return problem
 
-    def ask(step: Any) -> Any:
+    def ask(step: Step) -> Step | None:
         relation = _printed(step)
-        if relation is not None:
+        if relation is not None and isinstance(step, Show):
             return Find((Value(relation.operands[0]),), step.in_terms_of)
         return None if isinstance(step, Find | Show) else step
 
     left_over = iter(_answers(_with_steps(problem, ask)))
 
-    def put(step: Any) -> Any:
+    def put(step: Step) -> Step:
         relation = _printed(step)
-        if relation is None:
+        if relation is None or not isinstance(step, Show):
             return step
         value = next(left_over)
         if relation.figures is not None:
@@ -442,7 +442,7 @@ def _shown_again(problem: Problem) -> Problem:
     return _with_steps(problem, put)
 
 
-def _printed(step: Any) -> Compare | None:
+def _printed(step: Step) -> Compare | None:
     """The relation of a ``show`` that prints a value with numbers in it, of a quantity."""
     if not isinstance(step, Show) or step.subject is not None:
         return None
@@ -466,7 +466,7 @@ def _rounded(value: Expression, printed: Expression, figures: int) -> Expression
     return rounded
 
 
-def _with_steps(problem: Problem, change: Callable[[Any], Any]) -> Problem:
+def _with_steps(problem: Problem, change: Callable[[Step], Step | None]) -> Problem:
     """The problem with each step changed, and without those that become None."""
     parts = (
         replace(part, steps=tuple(new for step in part.steps if (new := change(step)) is not None))

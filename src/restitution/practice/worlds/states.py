@@ -23,7 +23,17 @@ from restitution.practice.worlds.agreement import difference
 from restitution.practice.worlds.arrays import Array, UnvaluedError
 from restitution.practice.worlds.telling import Telling
 from restitution.practice.worlds.world import World
-from restitution.problem import Aligned, Arrival, AtRest, Compare, Event, Given, Impact, Kick
+from restitution.problem import (
+    Aligned,
+    Arrival,
+    AtRest,
+    Compare,
+    Event,
+    Given,
+    Impact,
+    Kick,
+    Relation,
+)
 from restitution.vector import Vector
 
 # The share by which components are scattered, and the samples of a block for one of the world.
@@ -354,7 +364,7 @@ def _factual(base: World, number: int, step: Event, loose: Parts) -> Iterator[tu
                     yield Block(number, given=True, valid=valid), parts
 
 
-def _claims_of(relation: Any) -> Iterator[Claim]:
+def _claims_of(relation: Relation) -> Iterator[Claim]:
     """The equations of a fact."""
     if isinstance(relation, Compare):
         for left, op, right in zip(relation.operands, relation.operators, relation.operands[1:]):
