@@ -19,8 +19,9 @@ from restitution.expression.enclosed import UndefinedError
 from restitution.oracle import BeyondError, Formula, Oracle, Proof, Relation, Verdict
 from restitution.oracle.roles import Role
 from restitution.solving import forms
+from restitution.solving.intervals import End, Piece, inside_of, to_set
 from restitution.solving.numbers import Sample, at, bound, sample
-from restitution.solving.regions import End, Piece, deciding, inside_of, to_set, zeros
+from restitution.solving.zeros import deciding, zeros
 
 KINDS = ("positive", "real", "angle", "restitution")
 MOST_BORDERS = 10

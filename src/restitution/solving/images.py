@@ -25,20 +25,12 @@ from restitution.oracle import (
     letters_of,
 )
 from restitution.oracle.roles import REAL, TO_180, Role
+from restitution.solving.intervals import End, Piece, inside_of, reconcile
 from restitution.solving.limits import limit_at, limits, turning
 from restitution.solving.numbers import Sample, at, draw, number_of, sample
 from restitution.solving.part import Outcome
-from restitution.solving.regions import (
-    DRAWS,
-    DRAWS_TRIED,
-    ROUNDS,
-    End,
-    Piece,
-    Region,
-    inside_of,
-    reconcile,
-    zeros,
-)
+from restitution.solving.regions import DRAWS, DRAWS_TRIED, ROUNDS, Region
+from restitution.solving.zeros import zeros
 
 
 @dataclass(frozen=True)

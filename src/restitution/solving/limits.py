@@ -11,8 +11,9 @@ import sympy as sp
 from restitution import exact
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.oracle.roles import Role
+from restitution.solving.intervals import INFINITE
 from restitution.solving.numbers import Sample, at, sign_at
-from restitution.solving.regions import INFINITE, zeros
+from restitution.solving.zeros import zeros
 
 
 def turning(expression: sp.Expr, symbol: sp.Symbol, roles: Mapping[str, Role]) -> list[sp.Expr]:

@@ -24,10 +24,11 @@ from restitution.render.text import to_text
 from restitution.solving import forms, missing
 from restitution.solving.cases import Case, cases
 from restitution.solving.images import Image
+from restitution.solving.intervals import to_set
 from restitution.solving.letters import is_angle, roles
 from restitution.solving.limits import limit
 from restitution.solving.part import Desk, Outcome
-from restitution.solving.regions import Region, to_set
+from restitution.solving.regions import Region
 from restitution.solving.setting import Setting, Trial, declared
 from restitution.solving.solution import Answer, ItemResult
 from restitution.solving.unknowns import Letters

@@ -9,22 +9,18 @@ the data, or gives values for which it is wrong, from which a better guess is ma
 from __future__ import annotations
 
 import random
-from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import cached_property
 from itertools import pairwise
 from typing import Any
 
 import sympy as sp
-from mpmath.libmp import NoConvergence
 
-from restitution import exact
 from restitution.errors import RestitutionError, UnsupportedError
-from restitution.expression.enclosed import DIGITS, Enclosed, UndefinedError
+from restitution.expression.enclosed import UndefinedError
 from restitution.oracle import (
-    All,
     BeyondError,
     Formula,
     Oracle,
@@ -38,33 +34,34 @@ from restitution.oracle import (
     relations,
 )
 from restitution.oracle.roles import Role
-from restitution.solving import forms
 from restitution.solving.admission import Admission, Demand
-from restitution.solving.algebra import solve_system
 from restitution.solving.conditions import AnyOf, Condition
+from restitution.solving.intervals import Piece, inside_of, joined_cells, reconcile
 from restitution.solving.numbers import Sample, at, number_of, sample
 from restitution.solving.part import Outcome
 from restitution.solving.setting import Setting, Trial, out_of_range
 from restitution.solving.unknowns import Letters
+from restitution.solving.zeros import (
+    at_end,
+    at_infinity,
+    deciding,
+    essential_factors,
+    numeric_zeros,
+    representatives,
+    zeros,
+)
 
 DRAWS = 4
+
+
 DRAWS_TRIED = 60
+
+
 ROUNDS = 4
-NEAR = (1, 3, 7, 13)
-INFINITE = 10**1000
+
+
 # Far above rounding, and as nothing beside what is known with so many digits.
 ASIDE = Fraction(1, 10**196)
-
-
-@dataclass(frozen=True)
-class End:
-    """One end of an interval, exact, and whether it belongs to it."""
-
-    value: sp.Expr
-    closed: bool
-
-
-Piece = tuple[End, End]
 
 
 @dataclass
@@ -133,7 +130,7 @@ class Region:
         unique: list[sp.Expr] = []
         for atom in atoms:
             for part in deciding(atom):
-                for factor in _essential(part):
+                for factor in essential_factors(part):
                     if factor not in unique:
                         unique.append(factor)
         return unique
@@ -205,9 +202,9 @@ class Region:
             symbol = role.symbol(name)
             for atom in [each for each in reached if each.has(symbol)]:
                 for end in (role.low, role.high):
-                    own = _at_infinity(atom, symbol) if end is None else _at_end(atom, symbol, end)
+                    own = at_infinity(atom, symbol) if end is None else at_end(atom, symbol, end)
                     if own is not None:
-                        reached += [x for x in _essential(own) if x not in reached]
+                        reached += [x for x in essential_factors(own) if x not in reached]
         return reached[len(atoms) :]
 
     def _zeros(self, equations: list[sp.Expr], unknowns: list[sp.Symbol]) -> list[sp.Expr]:
@@ -247,12 +244,12 @@ class Region:
             extended: list[Sample] = []
             for known in chosen:
                 values = {**drawn, self.letter: value, **known}
-                numbers = _numeric_zeros(self._kept_atoms, inner.symbol, values)
+                numbers = numeric_zeros(self._kept_atoms, inner.symbol, values)
                 role = inner.role
                 for bound in (role.low, role.high):
                     if bound is not None:
                         numbers.append(at(bound, {}))
-                extended += [{**known, name: x} for x in _representatives(sorted(numbers), role)]
+                extended += [{**known, name: x} for x in representatives(sorted(numbers), role)]
             chosen = extended[:200]
         return chosen
 
@@ -446,7 +443,7 @@ class Region:
             cells.append((None, inside))
             if right is not None:
                 cells.append((right[1], self.allowed(right[0], drawn)))
-        return _joined(cells)
+        return joined_cells(cells)
 
     def _gap(self, left: Any, right: Any, drawn: Sample) -> bool:
         if left is None and right is None:
@@ -464,220 +461,6 @@ class Region:
                 f"the ends of the range of {self.letter} have no exact form that is found here"
             )
         return truths.pop()
-
-
-def _at_end(x: sp.Expr, symbol: sp.Symbol, end: sp.Expr) -> sp.Expr | None:
-    value = sp.together(x.xreplace({symbol: end})).as_numer_denom()[0]
-    return None if value.has(sp.nan, sp.zoo, sp.oo) else sp.expand(value)
-
-
-def _at_infinity(x: sp.Expr, symbol: sp.Symbol) -> sp.Expr | None:
-    """What decides the sign of a polynomial as a letter grows without end."""
-    return sp.Poly(x, symbol).LC() if x.is_polynomial(symbol) else None
-
-
-def inside_of(x: sp.Expr, pieces: Sequence[Piece]) -> Formula:
-    """The claim that a value lies in one of some intervals."""
-    parts: list[Formula] = []
-    for low, high in pieces:
-        if low.value == high.value:
-            parts.append(Relation(x - low.value, "="))
-            continue
-        ends: list[Formula] = []
-        if low.value != -sp.oo:
-            ends.append(Relation(x - low.value, ">=" if low.closed else ">"))
-        if high.value != sp.oo:
-            ends.append(Relation(high.value - x, ">=" if high.closed else ">"))
-        parts.append(All(tuple(ends)))
-    return parts[0] if len(parts) == 1 else Some(tuple(parts))
-
-
-def zeros(
-    equations: Sequence[sp.Expr],
-    unknowns: Sequence[sp.Symbol],
-    roles: Mapping[str, Role],
-    wanted: str,
-) -> list[sp.Expr]:
-    """The values of one letter at which expressions vanish together."""
-    angles = frozenset(s for s in unknowns if s.name in roles and roles[s.name].kind == "angle")
-    acute = frozenset(
-        s
-        for s in angles
-        if roles[s.name].low == 0
-        and roles[s.name].high is not None
-        and bool(roles[s.name].high <= sp.pi / 2)
-    )
-    bare = any(
-        each.xreplace({f: sp.Integer(1) for f in each.atoms(sp.Function)}).has(s)
-        for s in angles
-        for each in equations
-    )
-    if bare:
-        angles = acute = frozenset()
-    values = []
-    try:
-        for solution in solve_system(list(equations), list(unknowns), angles, acute, roles):
-            value = solution.values.get(wanted)
-            if value is not None:
-                values.append(exact.tidy_angle(value) if value.has(sp.atan, sp.atan2) else value)
-    except (UnsupportedError, sp.PolynomialError, NotImplementedError):
-        return []
-    return values
-
-
-@lru_cache(maxsize=1024)
-def deciding(x: sp.Expr) -> tuple[sp.Expr, ...]:
-    """An expression's numerator and denominator, and what stands under its roots and bars."""
-    top, bottom = sp.together(x).as_numer_denom()
-    parts = [top, bottom]
-    for node in sp.preorder_traversal(x):
-        if node.is_Pow and node.exp.is_Rational and not node.exp.is_Integer:
-            parts.append(sp.together(node.base).as_numer_denom()[0])
-        elif isinstance(node, sp.Abs):
-            parts.append(sp.together(node.args[0]).as_numer_denom()[0])
-    return tuple(part for part in parts if part.free_symbols)
-
-
-@lru_cache(maxsize=1024)
-def _essential(x: sp.Expr) -> tuple[sp.Expr, ...]:
-    """The factors of an expression that can change sign."""
-    try:
-        factors = [f for f, _ in sp.factor_list(x)[1]] if sp.count_ops(x) < 400 else [x]
-    except (sp.PolynomialError, NotImplementedError):
-        factors = [x]
-    return tuple(f for f in factors if f.free_symbols and not f.is_positive and not f.is_negative)
-
-
-def _numeric_zeros(atoms: Sequence[sp.Expr], x: sp.Symbol, values: Mapping[str, Any]) -> list[Any]:
-    """Where expressions vanish, in numbers, as one letter varies and the others are put in."""
-    roots = []
-    for atom in atoms:
-        if not atom.has(x):
-            continue
-        others = {
-            s: sp.Float(str(values[s.name]), DIGITS)
-            for s in atom.free_symbols
-            if s != x and s.name in values
-        }
-        if len(others) != len(atom.free_symbols) - 1:
-            continue
-        expression = atom.xreplace(others)
-        angle = expression.has(sp.sin, sp.cos, sp.tan)
-        if angle:
-            t = sp.Dummy("t")
-            expression = expression.xreplace(
-                {
-                    sp.sin(x): 2 * t / (1 + t**2),
-                    sp.cos(x): (1 - t**2) / (1 + t**2),
-                    sp.tan(x): 2 * t / (1 - t**2),
-                }
-            )
-            variable = t
-        else:
-            variable = x
-        try:
-            poly = sp.Poly(sp.together(expression).as_numer_denom()[0], variable)
-            roots_ = poly.nroots(n=35, maxsteps=200)
-        except (
-            sp.PolynomialError,
-            sp.GeneratorsNeeded,
-            ValueError,
-            NotImplementedError,
-            NoConvergence,
-        ):
-            continue
-        for root in roots_:
-            if abs(sp.im(root)) < 1e-18:
-                value = at(sp.re(root), {})
-                roots.append(2 * at(sp.atan(sp.re(root)), {}) if angle else value)
-    return roots
-
-
-def _representatives(numbers: list[Any], role: Role) -> list[Any]:
-    """Numbers, points between them and points beyond them."""
-    if not numbers:
-        return [at(sp.Rational(1, 3), {})]
-    points = [numbers[0] - 1, numbers[-1] + 1, numbers[-1] * 2 + 3]
-    for a, b in pairwise(numbers):
-        points += [a, (a + b) / 2]
-        # Where a root hides a border, it may lie as near to an end as one likes.
-        for power in NEAR:
-            points += [a + (b - a) / 10**power, b - (b - a) / 10**power]
-    points.append(numbers[-1])
-    low = None if role.low is None else at(role.low, {})
-    high = None if role.high is None else at(role.high, {})
-    return [x for x in points if (low is None or x >= low) and (high is None or x <= high)]
-
-
-def _joined(cells: list[tuple[sp.Expr | None, bool]]) -> list[Piece]:
-    """Alternating gaps and points, true or false, as intervals."""
-    pieces: list[Piece] = []
-    start: End | None = None
-    for index, (point, inside) in enumerate(cells):
-        if point is None:  # a gap between points
-            if inside and start is None:
-                before = cells[index - 1][0] if index else None
-                start = End(-sp.oo if before is None else before, False)
-            continue
-        if inside:
-            if start is None:
-                start = End(point, True)
-            after = cells[index + 1][1] if index + 1 < len(cells) else False
-            if not after:
-                pieces.append((start, End(point, True)))
-                start = None
-        elif start is not None:
-            pieces.append((start, End(point, False)))
-            start = None
-    if start is not None:
-        pieces.append((start, End(sp.oo, False)))
-    return pieces
-
-
-def reconcile(shapes: list[tuple[list[Piece], Sample]]) -> list[Piece]:
-    """One form for all the trials; ends that change places become the larger or the smaller."""
-    counts = Counter(tuple(pieces) for pieces, _ in shapes)
-    if len(counts) == 1:
-        return shapes[0][0]
-    sizes = {len(pieces) for pieces, _ in shapes}
-    if sizes != {1}:
-        raise UnsupportedError("the form of the range depends on the values of the data")
-    lows = {pieces[0][0] for pieces, _ in shapes}
-    highs = {pieces[0][1] for pieces, _ in shapes}
-    low = _extreme(lows, [(p[0][0], d) for p, d in shapes], sp.Max, max)
-    high = _extreme(highs, [(p[0][1], d) for p, d in shapes], sp.Min, min)
-    return [(low, high)]
-
-
-def _extreme(ends: set[End], seen: list[tuple[End, Sample]], form: Any, pick: Any) -> End:
-    if len(ends) == 1:
-        return next(iter(ends))
-    for end, drawn in seen:
-        values = [_end_at(each, drawn) for each in ends]
-        if (_end_at(end, drawn) - pick(values)).sign:
-            raise UnsupportedError("the form of the range depends on the values of the data")
-    return End(form(*[each.value for each in ends]), all(each.closed for each in ends))
-
-
-def _end_at(end: End, drawn: Sample) -> Any:
-    if end.value in (sp.oo, -sp.oo):
-        return Enclosed.of(INFINITE if end.value == sp.oo else -INFINITE)
-    try:
-        return at(end.value, drawn)
-    except UndefinedError:
-        raise UnsupportedError("the form of the range depends on the values of the data") from None
-
-
-def to_set(pieces: Sequence[Piece]) -> sp.Set:
-    """Intervals as one SymPy set, the ends in textbook form."""
-    sets = []
-    for low, high in pieces:
-        a, b = (forms.bound(each.value) for each in (low, high))
-        if a == b:
-            sets.append(sp.FiniteSet(a))
-        else:
-            sets.append(sp.Interval(a, b, not low.closed, not high.closed))
-    return sp.Union(*sets) if sets else sp.S.EmptySet
 
 
 def with_solved(trial: Trial, values: Sample) -> Sample:

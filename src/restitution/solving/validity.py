@@ -28,9 +28,10 @@ from restitution.render.text import to_text
 from restitution.solving import forms
 from restitution.solving.admission import Demand, demands_for
 from restitution.solving.cases import KINDS
+from restitution.solving.intervals import inside_of, to_set
 from restitution.solving.part import Outcome
 from restitution.solving.polynomials import factors
-from restitution.solving.regions import Region, inside_of, to_set
+from restitution.solving.regions import Region
 from restitution.solving.setting import Trial
 from restitution.solving.solution import Answer
 
