@@ -6,8 +6,10 @@ import html
 import io
 import math
 import re
+import runpy
 import unicodedata
 import xml.etree.ElementTree as ET
+from pathlib import Path
 
 import matplotlib as mpl
 import numpy as np
@@ -273,3 +275,16 @@ def test_the_command_writes_reports(tmp_path):
         path = tmp_path / f"report{ending}"
         assert run("experiment", table, "--angle-error", "1", "-o", path)[0] == 0
         assert path.read_bytes().startswith(start)
+
+
+def test_the_picture_of_the_guide_is_that_of_its_script():
+    root = Path(__file__).parents[1] / "docs"
+    script = runpy.run_path(str(root / "examples" / "experiment_law.py"))
+    result = r.experiment({"alpha": script["ALPHA"], "beta": script["BETA"]}, angle_error=1)
+    kept = (root / "images" / "experiment-law.svg").read_text(encoding="utf-8")
+    drawn = law_plot(result)
+    assert (
+        re.findall(r"<desc.*?</desc>", kept)[0].partition(">")[2]
+        == re.findall(r"<desc.*?</desc>", drawn)[0].partition(">")[2]
+    )
+    assert marks(kept) == pytest.approx(np.array(marks(drawn)))
