@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from restitution.experiments.curves import Array, sum_of_squares
+from restitution.experiments.distributions import upper_tail, upper_tail_of_squares
 from restitution.experiments.fitting import Fit
-from restitution.experiments.needs import needed
 from restitution.experiments.numbers import fixed, probability, with_error
 from restitution.experiments.patterns import Pattern, Untested
 from restitution.experiments.records import SpheresTrial, WallReading
@@ -31,14 +31,13 @@ def above_one(
     them: "β is larger than α", and ``advice`` a sentence. The two questions are one pattern, so
     that the smaller p-value counts twice.
     """
-    stats = needed("scipy.stats", "a test")
     e, readings = sample.e, sample.readings
     at_one = float(sum_of_squares(readings, sample.law, 1.0))
     scale = sample.factor**2 if sample.factor > 0 else 1.0
     root = float(np.sqrt(max(at_one - sample.fit.sum_of_squares, 0.0) / scale))
     root = root if e > 1 else -root
     freedom = sample.freedom if sample.known else sample.fit.degrees_of_freedom
-    p_fit = float(stats.norm.sf(root) if freedom is None else stats.t.sf(root, freedom))
+    p_fit = upper_tail(root, freedom)
     if sample.exact:
         p_fit = 0.0 if e > 1 + 1e-6 else 1.0
     single = _single(given)
@@ -65,21 +64,16 @@ def _single(sample: Sample) -> Array:
 
     Where errors are estimated, that of the reading is estimated from the others.
     """
-    stats = needed("scipy.stats", "a test")
     readings = sample.readings
     variance = readings.x_variance + readings.y_variance - 2 * readings.covariance
     z = (readings.y - readings.x) / np.sqrt(variance)
     if sample.known:
-        result: Array = (
-            stats.norm.sf(z) if sample.freedom is None else stats.t.sf(z, sample.freedom)
-        )
-        return result
+        return upper_tail(z, sample.freedom)
     freedom = sample.fit.degrees_of_freedom - 1
     if freedom < 1 or sample.exact:
         return np.ones_like(z)
     rest = np.maximum(sample.fit.sum_of_squares - sample.residuals**2 * sample.factor**2, 1e-300)
-    others: Array = stats.t.sf(z / np.sqrt(rest / freedom), freedom)
-    return others
+    return upper_tail(z / np.sqrt(rest / freedom), freedom)
 
 
 def speed(
@@ -122,7 +116,6 @@ def scatter(
     They are compared with the nearest of the wider models, so that a pattern which has a name of
     its own is not told twice.
     """
-    stats = needed("scipy.stats", "a test")
     if not sample.known:
         reason = "Untested: no errors were given; they are taken from the scatter itself."
         return Untested("scatter", reason)
@@ -130,10 +123,7 @@ def scatter(
     freedom = best.degrees_of_freedom
     if freedom < 1:
         return Untested("scatter", "Untested: one reading has no scatter.")
-    if sample.freedom is None:
-        p = float(stats.chi2.sf(best.sum_of_squares, freedom))
-    else:
-        p = float(stats.f.sf(best.sum_of_squares / freedom, freedom, sample.freedom))
+    p = upper_tail_of_squares(best.sum_of_squares, freedom, sample.freedom)
     times = fixed(best.scatter, 1)
     far = int(np.argmax(np.abs(sample.residuals)))
     seen = (

@@ -15,6 +15,7 @@ import numpy as np
 
 from restitution.errors import MissingError
 from restitution.experiments.curves import Array, Law, Readings, sum_of_squares
+from restitution.experiments.distributions import limit_of_square
 from restitution.experiments.needs import needed
 
 Model = Callable[[Array, Array], Array]
@@ -74,17 +75,6 @@ _SHIFT = 2.0
 """odrpack takes its steps relative to a parameter, so none may be near 0 where it looks."""
 
 
-def tail(statistic: float, freedom: int | None) -> float:
-    """The probability of so large a squared deviation, or a larger one, by chance.
-
-    Of χ² with 1 degree of freedom, or of F where the errors have only ``freedom`` degrees.
-    """
-    stats = needed("scipy.stats", "a test")
-    if freedom is None:
-        return float(stats.chi2.sf(statistic, 1))
-    return float(stats.f.sf(statistic, 1, freedom))
-
-
 def profile(
     readings: Readings, law: Law, fit: Fit, level: float, factor: float, freedom: int | None
 ) -> tuple[float, float]:
@@ -93,9 +83,7 @@ def profile(
     ``factor`` multiplies the errors of the readings, and ``freedom`` are the degrees of freedom
     with which they were estimated, None where they are known.
     """
-    stats = needed("scipy.stats", "an interval")
-    quantile = stats.chi2.ppf(level, 1) if freedom is None else stats.f.ppf(level, 1, freedom)
-    rise = float(quantile) * factor**2
+    rise = limit_of_square(level, freedom) * factor**2
     best = fit.parameters[0]
     limit = float(sum_of_squares(readings, law, best)) + rise
     width = max(fit.errors[0] * np.sqrt(rise), 1e-9)

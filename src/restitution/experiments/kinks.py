@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from restitution.experiments.curves import Array
+from restitution.experiments.distributions import upper_tail_of_squares
 from restitution.experiments.needs import needed
 
 LEAST = 3
@@ -215,11 +216,10 @@ def _kink_between(paths: Paths, begin: float, end: float, *, bending: bool = Tru
         return None
     if bending and straight - fall > sum(each.of_curve() for each in sums):
         return None
-    stats = needed("scipy.stats", "a test")
     more = 2 * len(paths) + 1
     freedom = 2 * sum(map(len, paths)) - 4 * len(paths) - more
     left = max(straight - fall, _ROUNDING * size)
-    p = float(stats.f.sf(fall / more / (left / freedom), more, freedom))
+    p = upper_tail_of_squares(fall / (left / freedom), more, freedom)
     return tau if p < _CLEAR else None
 
 
@@ -390,8 +390,8 @@ def opened(kink: Kink) -> Kink:
     scale = free.sum_of_squares / free.freedom
     if kink.sum_of_squares <= _ROUNDING * sum(_size(path) for path in kink.paths):
         return kink
-    stats = needed("scipy.stats", "a test")
-    p = stats.f.sf((kink.sum_of_squares - free.sum_of_squares) / more / scale, more, free.freedom)
+    fall = kink.sum_of_squares - free.sum_of_squares
+    p = upper_tail_of_squares(fall / scale, more, free.freedom)
     return free if p < _GAP else kink
 
 

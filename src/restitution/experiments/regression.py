@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from restitution.experiments.curves import Array
-from restitution.experiments.needs import needed
+from restitution.experiments.distributions import upper_tail
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,6 @@ def regression(
     up to a factor; ``freedom`` are the degrees of freedom of errors that were
     estimated elsewhere.
     """
-    stats = needed("scipy.stats", "a test")
     X = np.column_stack(columns) / np.sqrt(variances)[:, np.newaxis]
     target = y / np.sqrt(variances)
     spare = len(y) - len(columns)
@@ -56,7 +55,7 @@ def regression(
     sure = np.where(coefficients == 0, 0.0, np.inf)
     z = np.divide(np.abs(coefficients), errors, out=sure, where=errors > 0)
     freedom = freedom if known else spare
-    p = 2 * (stats.norm.sf(z) if freedom is None else stats.t.sf(z, freedom))
+    p = 2 * upper_tail(z, freedom)
     return Regression(coefficients, errors, square, p)
 
 

@@ -17,7 +17,8 @@ from restitution.experiments.curves import (
     squared_distance,
     sum_of_squares,
 )
-from restitution.experiments.fitting import Fit, Model, fitted, profile, tail
+from restitution.experiments.distributions import upper_tail_of_squares
+from restitution.experiments.fitting import Fit, Model, fitted, profile
 
 LEVEL = 0.95
 
@@ -103,10 +104,10 @@ class Sample:
         """How probable so large a fall of the sum of squares is where the law is true."""
         fall = max(self.fit.sum_of_squares - wider.sum_of_squares, 0.0)
         if self.known:
-            return tail(fall, self.freedom)
+            return upper_tail_of_squares(fall, 1, self.freedom)
         freedom = wider.degrees_of_freedom
         scale = wider.sum_of_squares / freedom
-        return tail(fall / scale, freedom) if scale > 0 else 0.0
+        return upper_tail_of_squares(fall / scale, 1, freedom) if scale > 0 else 0.0
 
     def error_of(self, wider: Fit, index: int) -> float:
         """The standard error of a parameter of a wider model."""

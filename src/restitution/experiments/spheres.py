@@ -12,8 +12,8 @@ import numpy as np
 from restitution.errors import MissingError
 from restitution.experiments.common import STRICT, above_one, place_of, scatter, speed
 from restitution.experiments.curves import SPHERES, Array, Readings
+from restitution.experiments.distributions import upper_tail, upper_tail_of_squares
 from restitution.experiments.impacts import Impact, impact_of
-from restitution.experiments.needs import needed
 from restitution.experiments.numbers import percent, probability, with_error
 from restitution.experiments.patterns import Pattern, Untested
 from restitution.experiments.records import Fault, MeasuredSphere, SpheresTrial, Velocity
@@ -399,7 +399,6 @@ def _momentum(spheres: Spheres, sample: Sample) -> Pattern | Untested:
     share of the momentum that is lost. The two are one pattern, so that the smaller p-value counts
     twice.
     """
-    stats = needed("scipy.stats", "a test")
     rows = [each for impact in spheres.impacts if (each := impact.momentum())]
     if len(rows) < len(spheres.impacts):
         return Untested("momentum", "Untested: it takes the masses, columns m_A and m_B.")
@@ -414,12 +413,9 @@ def _momentum(spheres: Spheres, sample: Sample) -> Pattern | Untested:
     certainty = sum(float(mean @ weight @ mean) for _, weight, mean in weighted)
     share = sum(float(mean @ weight @ lost) for lost, weight, mean in weighted) / certainty
     error = math.sqrt(scale / certainty)
-    if freedom is None:
-        p_all, p_share = stats.chi2.sf(square, expected), 2 * stats.norm.sf(abs(share) / error)
-    else:
-        p_all = stats.f.sf(square / expected, expected, freedom)
-        p_share = 2 * stats.t.sf(abs(share) / error, freedom)
-    p = min(1.0, 2 * float(min(p_all, p_share)))
+    p_all = upper_tail_of_squares(square, expected, freedom)
+    p_share = 2 * upper_tail(abs(share) / error, freedom)
+    p = min(1.0, 2 * min(p_all, p_share))
     way = "less" if share > 0 else "more"
     size = f"{percent(abs(share))} ± {percent(error)}"
     if p_share <= p_all:

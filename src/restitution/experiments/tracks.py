@@ -17,6 +17,7 @@ import numpy as np
 from restitution.counting import counted
 from restitution.errors import MissingError
 from restitution.experiments.curves import Array
+from restitution.experiments.distributions import upper_tail, upper_tail_of_squares
 from restitution.experiments.kinks import (
     LEAST,
     Kink,
@@ -31,7 +32,6 @@ from restitution.experiments.kinks import (
     without_jumps,
     without_outliers,
 )
-from restitution.experiments.needs import needed
 from restitution.experiments.numbers import probability, with_error
 from restitution.experiments.patterns import Pattern, Untested
 from restitution.experiments.records import (
@@ -286,8 +286,7 @@ def _slowing(trials: list[Trial], unit: str) -> tuple[Pattern | Untested, float,
     values, variances_of_rates = np.array([(rate, own * each) for rate, own, each in rows]).T
     weights = 1 / variances_of_rates
     mean, error = float(weights @ values / weights.sum()), float(weights.sum() ** -0.5)
-    stats = needed("scipy.stats", "a test")
-    p = float(2 * stats.t.sf(abs(mean) / error, freedom))
+    p = 2 * upper_tail(abs(mean) / error, freedom)
     used = p < _SLOWING
     unit = f" {unit}/s²"
     corrected = (
@@ -340,12 +339,11 @@ def _alike(own: Array, freedoms: Array, pooled: float) -> bool:
     """Whether variances are the same but for chance (M. S. Bartlett, 1937)."""
     if len(own) < 2:
         return True
-    stats = needed("scipy.stats", "a test")
     total = float(freedoms.sum())
     excess = float((1 / freedoms).sum()) - 1 / total
     statistic = total * math.log(pooled) - float(freedoms @ np.log(own))
     scaled = statistic / (1 + excess / (3 * (len(own) - 1)))
-    return float(stats.chi2.sf(scaled, len(own) - 1)) > _UNLIKE
+    return upper_tail_of_squares(scaled, len(own) - 1, None) > _UNLIKE
 
 
 _UNLIKE = 1e-3

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from restitution.experiments.common import STRICT, above_one, place_of, scatter, speed
 from restitution.experiments.curves import WALL, Array, Readings, reflected
+from restitution.experiments.distributions import upper_tail
 from restitution.experiments.fitting import Fit
-from restitution.experiments.needs import needed
 from restitution.experiments.numbers import percent, probability, with_error
 from restitution.experiments.patterns import Pattern, Untested
 from restitution.experiments.records import Measured, WallReading
@@ -317,12 +317,11 @@ def mean_test(values: Array, variances: Array | None) -> tuple[float, float, flo
 
     Weighted by the variances where these are known; else with the error of the scatter.
     """
-    stats = needed("scipy.stats", "a test")
     if variances is not None:
         weights = 1 / variances
         mean, error = float((weights * values).sum() / weights.sum()), float(weights.sum() ** -0.5)
-        return mean, error, float(2 * stats.norm.sf(abs(mean) / error))
+        return mean, error, 2 * upper_tail(abs(mean) / error, None)
     mean, error = float(values.mean()), float(values.std(ddof=1) / math.sqrt(len(values)))
     if error < 1e-12:
         return mean, error, 1.0 if abs(mean) < 1e-9 else 0.0
-    return mean, error, float(2 * stats.t.sf(abs(mean) / error, len(values) - 1))
+    return mean, error, 2 * upper_tail(abs(mean) / error, len(values) - 1)
