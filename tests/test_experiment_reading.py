@@ -9,7 +9,7 @@ import pytest
 from commands import run
 
 import restitution as r
-from restitution.errors import RestitutionError, StatementError
+from restitution.errors import MissingError, RestitutionError, StatementError
 from restitution.experiments import rows, tables
 from restitution.experiments.records import Table
 
@@ -224,3 +224,25 @@ def test_command_without_a_file():
     status, _, messages = run("experiment", "no-such.csv")
     assert status == 2
     assert "no-such.csv: cannot be read" in messages
+
+
+@pytest.mark.parametrize(
+    ("error", "rule"),
+    [
+        ("0", "an error is more than 0, and finite"),
+        ("-1", "an error is more than 0, and finite"),
+        ("1e-300", "an error is at least 1e-09"),
+        ("50", "the error of an angle is at most 45°"),
+    ],
+)
+def test_an_error_that_cannot_be_is_refused_with_its_place(error, rule):
+    result = r.experiment(f"alpha,beta,± alpha\n30,22,1\n45,36,{error}\n60,50,1\n")
+    (fault,) = result.table.faults
+    assert str(fault) == f"line 3, column ± alpha: {error!r}: {rule}"
+    with pytest.raises(StatementError, match=rule):
+        r.experiment("alpha,beta\n30,22\n45,36\n", angle_error=float(error))
+
+
+def test_where_too_few_rows_are_left_those_left_out_are_named():
+    with pytest.raises(MissingError, match=r"left out: line 2, column beta: 'nan'.*and 1 more"):
+        r.experiment("alpha,beta\n30,nan\n45,36\n50,x\n")

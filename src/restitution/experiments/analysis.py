@@ -17,7 +17,7 @@ from restitution.experiments.patterns import (
     Untested,
     decided,
 )
-from restitution.experiments.records import Table
+from restitution.experiments.records import Fault, Table
 from restitution.experiments.results import Experiment, Interval
 from restitution.experiments.samples import LEVEL, Sample
 from restitution.experiments.spheres import Spheres
@@ -28,9 +28,24 @@ from restitution.experiments.walls import Wall
 def analysed(table: Table) -> Experiment:
     """The experiment of a table.
 
-    Raises MissingError where the data do not determine e, and UnsupportedError where the extra
-    "experiment" is not installed.
+    Raises MissingError where the data do not determine e, with the rows that were left out, and
+    UnsupportedError where the extra "experiment" is not installed.
     """
+    try:
+        return _of_kind(table)
+    except MissingError as error:
+        raise _with_faults(error, table.faults) from None
+
+
+def _with_faults(error: MissingError, faults: tuple[Fault, ...]) -> MissingError:
+    if not faults:
+        return error
+    first = str(faults[0])
+    rest = f", and {len(faults) - 1} more" if len(faults) > 1 else ""
+    return MissingError(f"{error.message} (left out: {first}{rest})", error.line)
+
+
+def _of_kind(table: Table) -> Experiment:
     if table.kind == "wall":
         return _of_wall(table, walls.wall_of(table.readings, table.units.get("u", "m/s")))
     if table.kind == "spheres":

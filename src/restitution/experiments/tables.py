@@ -65,9 +65,23 @@ class Options:
     def __post_init__(self) -> None:
         for name in ("angle_error", "speed_error"):
             value = getattr(self, name)
-            if value is not None and not 0 < value < math.inf:
-                said = name.replace("_", " ")
-                raise StatementError(f"{said} {value:g}: an error is more than 0, and finite")
+            rule = None if value is None else _rule_of_error(value, name.removesuffix("_error"))
+            if rule is not None:
+                raise StatementError(f"{name.replace('_', ' ')} {value:g}: {rule}")
+
+
+LEAST_ERROR, LARGEST_ANGLE_ERROR = 1e-9, 45.0
+
+
+def _rule_of_error(error: float, dimension: str | None) -> str | None:
+    """What an error breaks; None where it is one."""
+    if not 0 < error < math.inf:
+        return "an error is more than 0, and finite"
+    if error < LEAST_ERROR:
+        return f"an error is at least {LEAST_ERROR:g}"
+    if dimension == "angle" and error > LARGEST_ANGLE_ERROR:
+        return f"the error of an angle is at most {LARGEST_ANGLE_ERROR:g}°"
+    return None
 
 
 @dataclass
@@ -151,8 +165,9 @@ class _Sheet:
 
     def _error(self, row: Row, column: Column, cell: str) -> float:
         error = self._number(row, column, cell) * column.factor
-        if error <= 0:
-            raise _fault(row, column, cell, "an error is more than 0")
+        rule = _rule_of_error(error, DIMENSIONS.get(column.quantity or ""))
+        if rule is not None:
+            raise _fault(row, column, cell, rule)
         return error
 
 
