@@ -149,7 +149,10 @@ def test_of_many_positions_some_are_drawn():
 def test_each_trial_has_a_picture():
     pairs = [track("", (0.3, 0.1), (1, -1), (1, 0.7), 0, trial=name) for name in ("b", "a")]
     result = experiment_of(*pairs)
-    assert [each.title for each in track_scenes(result)] == ["Tracks of b", "Tracks of a"]
+    assert [each.title for each in track_scenes(result)] == [
+        "Tracks of trial b",
+        "Tracks of trial a",
+    ]
     with pytest.raises(KeyError, match="trials: b, a"):
         track_scene(result, "c")
 

@@ -102,7 +102,8 @@ def test_a_file_is_opened(experiment) -> None:
 
 def test_each_example_shows_what_it_is_for(experiment) -> None:
     page = experiment()
-    for example, verdict in (("wall", None), ("rough", "Friction"), ("askew", "misses the origin")):
+    examples = (("wall", None), ("rough", "Friction"), ("askew", "misses"), ("tracks", None))
+    for example, verdict in examples:
         options = page.locator("#example option").all_inner_texts()
         (chosen,) = [i for i, each in enumerate(options) if example in each.split(",")[0].lower()][
             :1

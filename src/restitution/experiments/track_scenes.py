@@ -71,7 +71,7 @@ def _scene(experiment: Experiment, trial: str) -> Scene:
     speed = f"{unit.get('x', 'm')} {unit.get('t', 's')}⁻¹"
     drawing = _Drawing(tracks, _Scale.of(tracks), speed)
     drawing.everything()
-    named = f" of {trial}" if trial else ""
+    named = f" of trial {trial}" if trial else ""
     return drawing.scene(f"Tracks{named}")
 
 
