@@ -30,6 +30,7 @@ from restitution.planning.either_side import on_one_side, write_other_side
 from restitution.planning.extrema import only_answer, write_extremum
 from restitution.planning.forms import tree_of
 from restitution.planning.gathering import gathered, numbered_anew
+from restitution.planning.given_terms import turn_round
 from restitution.planning.items import write_item
 from restitution.planning.open_lines import write_open_lines
 from restitution.planning.order import Solver
@@ -169,6 +170,9 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
         return desk
     names = [_name(part, index) for index, _ in enumerate(part.items, 1)]
     ways = dict.fromkeys(names, _PLANNED)
+    in_terms = _in_given_terms(solution, part, desk, dict(ways))
+    if in_terms is not None:
+        return in_terms
     if not partial:
         return joined(desk, _drafts(solution, part, desk, ways, _PLANNED))
     for least in (_PLANNED, _SOLVED):
@@ -187,18 +191,44 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
     return _drafts(solution, part, desk, dict.fromkeys(names, _NOTED), _NOTED)[0]
 
 
+def _in_given_terms(
+    solution: Solution, part: PartSolution, desk: Desk, ways: dict[str, int]
+) -> Desk | None:
+    """The desk with a part whose answers are in letters that the solution has by others.
+
+    None where none is, or where there is no plan in these letters.
+    """
+    if len(part.branches) != 1 or not protected_letters(part.part):
+        return None
+    try:
+        drafts = _drafts(solution, part, desk, ways, _PLANNED, turned=True)
+    except UNPLANNED:
+        return None
+    return drafts[0] if drafts else None
+
+
 def _name(part: PartSolution, index: int) -> str:
     """The name of an item: the label of its part, and its number there."""
     return f"{part.part.label or ''}{index}"
 
 
 def _drafts(
-    solution: Solution, part: PartSolution, desk: Desk, ways: dict[str, int], last: int
+    solution: Solution,
+    part: PartSolution,
+    desk: Desk,
+    ways: dict[str, int],
+    last: int,
+    turned: bool = False,
 ) -> list[Desk]:
-    """Each solution of a part on a desk of its own."""
+    """Each solution of a part on a desk of its own.
+
+    With ``turned`` only those whose letters are turned round to be those of the answers.
+    """
     problem = solution.problem
     protected = protected_letters(part.part)
     models = [model(problem, part.part, branch, part.roles, protected) for branch in part.branches]
+    if turned and not all([turn_round(each, protected) for each in models]):
+        return []
     drafts = []
     one_side = on_one_side(solution, part, models, desk)
     models = list(one_side) or models
@@ -206,7 +236,7 @@ def _drafts(
         draft = desk.fork()
         others = tuple(models) if len(models) > 1 else ()
         scene = Scene(problem, part.part, part, model_, draft, others, find_frame=frame_at)
-        scene.sided = len(one_side)
+        scene.sided, scene.turned = len(one_side), turned
         _write_items(scene, ways, last)
         drafts.append(draft)
     return drafts
@@ -236,7 +266,7 @@ def _write_items(scene: Scene, ways: dict[str, int], last: int) -> None:
                     _write_end(scene, solver, item, result, now, name)
                 lines = scene.desk.lines
                 require_true(scene.model, lines[start:], lines, scene.desk.facts)
-                if solver.resort:
+                if solver.resort or scene.turned:
                     require_followed(scene, lines[start:])
                 _require_closed(scene.desk, name)
                 written = True

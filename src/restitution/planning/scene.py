@@ -78,6 +78,8 @@ class Scene:
     """Letters that an item leaves open, though facts tie them to others."""
     sided: int = 0
     """How many solutions there are beside **j**, where each has one mirrored along **i**."""
+    turned: bool = False
+    """Whether letters are told by those in which the answers are to be given."""
     ties: dict[str, Relation] = field(default_factory=dict)
     """What the facts say of such letters, by the id of the fact, as lines say it."""
     find_frame: Callable[[Scene, int], Frame] | None = None
