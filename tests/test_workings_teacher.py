@@ -159,6 +159,14 @@ SAYS = {
             "tan θ = ⅓",
         ],
     ),
+    # tan²α = 1/e, so sin²α = 1/(1 + e): (1 − e²)/(1 + e) is 1 − e.
+    "an answer in letters that the solution has by others": (
+        WALL.format(e="")
+        + "given deflection(P) = 90°\npart a\nshow tan^2(alpha) = 1/e\n"
+        + "part b\nfind energy_lost in terms of m, u, e\n"
+        + "part c\nfind speed(P) in terms of u, e",
+        ["sin α = 1/√(1 + e)", "= ½(1 − e)mu²", "(c)", "= u√e"],
+    ),
     # tan β = e tan 50°.
     "sines and cosines of degrees": (
         (
