@@ -227,8 +227,10 @@ def _drafts(
     problem = solution.problem
     protected = protected_letters(part.part)
     models = [model(problem, part.part, branch, part.roles, protected) for branch in part.branches]
-    if turned and not all([turn_round(each, protected) for each in models]):
-        return []
+    if turned:
+        changed = [turn_round(each, protected) for each in models]
+        if not all(changed):
+            return []
     drafts = []
     one_side = on_one_side(solution, part, models, desk)
     models = list(one_side) or models
