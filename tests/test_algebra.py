@@ -64,8 +64,8 @@ def test_nested_roots_are_solved():
         turned = mpmath.atan2(
             abs(before[0] * a[1] - before[1] * a[0]), before[0] * a[0] + before[1] * a[1]
         )
-        told = mpmath.atan(7 * (159175 * root + 395472) / mpmath.mpf(89618797))
-        assert abs(turned - told) < mpmath.mpf(10) ** -30
+        expected = mpmath.atan(7 * (159175 * root + 395472) / mpmath.mpf(89618797))
+        assert abs(turned - expected) < mpmath.mpf(10) ** -30
         speed = mpmath.sqrt(8652 * root + 897583) / 576
         assert abs(mpmath.hypot(*a) - speed) < mpmath.mpf(10) ** -30
 
@@ -221,8 +221,8 @@ def test_resultants(f, g):
     rows = [[0] * k + a + [0] * (len(b) - 2 - k) for k in range(len(b) - 1)]
     rows += [[0] * k + b + [0] * (len(a) - 2 - k) for k in range(len(a) - 1)]
     wanted = sp.expand(sp.Matrix(rows).det(method="berkowitz"))
-    found = resultant(f, g, x)
-    ratio = sp.radsimp(sp.cancel(found / wanted))
+    answer = resultant(f, g, x)
+    ratio = sp.radsimp(sp.cancel(answer / wanted))
     assert ratio.is_Rational
     assert ratio != 0
 
@@ -261,13 +261,13 @@ ROLES = {"x": POSITIVE, "y": POSITIVE, "m": POSITIVE, "e": COEFFICIENT, "z": REA
 
 def solved(equations, unknowns):
     none: frozenset[sp.Symbol] = frozenset()
-    found = algebra.solve_system(equations, unknowns, none, none, ROLES)
-    return [dict(each.values) for each in found]
+    solutions = algebra.solve_system(equations, unknowns, none, none, ROLES)
+    return [dict(each.values) for each in solutions]
 
 
 def test_sizes_are_one_sign_or_the_other():
-    found = solved([sp.Abs(z - 2) - 3], [z])
-    assert sorted(each["z"] for each in found) == [-1, 5]
+    solutions = solved([sp.Abs(z - 2) - 3], [z])
+    assert sorted(each["z"] for each in solutions) == [-1, 5]
     # The range of α tells the sign of its cosine.
     assert solved([e * sp.Abs(sp.cos(angle)) - sp.cos(angle) / 2], [e]) == [
         {"e": sp.Rational(1, 2)}
@@ -276,8 +276,8 @@ def test_sizes_are_one_sign_or_the_other():
 
 def test_numbers_decide_zero_exactly():
     tiny = sp.Rational(1, 10**40)
-    found = algebra.solve_system([z - 1, z - 1 - tiny], [z], frozenset(), frozenset(), ROLES)
-    assert found == [], "no tolerance makes them the same"
+    solutions = algebra.solve_system([z - 1, z - 1 - tiny], [z], frozenset(), frozenset(), ROLES)
+    assert solutions == [], "no tolerance makes them the same"
 
 
 def test_work_is_refused_before_it_is_begun():

@@ -391,10 +391,10 @@ def error_of(lines: list[str]) -> RestitutionError | None:
 
 def named_lines(error: RestitutionError) -> list[int]:
     """The numbers behind "line" and "lines" in a message: "lines 4, 5 and 6"."""
-    found = []
+    numbers = []
     for some in re.findall(r"\blines? (\d+(?:(?:, | and |, and )\d+)*)", str(error)):
-        found += [int(each) for each in re.findall(r"\d+", some)]
-    return sorted(set(found))
+        numbers += [int(each) for each in re.findall(r"\d+", some)]
+    return sorted(set(numbers))
 
 
 def names_what_clashes(clash: Clash) -> None:

@@ -567,8 +567,8 @@ def test_pressure_is_hendersons_and_rate_is_enskogs(packing, known):
     n = 1024
     gas = melted(n, packing, impacts=100)
     gas.run(impacts=500 * n, tiles=1)
-    found = compressibility(gas) / henderson(packing) - 1
-    assert -known - 0.004 < found < 0.004
+    deviation = compressibility(gas) / henderson(packing) - 1
+    assert -known - 0.004 < deviation < 0.004
     assert compressibility(gas) == pytest.approx(1 + 2 * packing * luding(packing), rel=0.005)
     # by Enskog the rate has the factor of the pressure
     enskog = 4 * packing * luding(packing) * math.sqrt(gas.kinetic_energy / n / math.pi)
@@ -638,8 +638,8 @@ def test_it_cools_as_haff_says(e):
         slow.append(math.sqrt(n / gas.kinetic_energy))
     rate_over_speed = 8 * packing / math.sqrt(math.pi) * dense
     slope = (1 - e**2) / 4 * rate_over_speed
-    found = np.polyfit(times, slow, 1)[0]
-    assert found == pytest.approx(slope, rel=0.04)
+    fitted = np.polyfit(times, slow, 1)[0]
+    assert fitted == pytest.approx(slope, rel=0.04)
     line = np.polyval(np.polyfit(times, slow, 1), times)
     np.testing.assert_allclose(slow, line, rtol=0.02)
 

@@ -305,7 +305,7 @@ def test_time_of_meeting_by_a_finder_of_roots(place, velocity, reach):
     apart, v = Vector(*place), Vector(*velocity)
     if size(apart) <= reach * 1.001 or size(v) < 1e-3:
         return
-    found = meeting(apart, v, reach, math.sqrt, 0.0)
+    contact = meeting(apart, v, reach, math.sqrt, 0.0)
     with mpmath.workdps(60):
         x, y, vx, vy = map(mpmath.mpf, (*place, *velocity))
 
@@ -315,10 +315,10 @@ def test_time_of_meeting_by_a_finder_of_roots(place, velocity, reach):
         nearest = -(x * vx + y * vy) / (vx * vx + vy * vy)
         depth = -excess(nearest)
         if nearest <= 0 or depth < -1e-12:
-            assert found is None
+            assert contact is None
         elif depth > 1e-6:
             time = mpmath.findroot(excess, (0, nearest), solver="anderson", tol=1e-40)
-            assert found.after == pytest.approx(float(time), rel=1e-13 / math.sqrt(depth))
+            assert contact.after == pytest.approx(float(time), rel=1e-13 / math.sqrt(depth))
 
 
 # --- what any motion must satisfy --------------------------------------------------------------
@@ -826,9 +826,9 @@ def test_coefficients_of_walls_and_pairs():
     table = Table.box(
         8, 4, balls, e=0.9, coefficients={"Left": 0.5, ("B", "A"): 0.3, ("Right", "B"): 0.1}
     )
-    found = {(hit.first, hit.second): hit.e for hit in simulate(table, impacts=4).impacts}
-    assert found == {("A", "B"): 0.3, ("A", "Left"): 0.5, ("B", "Right"): 0.1} | found
-    assert set(found.values()) <= {0.3, 0.5, 0.1}
+    coefficients = {(hit.first, hit.second): hit.e for hit in simulate(table, impacts=4).impacts}
+    assert coefficients == {("A", "B"): 0.3, ("A", "Left"): 0.5, ("B", "Right"): 0.1} | coefficients
+    assert set(coefficients.values()) <= {0.3, 0.5, 0.1}
 
 
 def test_a_wall_has_two_sides():

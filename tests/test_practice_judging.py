@@ -99,4 +99,4 @@ def test_most_mistakes_have_their_name() -> None:
         for (_, _, name), line in zip(trial.lines, trial.judged().lines, strict=True)
         if name is not None
     ]
-    assert sum(name == found for name, found in pairs) >= 0.9 * len(pairs)
+    assert sum(name == judged for name, judged in pairs) >= 0.9 * len(pairs)

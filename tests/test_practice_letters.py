@@ -110,43 +110,43 @@ def quantities(each: Interpretations, line: int = 99) -> dict[str, str]:
     ],
 )
 def test_components_after_are_inferred_from_the_two_laws(text: str) -> None:
-    found = inferred(SPHERES, text)
-    first, second = sorted(found.best.trees(1))
-    assert quantities(found)[first] == "along(velocity(A, 1), i)"
-    assert quantities(found)[second] == "along(velocity(B, 1), i)"
-    assert not found.asks
+    inference = inferred(SPHERES, text)
+    first, second = sorted(inference.best.trees(1))
+    assert quantities(inference)[first] == "along(velocity(A, 1), i)"
+    assert quantities(inference)[second] == "along(velocity(B, 1), i)"
+    assert not inference.asks
 
 
 def test_a_sense_is_turned_where_the_equation_of_momentum_says_so() -> None:
-    found = inferred(SPHERES, "-3v + 5w = 7\nw + v = 3\nv = 1")
-    assert quantities(found) == {
+    inference = inferred(SPHERES, "-3v + 5w = 7\nw + v = 3\nv = 1")
+    assert quantities(inference) == {
         "v": "-along(velocity(A, 1), i)",
         "w": "along(velocity(B, 1), i)",
     }
 
 
 def test_a_wrong_equation_of_momentum_does_not_turn_the_letters() -> None:
-    found = inferred(SPHERES, "3v + 5w = 17\nw - v = 3\n8w = 26")
-    assert quantities(found)["w"] == "along(velocity(B, 1), i)"
-    assert all(write_expression(each.trees(1)["w"]) != "speed(A, 1)" for each in found)
+    inference = inferred(SPHERES, "3v + 5w = 17\nw - v = 3\n8w = 26")
+    assert quantities(inference)["w"] == "along(velocity(B, 1), i)"
+    assert all(write_expression(each.trees(1)["w"]) != "speed(A, 1)" for each in inference)
 
 
 def test_a_speed_and_an_angle_at_a_wall() -> None:
-    found = inferred(WALL, "v cos(beta) = 8 cos(35°)\nv sin(beta) = 3/4*8 sin(35°)")
-    assert quantities(found)["v"] == "speed(P, 1)"
-    assert quantities(found)["beta"] == "angle(velocity(P, 1), W)"
+    inference = inferred(WALL, "v cos(beta) = 8 cos(35°)\nv sin(beta) = 3/4*8 sin(35°)")
+    assert quantities(inference)["v"] == "speed(P, 1)"
+    assert quantities(inference)["beta"] == "angle(velocity(P, 1), W)"
 
 
 def test_an_angle_to_the_normal_is_one() -> None:
-    found = inferred(WALL, "v sin(t) = 8 cos(35°)\nv cos(t) = 6 sin(35°)")
-    assert quantities(found)["t"] == "90° - angle(velocity(P, 1), W)"
+    inference = inferred(WALL, "v sin(t) = 8 cos(35°)\nv cos(t) = 6 sin(35°)")
+    assert quantities(inference)["t"] == "90° - angle(velocity(P, 1), W)"
 
 
 def test_a_declared_letter_is_not_inferred() -> None:
     problem, _ = solved(SPHERES)
     declared = letters_from_mapping({"v": "along(velocity(B), i)"}, problem)
-    found = inferred(SPHERES, "3v + 5w = 7\nw - v = 3", declared)
-    meaning = found.best.at(1)["v"]
+    inference = inferred(SPHERES, "3v + 5w = 7\nw - v = 3", declared)
+    meaning = inference.best.at(1)["v"]
     assert (write_expression(meaning.quantity), meaning.by) == (
         "along(velocity(B, 1), i)",
         "declared",
@@ -158,17 +158,17 @@ def test_what_no_line_explains_has_to_be_asked() -> None:
 
 
 def test_a_known_value_that_fits_no_quantity_defines_a_letter() -> None:
-    found = inferred(SPHERES, "n = (-3i + 4j)/5\nv = 1/7")
-    assert {each.letter: each.by for each in found.best.meanings} == {
+    inference = inferred(SPHERES, "n = (-3i + 4j)/5\nv = 1/7")
+    assert {each.letter: each.by for each in inference.best.meanings} == {
         "n": "declared",
         "v": "declared",
     }
 
 
 def test_a_usual_letter_has_its_meaning_also_in_a_wrong_line() -> None:
-    found = inferred(SPHERES, "v_A = 17")
-    assert found.best.at(1)["v_A"].by == "default"
-    assert quantities(found)["v_A"] == "along(velocity(A, 1), i)"
+    inference = inferred(SPHERES, "v_A = 17")
+    assert inference.best.at(1)["v_A"].by == "default"
+    assert quantities(inference)["v_A"] == "along(velocity(A, 1), i)"
 
 
 def test_a_quantity_of_the_start_is_only_for_u() -> None:
@@ -181,8 +181,8 @@ def test_a_quantity_of_the_start_is_only_for_u() -> None:
 def test_a_heading_opens_a_scope() -> None:
     text = "v cos(b) = u cos(40°)\nv sin(b) = 2/3*u sin(40°)\nv cos(c) = v cos(c)"
     scopes = {1: Scope(event=1), 2: Scope(event=1), 3: Scope(event=2)}
-    found = inferred(TWO_WALLS, text, scopes=scopes)
-    assert quantities(found, 1)["v"] == "speed(P, 1)"
+    inference = inferred(TWO_WALLS, text, scopes=scopes)
+    assert quantities(inference, 1)["v"] == "speed(P, 1)"
 
 
 def test_a_letter_of_the_statement_is_fixed_until_it_comes_again() -> None:
@@ -193,8 +193,8 @@ def test_a_letter_of_the_statement_is_fixed_until_it_comes_again() -> None:
         ScriptLine(1, "take u = 5", "declaration", declarations=(take,)),
         *plain.lines[1:],
     )
-    found = meanings_of(Script(lines), problem, solution)
-    assert [dict(found.best.fixed(number)) for number in (1, 2, 3)] == [{"u": 5}, {"u": 5}, {}]
+    inference = meanings_of(Script(lines), problem, solution)
+    assert [dict(inference.best.fixed(number)) for number in (1, 2, 3)] == [{"u": 5}, {"u": 5}, {}]
 
 
 @pytest.mark.parametrize(
@@ -237,14 +237,14 @@ def test_what_the_letters_box_says_is_read_again() -> None:
 
 @pytest.mark.parametrize("text", ["3v + 5w = 7\nw - v = 3\nv = 4", "-3v + 5w = 7\nw - v = 3"])
 def test_a_wrong_line_is_not_made_true_by_an_absurd_meaning(text: str) -> None:
-    found = inferred(SPHERES, text)
+    inference = inferred(SPHERES, text)
     script = script_of(text, solved(SPHERES)[0])
     world = true_worlds(solved(SPHERES)[1])[0]
     claim = script.lines[-1].links[0].readings[0]
-    assert agrees(claim, world, found.best.trees(len(script.lines))) is None
+    assert agrees(claim, world, inference.best.trees(len(script.lines))) is None
 
 
 def test_a_letter_of_any_look_may_be_a_quantity_that_varies() -> None:
-    found = inferred(TWO_WALLS, "k = 2/3*u sin(40°)\nb = arctan(2/3*tan(40°))")
-    assert "velocity(P, 1)" in quantities(found)["k"]
-    assert quantities(found)["b"] == "angle(velocity(P, 1), AB)"
+    inference = inferred(TWO_WALLS, "k = 2/3*u sin(40°)\nb = arctan(2/3*tan(40°))")
+    assert "velocity(P, 1)" in quantities(inference)["k"]
+    assert quantities(inference)["b"] == "angle(velocity(P, 1), AB)"

@@ -127,9 +127,9 @@ def test_nothing_is_said_before_it_is_asked_for():
     for level in (1, 2, 3):
         for message in marked(PAIR, typed, hints=level).messages:
             assert "4(−1)" not in message.text
-    said = [each.text for each in marked(PAIR, typed, hints=1).messages]
-    assert said[0].startswith("This is conservation of momentum")
-    assert said[-1] == "Right, with your values. The mistake is in line 1."
+    messages = [each.text for each in marked(PAIR, typed, hints=1).messages]
+    assert messages[0].startswith("This is conservation of momentum")
+    assert messages[-1] == "Right, with your values. The mistake is in line 1."
     last = marked(PAIR, typed, hints=4).messages[0].text
     assert last == "The line is 2 × 3 + 4(−1) = 2v + 4w."
 

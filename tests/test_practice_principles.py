@@ -74,10 +74,10 @@ OF_CHAIN = {
 def first(world: World, text: str, table: dict[str, str], scope: Scope = ANYWHERE) -> str:
     """The principle of a line, with its event and bodies."""
     line, decimals = claim(text)
-    found = uses_of(line, world, meanings(table), decimals, scope)
-    if not found:
+    uses = uses_of(line, world, meanings(table), decimals, scope)
+    if not uses:
         return "none"
-    use = found[0]
+    use = uses[0]
     return " ".join(map(str, (use.principle, use.event, "".join(use.bodies))))
 
 
@@ -202,8 +202,8 @@ def altered(text: str, statement: str, table: dict[str, str]) -> set[str]:
     line, decimals = claim(text)
     world = world_of(statement)
     assert agrees(line, world, meanings(table), decimals) is None
-    found = uses_of(line, world, meanings(table), decimals, altered=True)
-    return {str(use.altered).partition("/")[0] for use in found}
+    uses = uses_of(line, world, meanings(table), decimals, altered=True)
+    return {str(use.altered).partition("/")[0] for use in uses}
 
 
 @pytest.mark.parametrize(
@@ -378,8 +378,8 @@ def test_a_value_rests_on_no_law_with_a_letter_to_be_found(text: str, principles
 def test_a_value_is_told_from_a_law(text: str, is_value: bool) -> None:
     world = world_of(NUMBERS)
     line, decimals = claim(text)
-    found = uses_of(line, world, meanings(OF_NUMBERS), decimals)
-    assert ("value" in {use.principle for use in found}) == is_value
+    uses = uses_of(line, world, meanings(OF_NUMBERS), decimals)
+    assert ("value" in {use.principle for use in uses}) == is_value
 
 
 @pytest.mark.parametrize(

@@ -161,7 +161,7 @@ Typed = tuple[str, str, str, tuple[str, ...]]
 
 def typed_lines() -> list[Typed]:
     """Statement, kind, line and readings of every line of the table, each looked at by a person."""
-    found: list[Typed] = []
+    typed: list[Typed] = []
     statement, readings = "", []
     for row in (Path(__file__).parent / "typed_lines.txt").read_text().splitlines()[1:]:
         if row == "statement":
@@ -170,11 +170,11 @@ def typed_lines() -> list[Typed]:
             statement += row.strip() + "\n"
         elif " | " in row and not row.startswith(" "):
             kind, text = row.split(" | ", 1)
-            found.append((statement, kind, text, ()))
+            typed.append((statement, kind, text, ()))
             readings = [text]
         elif row.startswith("    "):
-            found[-1] = (*found[-1][:3], (*found[-1][3], row.strip()))
-    return found
+            typed[-1] = (*typed[-1][:3], (*typed[-1][3], row.strip()))
+    return typed
 
 
 def what_is_read(read: ScriptLine) -> tuple[str, ...]:

@@ -58,7 +58,7 @@ def quantities_of(world: World) -> Iterator[Quantity]:
                 yield Quantity("dot", (velocity, centres))
 
 
-def told(world: World, branch: Branch, sample: int) -> Story:
+def story_at(world: World, branch: Branch, sample: int) -> Story:
     """The story in numbers of high precision, by the letters of one sample."""
     letters = {
         name: FIELD.number(Fraction(float(world.spread(value)[sample])))
@@ -85,7 +85,7 @@ def compare(world: World, branch: Branch) -> int:
     count = 0
     for sample in (0, world.samples - 1):
         try:
-            story = told(world, branch, sample)
+            story = story_at(world, branch, sample)
         except (RestitutionError, UndefinedError):
             continue  # a root that doubles just miss
         for tree in quantities_of(world):
@@ -96,13 +96,13 @@ def compare(world: World, branch: Branch) -> int:
             if tree.kind == "angle" and abs(exact[0]) < 1e-6:
                 continue  # the inverse tangent of nearly nothing
             try:
-                found = as_columns(world, world.value(tree), sample)
+                value = as_columns(world, world.value(tree), sample)
             except UnvaluedError as error:
                 assert "at rest" in str(error)  # as far as doubles can tell
                 continue
-            turn = abs(exact[0] - found[0]) if tree.kind == "direction" else 0.0
+            turn = abs(exact[0] - value[0]) if tree.kind == "direction" else 0.0
             if not math.isclose(turn, 2 * math.pi, abs_tol=1e-6):
-                assert np.allclose(found, exact, rtol=1e-7, atol=1e-7), (tree, found, exact)
+                assert np.allclose(value, exact, rtol=1e-7, atol=1e-7), (tree, value, exact)
             count += 1
     return count
 
@@ -129,11 +129,11 @@ def check_item(item: Any, world: World, now: int) -> None:
             for sample in range(world.samples):
                 put = {name: world.spread(x)[sample] for name, x in world.letters.items()}
                 exact = [float(x.subs({s: put[s.name] for s in x.free_symbols})) for x in parts]
-                found = as_columns(world, world.value(item.item.expression, now=now), sample)
+                numbers = as_columns(world, world.value(item.item.expression, now=now), sample)
                 if item.kind == "direction" and len(exact) == 2:
                     exact = [x / math.hypot(*exact) for x in exact]
-                if len(exact) == len(found):
-                    assert np.allclose(found, exact, rtol=1e-6, atol=1e-7), (item.text, found)
+                if len(exact) == len(numbers):
+                    assert np.allclose(numbers, exact, rtol=1e-6, atol=1e-7), (item.text, numbers)
     relation = item.item.relation if isinstance(item.item, Show) and item.holds else None
     if isinstance(relation, Compare) and item.item.subject is None and not relation.figures:
         scope = Scope(event=now) if now else Scope(event=1, stage="before")
@@ -315,9 +315,9 @@ def test_a_free_letter_may_be_fixed() -> None:
 def test_letters_take_many_values_at_once() -> None:
     (world,) = true_worlds(solved(LETTERS))
     values = {"v": np.arange(3.0)[:, None, None], "w": np.arange(2.0)[None, :, None]}
-    found = world.value(read("v + w u"), values=values)
-    assert found.shape == (3, 2, world.samples)
-    assert np.allclose(found[2, 1], 2 + world.letters["u"])
+    value = world.value(read("v + w u"), values=values)
+    assert value.shape == (3, 2, world.samples)
+    assert np.allclose(value[2, 1], 2 + world.letters["u"])
 
 
 def test_vectors_are_multiplied_as_scalars() -> None:
@@ -343,9 +343,9 @@ def test_times_follow_the_velocities() -> None:
     assert np.allclose(world.scalar(read("time(2)")), 2 + 8)
     assert np.allclose(retimed(world, world).scalar(read("time(2)")), 10)
     faster = world.replaced(after={(1, "P"): Vector(np.full(4, 2.0), np.full(4, 3.0))})
-    told = retimed(faster, world)
-    assert np.allclose(told.scalar(read("time(2)")), 2 + 4)
-    where = told.value(read("position(P, 2)"))
+    retimed_world = retimed(faster, world)
+    assert np.allclose(retimed_world.scalar(read("time(2)")), 2 + 4)
+    where = retimed_world.value(read("position(P, 2)"))
     assert np.allclose(where.x, 8)
     assert np.allclose(where.y, 4 + 3 * 4)
 

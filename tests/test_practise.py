@@ -109,9 +109,9 @@ def test_equal_sizes_hide_a_mistake():
         .format(other="at rest")
         .replace("velocity at rest", "at rest")
     )
-    found = diagnosis.clash(r.solve(r.parse(statement)))
-    assert found is not None
-    assert "sine-cosine" in str(found) or "angle-from-normal" in str(found)
+    clash = diagnosis.clash(r.solve(r.parse(statement)))
+    assert clash is not None
+    assert "sine-cosine" in str(clash) or "angle-from-normal" in str(clash)
 
 
 def test_facts_hold_in_altered_worlds():

@@ -17,42 +17,42 @@ from restitution.practice.questions.varying import variant
 
 def talk(question, *lines):
     """What a conversation says to some lines, its outcome, and its attempt."""
-    left, said = list(lines), []
-    conversation = Conversation(question, lambda _: left.pop(0) if left else None, said.append)
+    left, shown = list(lines), []
+    conversation = Conversation(question, lambda _: left.pop(0) if left else None, shown.append)
     outcome = conversation.hold()
-    return "\n".join(said), outcome, conversation.attempt(100)
+    return "\n".join(shown), outcome, conversation.attempt(100)
 
 
 QUESTION = practice_question("wall-forward", 1, 1)  # -10i + 4j, a wall along j, e = 3/4
 
 
 def test_a_right_answer_has_all_marks():
-    said, outcome, attempt = talk(
+    shown, outcome, attempt = talk(
         QUESTION,
         "v_x = 3/4 * 10 = 7.5",
         "velocity = 7.5i + 4j",
         "speed = sqrt(7.5^2 + 4^2) = 8.5",
         "",
     )
-    assert "speed of A immediately after" in said
-    assert "5 of 5 marks" in said
+    assert "speed of A immediately after" in shown
+    assert "5 of 5 marks" in shown
     assert outcome == "quit"
     assert attempt["earned"] == attempt["of"] == 5
     assert not attempt["lost_method"]
 
 
 def test_a_wrong_answer_loses_marks_and_may_be_tried_again():
-    said, outcome, attempt = talk(QUESTION, "speed = 2", "", "", "", "next")
-    assert "Try again" in said
+    shown, outcome, attempt = talk(QUESTION, "speed = 2", "", "", "", "next")
+    assert "Try again" in shown
     assert attempt["earned"] < attempt["of"]
     assert attempt["lost_method"]
     assert outcome == "next"
 
 
 def test_hints_and_the_working_are_there():
-    said, _, attempt = talk(QUESTION, "hint", "show", "next")
-    assert "You have not used" in said
-    assert "Newton's experimental law" in said
+    shown, _, attempt = talk(QUESTION, "hint", "show", "next")
+    assert "You have not used" in shown
+    assert "Newton's experimental law" in shown
     assert attempt is None
 
 
@@ -173,33 +173,33 @@ def test_a_variant_has_other_numbers_and_the_same_words():
     one, again, other = (variant(r.parse(TEACHER), seed) for seed in (1, 1, 2))
     assert one == again
     assert one.statement != other.statement
-    told = r.parse(one.statement)
-    assert told.spheres[0].velocity != r.parse(TEACHER).spheres[0].velocity
-    assert [part.label for part in told.parts] == [None, "a", "b"]
+    problem = r.parse(one.statement)
+    assert problem.spheres[0].velocity != r.parse(TEACHER).spheres[0].velocity
+    assert [part.label for part in problem.parts] == [None, "a", "b"]
     assert any("walls stay" in note for note in one.notes)
 
 
 def test_values_given_afterwards_are_worked_out_again():
-    made = variant(
+    variation = variant(
         r.parse(
             "wall W: along i\nsphere P: velocity 4i - 3j\nP hits W\n"
             "given velocity(P) = 4i + 2j\nfind e"
         ),
         3,
     )
-    (item,) = (item for _, item in r.solve(r.parse(made.statement)).items())
+    (item,) = (item for _, item in r.solve(r.parse(variation.statement)).items())
     assert 0 < item.decimal < 1
 
 
 def test_a_printed_result_is_printed_anew():
-    made = variant(
+    variation = variant(
         r.parse(
             "wall W: along i\nsphere P: velocity 4i - 3j\nP hits W: e = 2/3\n"
             "show speed(P) = 2sqrt(5)"
         ),
         3,
     )
-    (item,) = (item for _, item in r.solve(r.parse(made.statement)).items())
+    (item,) = (item for _, item in r.solve(r.parse(variation.statement)).items())
     assert item.holds
 
 

@@ -125,17 +125,17 @@ def test_no_greatest_value(item: str) -> None:
 sphere B: mass k m, at rest
 A hits B: along i, e = 1/2
 find maximum of {item}"""
-    (found,) = solve(parse(text)).parts[None].items
-    assert found.error is not None
-    assert found.error.kind == "impossible"
-    assert "no maximum" in found.error.message
+    (result,) = solve(parse(text)).parts[None].items
+    assert result.error is not None
+    assert result.error.kind == "impossible"
+    assert "no maximum" in result.error.message
 
 
 @pytest.mark.parametrize("item", ["range of e", "maximum of e over e", "range of x"])
 def test_letter_of_questions_only(item: str) -> None:
-    (found,) = solve(parse(f"{WALL.strip()}: e = 1\nfind {item}")).parts[None].items
-    assert found.error is not None
-    assert found.error.kind == "missing"
+    (result,) = solve(parse(f"{WALL.strip()}: e = 1\nfind {item}")).parts[None].items
+    assert result.error is not None
+    assert result.error.kind == "missing"
 
 
 # A turns back where e > 1/2; B goes on with 2(1 + e).
