@@ -429,7 +429,7 @@ def test_a_file_that_is_full(folder):
 def test_no_name_of_python_reaches_a_reader():
     from restitution.errors import TimeLimitError
     from restitution.killable import portable
-    from restitution.solving.solver import UNFORESEEN, unforeseen
+    from restitution.solving.worker import UNFORESEEN, unforeseen
 
     for kind in UNFORESEEN:
         for said in (unforeseen(kind("no attribute")).message, str(portable(kind("of NoneType")))):

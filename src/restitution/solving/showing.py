@@ -49,14 +49,14 @@ from restitution.solving.solution import Branch, ItemResult
 from restitution.solving.unknowns import SYMBOLIC, Letters
 
 if TYPE_CHECKING:
-    from restitution.solving.solver import _Worker
+    from restitution.solving.worker import Worker
 
 # What is longer than this is not factorised to see which letters matter.
 LONG = 400
 UNDECIDED = Verdict("undecided", "undecided")
 
 
-def show(worker: _Worker, step: Show, now: int) -> ItemResult:
+def show(worker: Worker, step: Show, now: int) -> ItemResult:
     """Whether a claim follows from the facts, for all admissible values of its letters."""
     line = None if step.place is None else step.place.line
     if step.subject is not None:
@@ -72,7 +72,7 @@ def show(worker: _Worker, step: Show, now: int) -> ItemResult:
             values = _counterexample(worker, outcome, branch, verdict.witness or {}, claim, step)
             signed = _if_positive(outcome, branch, verdict.witness or {}, claim)
             if signed:
-                worker._warn(_of_any_sign(step, signed))
+                worker.warn(_of_any_sign(step, signed))
             return ItemResult(
                 step,
                 line,
@@ -188,7 +188,7 @@ def _exponent(size: Fraction) -> int:
 
 
 def _counterexample(
-    worker: _Worker,
+    worker: Worker,
     outcome: Outcome,
     branch: Branch,
     witness: Point,
@@ -255,7 +255,7 @@ def _deciding(value: sp.Expr) -> set[str]:
     }
 
 
-def _used(worker: _Worker, outcome: Outcome) -> set[str]:
+def _used(worker: Worker, outcome: Outcome) -> set[str]:
     """The letters of the statement."""
     used: set[str] = set()
     for tree in trees(worker.problem):
@@ -275,12 +275,12 @@ def _leading(tree: Any) -> Fraction:
     return Fraction(int(coefficient.p), int(coefficient.q))
 
 
-def _show_set_or_extremum(worker: _Worker, step: Show, now: int, line: int | None) -> ItemResult:
+def _show_set_or_extremum(worker: Worker, step: Show, now: int, line: int | None) -> ItemResult:
     """``show range of e: …`` and ``show maximum of Q over X = …``."""
     subject = step.subject
     assert subject is not None
     assert isinstance(step.relation, Compare)
-    result = worker._item(subject, now, step.in_terms_of)
+    result = worker.item_result(subject, now, step.in_terms_of)
     if result.error is not None:
         raise result.error
     roles = worker.desk.settle(step.in_terms_of, subject).roles

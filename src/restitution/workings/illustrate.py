@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from restitution.errors import RestitutionError
 from restitution.explaining.saying import say
-from restitution.solving.solver import UNFORESEEN
+from restitution.solving.worker import UNFORESEEN
 from restitution.workings.steps import PartExplanation, Step, Working
 
 if TYPE_CHECKING:
