@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 from restitution.expression.tree import Expression
@@ -70,7 +70,8 @@ class JudgedLine:
 
     ``uses`` are the laws that it states or cannot be had without; ``link`` is the place (from 0) of
     the link that fails; ``sources`` are the numbers of the lines above from which it follows;
-    ``read_as`` the reading that decided, in symbols.
+    ``read_as`` the reading that decided, in symbols; ``meant`` what letters and phrases mean in
+    this line where it is not what they mean in the script.
     """
 
     line: ScriptLine
@@ -82,6 +83,7 @@ class JudgedLine:
     sources: tuple[int, ...] = ()
     mistake: Mistake | None = None
     remark: str | None = None
+    meant: Mapping[str, Expression] = field(default_factory=dict, compare=False)
 
 
 @dataclass(frozen=True)

@@ -31,7 +31,7 @@ from restitution.expression.tree import (
 from restitution.practice.judgement import Mistake, Use
 from restitution.practice.judging.entries import Entry, is_numeric, same_relation
 from restitution.practice.judging.slips import Correction, corrections
-from restitution.practice.letters.candidates import candidates
+from restitution.practice.letters.candidates import Candidate, candidates
 from restitution.practice.reading.lines import text_of
 from restitution.practice.worlds.agreement import agrees, difference, numbers_of
 from restitution.practice.worlds.world import World
@@ -122,6 +122,10 @@ class Names:
         dull = _OF_SPEEDS if name in _PLAINER else frozenset()
         also = tuple(each for each in families if each != name and each not in dull)
         return Mistake(name, "misconception", ids, also, explained.at, sure=not also)
+
+    def candidates(self, world: World) -> Sequence[Candidate]:
+        """The quantities that a letter may mean."""
+        return candidates(self.problem, world.part)
 
     # --- misconceptions -----------------------------------------------------------------------
 

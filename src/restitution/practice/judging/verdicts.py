@@ -15,7 +15,18 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.explaining.misconceptions import VariantAt
-from restitution.expression.tree import Apply, Expression, Letter, Negate, Quantity
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Pair,
+    Quantity,
+    letters,
+)
 from restitution.practice.judgement import Accuracy, JudgedLine, Mistake, Use, Verdict
 from restitution.practice.judging.deduction import deduced_from
 from restitution.practice.judging.entries import (
@@ -27,20 +38,27 @@ from restitution.practice.judging.entries import (
 )
 from restitution.practice.judging.naming import Explained, Stated
 from restitution.practice.judging.support import Support, Wanted
-from restitution.practice.letters.options import staged
+from restitution.practice.letters.candidates import Candidate
+from restitution.practice.letters.options import Usage, options, staged
+from restitution.practice.letters.trial import inside_angles
 from restitution.practice.reading.lines import read_as
 from restitution.practice.reading.phrases import is_phrase, read_phrase
 from restitution.practice.script import Claim, Link, Script, ScriptLine
 from restitution.practice.worlds.agreement import agrees, difference
 from restitution.practice.worlds.arrays import UnvaluedError
 from restitution.practice.worlds.principles import uses_of
-from restitution.practice.worlds.student import altered_world, student_world
+from restitution.practice.worlds.student import altered_world, facts_of, student_world
 from restitution.practice.worlds.world import World
+from restitution.vector import Vector
 
 _WORST: tuple[Verdict, ...] = ("false", "unread", "asks", "unsupported", "follows", "true")
 _GRADES: tuple[Accuracy, ...] = ("coarse", "rounded", "exact")
 # How far a student's own rounding to three figures may move his values.
 _OWN_ROUNDING = 0.006
+_OBLIQUE = 1e-6
+_USUAL = 0.3
+"""A letter takes a meaning of at most this cost from lines below a mistake."""
+_ALTERED = 3
 _NAMED = 10
 """So many mistakes are looked into; of more the first tell enough."""
 COARSE = "coarse"
@@ -57,6 +75,9 @@ class Naming(Protocol):
 
     def explained(self, entry: Entry, judge: Judge) -> Explained:
         """What explains a claim that is false."""
+
+    def candidates(self, world: World) -> Sequence[Candidate]:
+        """The quantities that a letter may mean."""
 
     def named(self, explained: Explained, stated: Stated, confirmed: frozenset[str]) -> Mistake:
         """The mistake by its name."""
@@ -81,6 +102,7 @@ class JudgedLink:
     sources: tuple[int, ...] = ()
     remark: str | None = None
     letters: frozenset[str] = frozenset()
+    meant: tuple[tuple[str, Expression], ...] = ()
 
 
 class Judge:
@@ -111,7 +133,8 @@ class Judge:
         self._own: tuple[int, tuple[World, ...]] = (-1, ())
         self._base = self.worlds[0]
         self._stated: set[tuple[str, int | None]] = set()
-        self._phrases: dict[str, tuple[Expression, ...]] = {}
+        self._meant: dict[str, Expression] = {}
+        self._phrases: dict[tuple[str, int | None], tuple[Expression, ...]] = {}
         self._known_uses: dict[tuple[Claim, int, bool], tuple[Use, ...]] = {}
 
     # --- a script -----------------------------------------------------------------------------
@@ -146,7 +169,8 @@ class Judge:
 
     def meanings(self, number: int) -> Meanings:
         """What letters and phrases mean in a line."""
-        return self._meanings.get(number, {})
+        known = self._meanings.get(number, {})
+        return {**self._meant, **known} if self._meant else known
 
     @property
     def base(self) -> World:
@@ -199,6 +223,7 @@ class Judge:
             link=place if verdict == "false" else None,
             sources=tuple(dict.fromkeys(n for link in links for n in link.sources)),
             remark=next((link.remark for link in links if link.remark), None),
+            meant={**self._meant, **dict(pair for link in links for pair in link.meant)},
         )
 
     def _explain(self, number: int, explained: Explained) -> None:
@@ -241,7 +266,7 @@ class Judge:
         for claim in link.readings:
             if not isinstance(claim.left, Letter) or not is_phrase(claim.left.name):
                 continue
-            for meant in self._meanings_of(claim.left.name):
+            for meant in self._meanings_of(claim.left.name, line.scope.event):
                 for each in (meant, Negate(meant)) if _is_signed(meant) else (meant,):
                     other = replace(claim, left=each)
                     grade = next(
@@ -249,23 +274,25 @@ class Judge:
                     )
                     if grade is not None:
                         sources = sources_of(claim, self.entries) if verdict == "follows" else ()
-                        return JudgedLink(verdict, other, grade, sources)
+                        meant_here = ((claim.left.name, each),)
+                        return JudgedLink(verdict, other, grade, sources, meant=meant_here)
         return None
 
-    def _meanings_of(self, phrase: str) -> tuple[Expression, ...]:
-        """The quantities that a phrase may name, at every stage if it names none."""
-        if phrase not in self._phrases:
+    def _meanings_of(self, phrase: str, event: int | None) -> tuple[Expression, ...]:
+        """The quantities that a phrase may name, at every stage where it tells none."""
+        key = phrase, event
+        if key not in self._phrases:
             world = self._base
-            stages = range(len(world.events) + 1)
-            trees = read_phrase(phrase, world.problem)
+            stages = range(len(world.events) + 1) if event is None else (event, event - 1)
+            trees = read_phrase(phrase, world.problem, event)
             meanings = [
                 staged(tree, world.problem, world.part, now)
                 for tree in trees
                 if _kind(tree) == _kind(trees[0])
                 for now in stages
             ]
-            self._phrases[phrase] = tuple(dict.fromkeys(meanings))
-        return self._phrases[phrase]
+            self._phrases[key] = tuple(dict.fromkeys(meanings))
+        return self._phrases[key]
 
     def _holds(
         self, link: Link, line: ScriptLine, worlds: Iterable[World]
@@ -284,11 +311,58 @@ class Judge:
     def accuracy(self, claim: Claim, world: World, line: ScriptLine, link: Link) -> Accuracy | None:
         """How exactly a claim holds in a world; None where it does not, or has no value there."""
         meanings = self.meanings(line.number)
-        for each in (claim, *_of_sizes(claim, meanings)):
+        for each in (claim, *_of_sizes(claim, meanings), *_of_vectors(claim, meanings, world)):
             try:
                 grade = agrees(each, world, meanings, link.decimals, line.scope)
             except RestitutionError:
                 continue
+            if grade is not None:
+                return grade
+        return self._in_turned_axes(claim, world, line, link)
+
+    def _in_turned_axes(
+        self, claim: Claim, world: World, line: ScriptLine, link: Link
+    ) -> Accuracy | None:
+        """How exactly a pair holds as components along a wall or line of centres, and across it.
+
+        Only where these are along neither i nor j: else a wrong sign would pass for a sense.
+        """
+        pair = claim.right
+        if claim.sign != "=" or claim.others or not isinstance(pair, Pair):
+            return None
+        meanings = self.meanings(line.number)
+        for axis in _lines_of(world):
+            if not _is_oblique(axis, world):
+                continue
+            for along, across in ((pair.x, pair.y), (pair.y, pair.x)):
+                grades = [
+                    self._of_component(kind, claim.left, axis, value, world, meanings, line, link)
+                    for kind, value in (("along", along), ("across", across))
+                ]
+                if None not in grades:
+                    return next(each for each in _GRADES if each in grades)
+        return None
+
+    def _of_component(
+        self,
+        kind: str,
+        whole: Expression,
+        axis: Expression,
+        value: Expression,
+        world: World,
+        meanings: Meanings,
+        line: ScriptLine,
+        link: Link,
+    ) -> Accuracy | None:
+        """How exactly the component of a vector is a value, in either sense of its axis."""
+        if isinstance(whole, Letter):
+            whole = meanings.get(whole.name, whole)
+        for side in (value, Negate(value)):
+            claim = Claim(Quantity(kind, (whole, axis)), "=", side)
+            try:
+                grade = agrees(claim, world, meanings, link.decimals, line.scope)
+            except RestitutionError:
+                return None
             if grade is not None:
                 return grade
         return None
@@ -332,7 +406,11 @@ class Judge:
                 if grade is not None:
                     sources = sources_of(claim, self.entries)
                     return JudgedLink("follows", claim, grade, sources, self._impossible(claim))
-        relabelled = self._relabelled(line, link, self.students(), "follows")
+        relabelled = (
+            self._relabelled(line, link, self.students(), "follows")
+            or self._adopted(line, link)
+            or self._consistent(line, link)
+        )
         if relabelled is not None:
             return relabelled
         for claim in link.readings:
@@ -345,6 +423,61 @@ class Judge:
             if places:
                 numbers = tuple(self.entries[place].number for place in places)
                 return JudgedLink("follows", claim, "exact", numbers, self._impossible(claim))
+        return None
+
+    def _adopted(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A line with a letter that has no meaning yet, and holds with one in his own world.
+
+        A letter whose lines are all below a mistake cannot be known from true values.
+        """
+        claim = link.readings[0]
+        found = letters(claim.left) | letters(claim.right)
+        known = self.meanings(line.number).keys() | self._base.letters.keys()
+        names = [name for name in found if name not in known]
+        if len(names) != 1 or claim.sign != "=" or not self.wrong or is_phrase(names[0]):
+            return None
+        (name,) = names
+        usage = Usage(name, name in inside_angles(claim.left) | inside_angles(claim.right))
+        usual = sorted(
+            options(usage, self.naming.candidates(self._base), self._base.problem),
+            key=lambda each: each.cost,
+        )
+        for each in usual:
+            if each.start or each.cost > _USUAL or each.nature == "vector":
+                continue
+            self._meant[name] = each.quantity
+            for reading in link.readings:
+                for world in self.students():
+                    grade = self.accuracy(reading, world, line, link) or self._loosely(
+                        reading, world, line, link
+                    )
+                    if grade is not None:
+                        sources = sources_of(reading, self.entries)
+                        return JudgedLink("follows", reading, grade, sources)
+            del self._meant[name]
+        return None
+
+    def _consistent(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A line that holds where the altered law of a mistake above stands, and all else is true.
+
+        One that is an instance of an altered law itself is no consequence.
+        """
+        if not self._names or not self._explained:
+            return None
+        entry = replace(self._entry_of(line, link, link.readings[0]), right=False, wrong=True)
+        again = {_family(use.altered) for use in self.uses_of_entry(entry) if use.altered}
+        for number, found in self._explained.items():
+            if again & {_family(each.id) for each in found.variants}:
+                continue
+            for variant in found.variants[:_ALTERED]:
+                world = self.altered(variant)
+                if world is None:
+                    continue
+                for claim in link.readings:
+                    grade = self.accuracy(claim, world, line, link)
+                    if grade is not None:
+                        self._confirmed.setdefault(number, set()).add(variant.id)
+                        return JudgedLink("follows", claim, grade, (number,))
         return None
 
     def _impossible(self, claim: Claim) -> str | None:
@@ -413,13 +546,18 @@ class Judge:
         return self._own[1]
 
     def _worlds_of_student(self) -> Iterator[World]:
-        for latest in (True, False):
+        broken = self._broken()
+        facts = any(fact.law for fact in facts_of(self._base))
+        for latest, laws_first in ((True, False), (False, False), (True, True)):
+            if laws_first and not facts:
+                continue
             world = student_world(
                 self._base,
                 self.entries,
                 self.question.unknown,
                 latest=latest,
-                broken=self._broken(),
+                broken=() if laws_first else broken,
+                laws_first=laws_first,
             )
             if world is not None:
                 yield world
@@ -520,11 +658,18 @@ def same_left(one: Claim, other: Claim) -> bool:
     return one.left == other.left
 
 
+def _family(variant: str) -> str:
+    """The misconception of which an altered law is a variant."""
+    return variant.partition("/")[0]
+
+
 def _kind(tree: Expression) -> object:
     """What kind of quantity a tree is, its sign aside."""
     if isinstance(tree, Negate):
         return _kind(tree.operand)
-    return tree.kind if isinstance(tree, Quantity) else type(tree)
+    if isinstance(tree, Binary) and isinstance(tree.left, Degrees):
+        return _kind(tree.right)
+    return tree.kind.removeprefix("total_") if isinstance(tree, Quantity) else type(tree)
 
 
 def _is_signed(tree: Expression) -> bool:
@@ -540,6 +685,33 @@ def _of_sizes(claim: Claim, meanings: Meanings) -> Iterator[Claim]:
         yield replace(claim, right=Negate(claim.right))
     elif _is_impulse(claim.right, meanings):
         yield replace(claim, left=Negate(claim.left))
+
+
+def _of_vectors(claim: Claim, meanings: Meanings, world: World) -> Iterator[Claim]:
+    """A claim about an impulse as that on one of the spheres: ``I = 3(v - u)`` of vectors."""
+    if claim.sign != "=" or claim.others or not _is_impulse(claim.left, meanings):
+        return
+    size = meanings.get(claim.left.name) if isinstance(claim.left, Letter) else claim.left
+    if not isinstance(size, Quantity) or size.arguments:
+        return
+    for sphere in world.problem.spheres:
+        yield replace(claim, left=Quantity("impulse", (Name(sphere.name),), size.stage))
+
+
+def _lines_of(world: World) -> Iterator[Expression]:
+    """The lines of centres of a story; that of a wall is perpendicular to it."""
+    for number in world.lines:
+        yield Quantity("line_of_centres", (), number)
+
+
+def _is_oblique(axis: Expression, world: World) -> bool:
+    """Whether a direction is along neither i nor j."""
+    try:
+        direction = world.value(axis)
+    except RestitutionError:
+        return False
+    parts = (direction.x, direction.y) if isinstance(direction, Vector) else ()
+    return bool(parts) and all(bool(np.all(np.abs(world.spread(x)) > _OBLIQUE)) for x in parts)
 
 
 def _is_impulse(tree: Expression, meanings: Meanings) -> bool:

@@ -19,7 +19,10 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Negate,
+    Quantity,
     letters,
+    walk,
 )
 from restitution.practice.judgement import By, Meaning
 from restitution.practice.letters.candidates import Candidate, kinds_of, suffix
@@ -33,7 +36,16 @@ from restitution.practice.letters.inference import (
     slot_of,
 )
 from restitution.practice.letters.interpretation import FixedLetter, Interpretation, Interpretations
-from restitution.practice.letters.options import Usage, elsewhen, of_trees, options, scaled, usual
+from restitution.practice.letters.options import (
+    Usage,
+    directions,
+    elsewhen,
+    is_direction,
+    of_trees,
+    options,
+    scaled,
+    usual,
+)
 from restitution.practice.letters.surroundings import (
     DeclaredLetter,
     Surroundings,
@@ -66,6 +78,8 @@ _MOMENTUM = 1.8
 _PLACES = 5
 _LAST = 10**6
 _VELOCITIES = frozenset("vVwW")
+_PERPENDICULAR = frozenset(("perp", "perpendicular", "perpendicularly", "across"))
+_ALONG = frozenset(("along", "parallel", "par", "loc", "centres", "centers"))
 
 
 def meanings_of(
@@ -161,11 +175,19 @@ class _Search:
         for line in self.lines:
             links = [(link, self._open(link, line.number)) for link in line.links]
             self.items[line.number] = [(link, names) for link, names in links if names]
+        self.phrases = {
+            name
+            for links in self.items.values()
+            for _, names in links
+            for name in names
+            if " " in name
+        }
         self.directions = around.directions(self.lines)
         self.failing: set[int] = set()
         self.relations: dict[tuple[int, tuple[Claim, ...]], Relation] = {}
         self.defined: set[str] = set()
         self.definitions = dict(self._definitions())
+        self.dotted = self._dotted()
 
     # --- letters of the lines
 
@@ -223,6 +245,25 @@ class _Search:
                         if tree is not None:
                             yield name, (line.number, tree)
 
+    def _dotted(self) -> frozenset[str]:
+        """The letters in scalar products with n or t, these among them, that no line defines."""
+        found: set[str] = set()
+        for line in self.lines:
+            for link in line.links:
+                for claim in link.readings:
+                    for side in (claim.left, claim.right):
+                        for tree in walk(side):
+                            found |= self._factors(tree)
+        return frozenset(found - self.definitions.keys() - self.certain.keys())
+
+    def _factors(self, tree: Expression) -> frozenset[str]:
+        """The letters of a scalar product of which one stands alone and is a direction."""
+        if not isinstance(tree, Quantity) or tree.kind != "dot":
+            return frozenset()
+        alone = {each.name for each in tree.arguments if isinstance(each, Letter)}
+        named = any(is_direction(name) and name not in self.around.letters for name in alone)
+        return frozenset(alone) if named else frozenset()
+
     # --- slots
 
     def _slot(self, name: str, line: ScriptLine, segment: int) -> Slot | None:
@@ -243,12 +284,17 @@ class _Search:
         if named:
             latest = [each for each in named if each.since <= line.number] or named
             return list(of_trees(latest[-1].trees))
-        phrase = around.phrase(name)
+        phrase = around.phrase(name, scope.event)
         if phrase:
-            own = [around.staged(tree, scope) for tree in phrase]
-            every = [*of_trees(own), *elsewhen(name, own, len(around.events))]
+            own = [around.staged(tree, scope) for tree in self._other_way(name, phrase)]
+            last = len(around.events)
+            stages = range(last + 1) if scope.event is None else (scope.event - 1, scope.event)
+            every = [*of_trees(own), *elsewhen(name, own, stages)]
             return [*every, *scaled(every, self.directions)]
-        usage = Usage(name, name in self.angular, scope, name in self.defined)
+        dotted = name in self.dotted
+        usage = Usage(name, name in self.angular, scope, name in self.defined, dotted)
+        if dotted and is_direction(name):
+            return list(directions(around.problem, around.events, name))
         chosen = list(options(usage, around.candidates, around.problem))
         chosen += list(scaled(chosen, self.directions))
         if name in self.definitions and self.usual(name, scope) is None:
@@ -263,6 +309,17 @@ class _Search:
                 chosen.append(Candidate(tree, "definition", "scalar", start=start))
         return chosen
 
+    def _other_way(self, name: str, trees: Sequence[Expression]) -> Sequence[Expression]:
+        """The meanings of *perp* that are not along the line, in a script that names both ways."""
+        words = set(name.split())
+        others = [set(each.split()) for each in self.phrases if each != name]
+        if self.around.problem.walls or not words & _PERPENDICULAR or words & _ALONG:
+            return trees
+        if not any(each & _ALONG and not each & _PERPENDICULAR for each in others):
+            return trees
+        across = [tree for tree in trees if not _is_along_the_line(tree)]
+        return across or trees
+
     def _is_velocity(self, name: str) -> bool:
         """Whether a letter is one for velocities, and a vector by its first line: v = 3i + 2j."""
         if name not in self.definitions or name.partition("_")[0] not in _VELOCITIES:
@@ -273,7 +330,7 @@ class _Search:
 
     def usual(self, name: str, scope: Scope) -> Candidate | None:
         """What a letter or phrase means where no line tells."""
-        phrase = self.around.phrase(name)
+        phrase = self.around.phrase(name, scope.event)
         if phrase:
             trees_ = [self.around.staged(tree, scope) for tree in phrase[:1]]
             return next(of_trees(trees_))
@@ -455,6 +512,17 @@ def _is_momentum(item: Item) -> bool:
     if item.pair is None or not item.pair.sign:
         return False
     return all(kinds_of(name, False)[0] == "component" for name in item.pair.names)
+
+
+def _is_along_the_line(tree: Expression) -> bool:
+    """Whether a quantity is the component along a line of centres of two spheres."""
+    inner = tree.operand if isinstance(tree, Negate) else tree
+    return (
+        isinstance(inner, Quantity)
+        and inner.kind == "along"
+        and isinstance(inner.arguments[1], Quantity)
+        and inner.arguments[1].kind == "line_of_centres"
+    )
 
 
 def _defining(claim: Claim, name: str) -> Expression | None:

@@ -30,24 +30,30 @@ from restitution.problem import Event, Impact, Kick, Part, Problem
 
 # Of another kind than the look of a letter tells: only where numbers cannot agree by chance.
 _ODD, _RARE, _STRANGE = 0.15, 0.5, 0.6
+# What quantities of the start cost more than later ones; not for u.
+_LATE = 0.3
 
 
 @dataclass(frozen=True)
 class Usage:
     """How a letter is used: inside a trigonometric function, and under which heading.
 
-    ``defined`` tells that its first line gives it, or a function of it, a known value.
+    ``defined`` tells that its first line gives it, or a function of it, a known value, ``dotted``
+    that it stands in a scalar product with a direction, as in ``u_A . n``.
     """
 
     letter: str
     in_angle: bool = False
     scope: Scope = ANYWHERE
     defined: bool = False
+    dotted: bool = False
 
 
 def options(usage: Usage, candidates: Iterable[Candidate], problem: Problem) -> Iterator[Candidate]:
     """The candidates of a letter, with what each costs for it."""
-    kinds = kinds_of(usage.letter, usage.in_angle)
+    kinds: tuple[Kind, ...] = kinds_of(usage.letter, usage.in_angle)
+    if usage.dotted:
+        kinds = ("direction",) if is_direction(usage.letter) else ("velocity",)
     for each in candidates:
         if barred(usage, each):
             continue
@@ -60,7 +66,25 @@ def options(usage: Usage, candidates: Iterable[Candidate], problem: Problem) -> 
         place = kinds.index(each.kind) * 0.05 if len(kinds) > 2 and not strange else 0.0
         place += _STRANGE if strange else 0.0
         extra += place + _by_scope(usage.scope, each) + _by_axis(usage.letter, each)
-        yield replace(each, cost=min(1.0, each.cost + extra))
+        yield replace(each, cost=max(0.0, min(1.0, each.cost + extra)))
+
+
+def is_direction(letter: str) -> bool:
+    """Whether a letter is one for the unit vectors along and across the line of centres: n, t."""
+    return letter.partition("_")[0] in ("n", "t")
+
+
+def directions(problem: Problem, events: Sequence[Event], letter: str) -> Iterator[Candidate]:
+    """The unit vectors along (n) or across (t) the lines of centres that a letter may be."""
+    for number, event in enumerate(events, 1):
+        if not isinstance(event, Impact):
+            continue
+        line = Quantity("line_of_centres", (), number)
+        across = Pair(
+            Negate(Quantity("along", (line, Unit("j")))), Quantity("along", (line, Unit("i")))
+        )
+        tree: Expression = across if letter.startswith("t") else line
+        yield Candidate(tree, "direction", "vector", None, number)
 
 
 def barred(usage: Usage, candidate: Candidate) -> bool:
@@ -95,7 +119,7 @@ def _by_suffix(letter: str, candidate: Candidate, problem: Problem) -> float | N
     below = suffix(letter)
     cost = 0.0
     if earlier(letter):
-        cost = 0.0 if candidate.start else _ODD
+        cost = -_LATE if candidate.start else _RARE
     spheres = [sphere.name for sphere in problem.spheres]
     for name in sorted(spheres, key=len, reverse=True):
         if below.startswith(name):
@@ -215,12 +239,12 @@ _MOMENTS = frozenset(
 )
 
 
-def elsewhen(words: str, trees: Iterable[Expression], last: int) -> Iterator[Candidate]:
+def elsewhen(words: str, trees: Iterable[Expression], stages: Iterable[int]) -> Iterator[Candidate]:
     """Candidates of trees at other stages, for words that name no moment."""
     if _MOMENTS & set(words.split()):
         return
     for tree in trees:
-        for stage in range(last + 1):
+        for stage in stages:
             moved = _moved(tree, stage)
             if moved != tree:
                 yield replace(_of_tree(moved, 0.5), cost=0.6)

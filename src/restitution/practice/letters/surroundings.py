@@ -41,7 +41,9 @@ class Surroundings:
     problem: Problem
     part: Part
     world: World
-    _phrases: dict[str, tuple[Expression, ...]] = field(default_factory=dict, init=False)
+    _phrases: dict[tuple[str, int | None], tuple[Expression, ...]] = field(
+        default_factory=dict, init=False
+    )
 
     @cached_property
     def tester(self) -> Tester:
@@ -113,11 +115,14 @@ class Surroundings:
         value = None if letters(tree) or has_quantity(tree) else self.tester.value(tree, {})
         return round(float(np.hypot(*value)), 9) if isinstance(value, Vector) else 0.0
 
-    def phrase(self, words: str) -> tuple[Expression, ...]:
-        """The quantities that a phrase may name; none for a letter."""
-        if words not in self._phrases:
-            self._phrases[words] = read_phrase(words, self.problem) if is_phrase(words) else ()
-        return self._phrases[words]
+    def phrase(self, words: str, event: int | None = None) -> tuple[Expression, ...]:
+        """The quantities that a phrase may name, under a heading of an event; none for a letter."""
+        if not is_phrase(words):
+            return ()
+        key = words, event
+        if key not in self._phrases:
+            self._phrases[key] = read_phrase(words, self.problem, event)
+        return self._phrases[key]
 
     def staged(self, tree: Expression, scope: Scope) -> Expression:
         """A tree in which every quantity tells the number of its event."""

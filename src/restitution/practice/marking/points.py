@@ -289,7 +289,7 @@ class _Examiner:
         """Right answers to everything, without a mistake, earn the points of steps left out."""
         points = self.scheme.points
         answers = [self.states[point.id] for point in points if point.item is not None]
-        broken = any(line.verdict in (*_UNSOUND, *_UNSURE) for line in self.lines)
+        broken = any(line.verdict in _UNSOUND for line in self.lines)
         if broken or not answers or any(point.shown for point in points):
             return
         if any(each.state != "earned" for each in answers):
@@ -321,6 +321,8 @@ class _Examiner:
                 state = self.states[name]
                 if state.state == "earned" or state.point.shown or name in printed:
                     continue
+                if point.equation and state.point.principle not in _IN_EQUATIONS:
+                    continue  # an equation needs the components in it, and nothing found before
                 if state.line is not None and self._is_wrong(state.line):
                     continue
                 why = f"line {own.line} cannot be had without it"
@@ -335,14 +337,25 @@ class _Examiner:
             line = self._line(own.line)
             if point.letter == "M" or own.state != "lost" or line is None:
                 continue
-            slip = line.mistake is not None and line.mistake.kind == "slip"
-            if line.verdict != "false" or not slip or len(line.line.links) < 2:
+            if not (self._is_slip_in_chain(line) or self._follows_slips(line)):
                 continue
             for name in point.depends:
                 state = self.states[name]
                 if state.state == "lost" and state.line is None:
                     why = "a slip keeps the method"
                     self.states[name] = PointMark(state.point, "earned", own.line, why)
+
+    def _is_slip_in_chain(self, line: JudgedLine) -> bool:
+        """Whether a slip stands in a line that works out its value."""
+        slip = line.mistake is not None and line.mistake.kind == "slip"
+        return line.verdict == "false" and slip and len(line.line.links) > 1
+
+    def _follows_slips(self, line: JudgedLine) -> bool:
+        """Whether a value follows from lines in which nothing but slips is wrong."""
+        above = [each for each in self.lines if each.line.number < line.line.number]
+        wrong = [each.mistake for each in above if each.verdict == "false"]
+        slips = all(each is not None and each.kind == "slip" for each in wrong)
+        return line.verdict == "follows" and bool(wrong) and slips
 
     def _is_wrong(self, number: int) -> bool:
         line = self._line(number)
@@ -465,6 +478,9 @@ class _Examiner:
 
 _LAWS = ("momentum", "restitution", "unchanged")
 
+# What an equation of a law has in it, so that it cannot be had without them.
+_IN_EQUATIONS = ("component", "unchanged", "angle", "condition", "direction", "fact")
+
 # Methods that a value of what they are for shows.
 _OF_VALUES = (
     "speed",
@@ -483,7 +499,7 @@ _NAMES: Mapping[str, tuple[str, ...]] = {
     "velocity": ("velocity", "component"),
     "speed": ("speed", "energy"),
     "angle": ("angle", "direction"),
-    "scalar-product": ("scalar-product", "angle", "deflection"),
+    "scalar-product": ("scalar-product", "deflection"),
     "fact": ("fact", "energy", "angle", "deflection", "speed"),
     "solve": ("solve", "value"),
 }

@@ -102,14 +102,15 @@ class Values:
     def carries(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line uses the component of a point: in a velocity, a speed, or as a remark."""
         link = point.link
-        if link is None or point.principle != "unchanged":
+        if link is None or point.principle not in ("unchanged", "restitution"):
             return False
-        if line.verdict == "remark":
+        own = point.principle == "unchanged"
+        if line.verdict == "remark" and own:
             return any(self._is_worth(value, link.right, line) for value in line.line.values)
         velocity = next((each for each in _within(link.left) if each.kind == "velocity"), None)
         if line.verdict not in ("true", "follows") or velocity is None:
             return False
-        if self.value_of(replace(velocity, kind="speed"), line) is not None:
+        if own and self.value_of(replace(velocity, kind="speed"), line) is not None:
             return True
         vector = self.value_of(velocity, line)
         if vector is None:
@@ -322,7 +323,7 @@ class Values:
         return scattered_world(self._base, self.unknown)
 
     def _meanings(self, line: JudgedLine) -> Mapping[str, Expression]:
-        return Interpretation(self.letters).trees(line.line.number)
+        return {**Interpretation(self.letters).trees(line.line.number), **line.meant}
 
 
 def _chains(line: JudgedLine) -> Iterator[Sequence[Claim]]:

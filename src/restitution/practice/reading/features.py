@@ -33,6 +33,9 @@ AXES: dict[str, Expression] = {
 }
 
 
+_MASS_CENTRE = frozenset(("centre", "center", "mass", "com"))
+
+
 @dataclass(frozen=True)
 class Features:
     """Features of a phrase; ``names`` stand in the order of the words."""
@@ -47,6 +50,7 @@ class Features:
     target: str | None = None
     wall: bool = False
     both: bool = False
+    mass_centre: bool = False
 
 
 def words_of(text: str) -> tuple[str, ...]:
@@ -59,7 +63,9 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
     spheres = {each.name for each in problem.spheres}
     walls = {each.name for each in problem.walls}
     known = spheres | walls | {each.name for each in problem.points}
-    features = Features()
+    features = Features(mass_centre=_is_of_mass_centre(words))
+    if features.mass_centre:
+        words = [each for each in words if each.lower() not in _MASS_CENTRE]
     previous = ""
     for place, word in enumerate(words):
         low = word.lower()
@@ -95,6 +101,14 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
         if low not in ("the", "of", "sphere", "ball", "particle", "point"):
             previous = low
     return features
+
+
+def _is_of_mass_centre(words: Sequence[str]) -> bool:
+    """Whether words speak of the mass centre: ``velocity of centre of mass``."""
+    low = {each.lower() for each in words}
+    if not low & {"velocity", "vel", "speed", "v"}:
+        return False
+    return bool(low & {"com"} or ("mass" in low and low & {"centre", "center"}))
 
 
 def _is_name(words: Sequence[str], place: int) -> bool:

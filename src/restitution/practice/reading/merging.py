@@ -32,13 +32,16 @@ _BEHIND_AXIS = frozenset(
 _STARTS = frozenset(
     ("total", "overall", "combined", "resultant", "relative", "horizontal", "vertical", "line")
 )
+_WAYS = frozenset(("parallel", "along", "perpendicular", "perp", "in"))
 _NEAR_A_NAME = frozenset(
     ("after", "before", "at", "for", "to", "from", "with", "of", "by", "hits", "wall", "sphere")
     + ("ball", "particle", "strikes", "point", "on", "and", "between", "about", "spheres", "then")
     + ("towards", "so", "since", "hence", "that", "means", "as", "because")
 )
 _ENERGIES = frozenset(word for word, head in HEADS.items() if head in ("loss", "gain", "energy"))
-_OF = frozenset(("of", "on", "for", "to", "from", "by", "with", "at", "hits", "after", "before"))
+_OF = frozenset(
+    ("of", "on", "in", "for", "to", "from", "by", "with", "at", "hits", "after", "before")
+)
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "phrase", "function", "("))
 _CLOSING = frozenset(("number", "letter", "name", "unit", "pi", ")", "phrase", "percent"))
 
@@ -47,7 +50,11 @@ def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[T
     """The tokens, with the words that name a quantity made one token each."""
     merged: list[Token] = []
     place = 0
-    tokens = [each for n, each in enumerate(tokens) if not _is_kind_of_body(tokens, n)]
+    tokens = [
+        each
+        for n, each in enumerate(tokens)
+        if not (_is_kind_of_body(tokens, n) or _is_copula(tokens, n))
+    ]
     while place < len(tokens):
         if _is_aside(tokens, place):
             place = tokens_behind(tokens, place)
@@ -153,6 +160,14 @@ def _is_kind_of_body(tokens: Sequence[Token], place: int) -> bool:
     """Whether a word only says what a named body is: ``sphere A``."""
     behind = tokens[place + 1].kind if place + 1 < len(tokens) else ""
     return behind == "name" and tokens[place].word in ("sphere", "ball", "particle", "disc")
+
+
+def _is_copula(tokens: Sequence[Token], place: int) -> bool:
+    """Whether a word only joins the line of centres to its way: ``is parallel to 3i + 4j``."""
+    if tokens[place].word not in ("is", "lies", "points", "acts") or not place:
+        return False
+    behind = tokens[place + 1].word if place + 1 < len(tokens) else ""
+    return tokens[place - 1].word in ("centres", "centers", "loc") and behind in _WAYS
 
 
 def _size(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
@@ -269,6 +284,8 @@ def _goes_on(tokens: Sequence[Token], place: int, end: int) -> bool:
     before = tokens[end - 1].word if end > place else ""
     if token.kind == "word":
         low = token.word
+        if low == "com" and before in ("of", "the"):
+            return True
         if low in PHRASE_WORDS or re.fullmatch(r"\d(?:st|nd|rd|th)", low):
             return True
         return low == "a" or (low.isalpha() and token.text.isupper() and len(low) <= 3)

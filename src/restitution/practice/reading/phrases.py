@@ -25,6 +25,7 @@ from restitution.expression.tree import (
     Negate,
     Quantity,
     Stage,
+    Unit,
 )
 from restitution.practice.reading.features import AXES, Features, features_of, words_of
 from restitution.problem import Impact, Problem
@@ -32,6 +33,8 @@ from restitution.problem import Impact, Problem
 __all__ = ["is_phrase", "names_quantity", "read_phrase", "words_of"]
 
 MAX_CANDIDATES = 40
+# What people compare with the start under any heading.
+_OF_THE_WHOLE = frozenset(("energy", "loss", "gain", "ratio"))
 _DIRECTION = re.compile(
     r"\b(along|of|to|direction)\s+((?:\(?\s*-?\s*[\d√./()\s]*[ij][\s)/\d√.+-]*){2,})", re.IGNORECASE
 )
@@ -40,7 +43,9 @@ _DIRECTION = re.compile(
 def names_quantity(words: Sequence[str], problem: Problem) -> bool:
     """Whether words name a quantity: they have a head, or a direction and nothing strange."""
     features = features_of(words, problem)
-    if features.heads == {"change"} or features.heads == {"gain"}:
+    if features.heads == {"change"}:
+        return bool(features.names)
+    if features.heads == {"gain"}:
         return False
     return bool(features.heads or features.direction or features.axis is not None)
 
@@ -50,11 +55,12 @@ def is_phrase(name: str) -> bool:
     return " " in name
 
 
-def read_phrase(words: str, problem: Problem) -> tuple[Expression, ...]:
+def read_phrase(words: str, problem: Problem, event: int | None = None) -> tuple[Expression, ...]:
     """What a phrase may mean, as quantities of the statement language, most natural first.
 
     Text of the statement language itself (``along(velocity(A), i)``) is read as it stands. Where
-    no event is named, the latest one comes first. No candidates where the words name nothing.
+    no event is named, it is that of the heading above, ``event``; else the latest one comes first.
+    No candidates where the words name nothing.
     """
     text = words.strip()[:400]
     if "(" in text:
@@ -68,9 +74,22 @@ def read_phrase(words: str, problem: Problem) -> tuple[Expression, ...]:
     features = features_of(words_of(text)[:40], problem)
     if direction is not None:
         features = replace(features, axis=direction)
+    if event is not None and features.event is None and not features.heads & _OF_THE_WHOLE:
+        features = replace(features, event=_counted(event, features, problem))
     stages: tuple[Literal["after", "before"], ...] = ("after", "before")
     staged = [features] if features.stage else [replace(features, stage=each) for each in stages]
     return _unique(chain.from_iterable(_Reader(each, problem).candidates() for each in staged))
+
+
+def _counted(event: int, found: Features, problem: Problem) -> int | None:
+    """Which impact an event is, counted from 1, if the phrase may speak of it."""
+    impacts = [n for n, each in enumerate(problem.events, 1) if isinstance(each, Impact)]
+    if event not in impacts:
+        return None
+    impact = problem.events[event - 1]
+    assert isinstance(impact, Impact)
+    met = {impact.first, impact.second}
+    return impacts.index(event) + 1 if set(found.names) <= met else None
 
 
 def _exact(text: str, problem: Problem) -> Expression | None:
@@ -104,7 +123,9 @@ class _Reader:
         """What the phrase may mean, the most natural first; the same quantity may come twice."""
         heads = self.features.heads
         for event in self.numbers():
-            if "ratio" in heads:
+            if self.features.mass_centre:
+                yield from self.mass_centre(event)
+            elif "ratio" in heads:
                 yield from self.ratio(event)
             elif "deflection" in heads:
                 yield from self.deflection(event)
@@ -124,6 +145,9 @@ class _Reader:
                 yield from self.momentum(event)
             elif "change" in heads and heads & {"velocity", "component"}:
                 yield from self.change(event)
+            elif heads == {"change"}:
+                yield from self.change(event)
+                yield from self.impulse(event)
             elif self.features.direction or self.features.axis is not None or "component" in heads:
                 yield from self.component(event)
             elif "speed" in heads:
@@ -316,6 +340,21 @@ class _Reader:
         if len(velocities) > 1:
             yield Apply("abs", difference)
 
+    def mass_centre(self, event: int) -> Iterator[Expression]:
+        """The velocity of the mass centre along the line of centres, and as a vector."""
+        masses = [Quantity("mass", (Name(each),)) for each in self.spheres]
+        if len(masses) < 2:
+            return
+        whole: Expression = masses[0]
+        for each in masses[1:]:
+            whole = Binary("+", whole, each)
+        velocity = Binary("/", Quantity("momentum", (), self.stage(event)), whole)
+        for axis in (self.features.axis or self.line(event), Unit("i"), Unit("j")):
+            yield Quantity("along", (velocity, axis))
+            yield Negate(Quantity("along", (velocity, axis)))
+        yield velocity
+        yield Apply("abs", velocity)
+
     def after(self, event: int) -> Stage:
         """The stage just after an event."""
         return None if event == len(self.events) else event
@@ -415,6 +454,8 @@ class _Reader:
             yield square if normal else value
             if features.axis is None:
                 yield value if normal else square
+            if features.axis is None:
+                yield Binary("-", Degrees(Fraction(180)), value)
             yield Quantity("deflection", (Name(body),), self.after(event))
 
     def other_direction(self, event: int, line: Expression) -> Expression:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -9,10 +10,13 @@ from itertools import pairwise, product
 
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Expression,
     Letter,
     Name,
     Number,
+    Quantity,
+    Unit,
     letters,
 )
 from restitution.practice.reading.angles import angular, is_angle, without_marks
@@ -38,7 +42,7 @@ from restitution.practice.reading.segments import Segment, split_at_spaces
 from restitution.practice.reading.tokens import Token, Usage
 from restitution.practice.reading.vocabulary import DECLARES, HEADS, STAGES
 from restitution.practice.script import Claim, Declaration, Link, Sign
-from restitution.problem import Problem
+from restitution.problem import Impact, Problem
 
 MAX_CLAIMS = 24
 # Words behind which a relation without a left side goes on from the last right one.
@@ -48,6 +52,12 @@ _CONNECTING = frozenset(
 _CONDITIONS = frozenset(("when", "if", "unless", "whenever"))
 _PARTING = frozenset(("so", "hence", "therefore", "=>", ";", "thus", ",", "and", "or", "stop", "."))
 _ENDING = frozenset(("so", "hence", "therefore", "=>", ";", "thus"))
+# The way of a component behind its value: ``A: 3u along, 4u perp``.
+_WAY = re.compile(
+    r"\s+(along|parallel|perp|perpendicular|across|left|right|up|down)\b(?!\s+to\b)", re.IGNORECASE
+)
+_TANGENTS = frozenset(("tangent", "tangential", "common"))
+_CENTRES = frozenset(("centres", "centers", "centre", "loc"))
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "function", "("))
 
 
@@ -80,9 +90,13 @@ def read_statements(
     number: int,
     line: Plain,
     past: Past,
+    whose: str | None = None,
 ) -> Statements:
-    """What the segments of a line state; ``past`` is what the line above left to go on from."""
-    reader = _Reader(usage, problem, number, line, past)
+    """What the segments of a line state; ``past`` is what the line above left to go on from.
+
+    ``whose`` names the velocity that a vector alone is, behind a heading.
+    """
+    reader = _Reader(usage, problem, number, line, past, whose)
     for place, segment in enumerate(segments):
         try:
             reader.segment(segment, segments[place + 1 : place + 2])
@@ -94,11 +108,33 @@ def read_statements(
     return reader.statements
 
 
+def _without_numbers(tree: Expression) -> Expression | None:
+    """The letters of a product of a number and letters; None of a number, and of a sum."""
+    match tree:
+        case Number():
+            return None
+        case Letter() | Binary("^", Letter(), Number()):
+            return tree
+        case Binary("*", left, right):
+            one, other = _without_numbers(left), _without_numbers(right)
+            return Binary("*", one, other) if one and other else one or other
+        case Binary("/", left, Number()):
+            return _without_numbers(left)
+    return None
+
+
 class _Reader:
     def __init__(
-        self, usage: Usage, problem: Problem, number: int, line: Plain, past: Past
+        self,
+        usage: Usage,
+        problem: Problem,
+        number: int,
+        line: Plain,
+        past: Past,
+        whose: str | None = None,
     ) -> None:
         self.usage, self.problem, self.number, self.line = usage, problem, number, line
+        self.whose = whose
         self.past = past
         self.statements = Statements()
         self.links: list[Link] = []
@@ -244,10 +280,13 @@ class _Reader:
             return
         sides = self.before = self.sides(tokens)
         words = set(segment.before)
+        if self.label is not None and tokens[0].name in self.usage.spheres:
+            self.label = None  # relative to the mass centre: A 2, B -3
         if self.label is not None:
             label, self.label = self.label, None
             if is_vector(sides[0].tree, self.usage.vectors) and not has_head(label):
                 self.statements.values += (sides[0].tree,)
+                self.pointing(label, sides, tokens)
             elif not isinstance(sides[0].tree, Name):
                 self.labelled(label, sides, tokens)
             return
@@ -259,6 +298,9 @@ class _Reader:
             self.link(waiting, sign, sides, tokens)
             return
         tree = sides[0].tree
+        if self.whose and not self.links and not segment.before and self._is_moving(tree):
+            self.link((Side(Letter(self.whose)),), "=", sides, tokens)
+            return
         if len(tokens) == 1 and isinstance(tree, Letter) and not is_phrase(tree.name):
             if self.declared.another(tree, words):
                 return
@@ -268,6 +310,10 @@ class _Reader:
             return
         if not isinstance(sides[0].tree, Name) and tokens[0].kind != "phrase":
             self.statements.values += (sides[0].tree,)
+
+    def _is_moving(self, tree: Expression) -> bool:
+        """Whether a vector may be a velocity: it is no letter alone."""
+        return is_vector(tree, self.usage.vectors) and not isinstance(tree, Letter | Unit)
 
     def velocities(self, tokens: Sequence[Token]) -> bool:
         """Velocities with the bodies before them: ``A 3i + 5j  B 2i - j``."""
@@ -305,12 +351,17 @@ class _Reader:
 
     def labelled(self, label: Token, sides: tuple[Side, ...], tokens: Sequence[Token]) -> None:
         """The value of a label: ``A: 3i - 2j``, ``KE after: 12``."""
-        self.link((Side(self.label_tree(label, sides)),), "=", sides, tokens, label)
+        self.link((Side(self.label_tree(label, sides, tokens)),), "=", sides, tokens, label)
 
-    def label_tree(self, label: Token, sides: tuple[Side, ...]) -> Expression:
-        """A label as a letter; a body's name is its velocity or its speed."""
+    def label_tree(
+        self, label: Token, sides: tuple[Side, ...], tokens: Sequence[Token] = ()
+    ) -> Expression:
+        """A label as a letter; a body's name is its velocity, its speed or a component."""
         if label.kind == "phrase":
             return Letter(label.name)
+        way = _WAY.match(self.line.text, tokens[-1].end) if tokens else None
+        if way is not None:
+            return Letter(f"component of {label.name} {way[1].lower()}")
         vector = is_vector(sides[0].tree, self.usage.vectors)
         return Letter(f"{'velocity' if vector else 'speed'} of {label.name}")
 
@@ -372,8 +423,10 @@ class _Reader:
                 raise UnreadableError("an expression on both sides of the sign", column)
         if self.declaration(segment, sides, read, signs):
             return
+        read = self.with_factor(read)
         if self._describes(read):
             self.statements.values += tuple(each[0].tree for each in read[1:])
+            self.pointing(segment.tokens[0], read[1], sides[1])
             return
         angle = self._is_chain_angle(read) or self._is_angle_label()
         self.label_chain(read, signs, sides)
@@ -393,6 +446,17 @@ class _Reader:
             return False
         heads = {HEADS[each] for each in first.name.split() if each in HEADS}
         return heads <= {"direction"} and is_vector(second, self.usage.vectors)
+
+    def pointing(self, label: Token, sides: Sequence[Side], tokens: Sequence[Token]) -> None:
+        """The line of centres along a vector, as a relation: nothing of the vector is across it."""
+        words = set(label.name.split())
+        impacts = [each for each in self.problem.events if isinstance(each, Impact)]
+        if len(impacts) != 1 or not words & _CENTRES or words & _TANGENTS:
+            return
+        kind = "along" if "perp" in label.name else "across"
+        line = Quantity("line_of_centres", ())
+        right = tuple(Side(Quantity(kind, (each.tree, line))) for each in sides)
+        self.link((Side(Number(Fraction(0))),), "=", right, tokens)
 
     def _is_angle_label(self) -> bool:
         label = self.label
@@ -423,7 +487,7 @@ class _Reader:
             self.declared.body = self.statements.body = self.body_of(label)
             if label.kind == "name":
                 return
-        known = letters(first)
+        known = frozenset[str]().union(*(letters(each.tree) for each in read[0]))
         evaluates = all(letters(each[0].tree) <= known for each in read[1:])
         evaluates = evaluates and set(signs) == {"="} and not is_law(read)
         if evaluates and not isinstance(first, Letter) and not is_function(first):
@@ -460,6 +524,20 @@ class _Reader:
         start = min((each.column for each in whole), default=1)
         end = max((self.line.column(each.end) for each in whole), default=start)
         self.links.append(Link(readings, start, end, tuple(decimals(tokens, readings))))
+
+    def with_factor(self, read: Sequence[tuple[Side, ...]]) -> list[tuple[Side, ...]]:
+        """``5 + 7.5 = 12.5mu²``: the factor of the last side may belong to the sums before it."""
+        known = frozenset("mMuU") & self.usage.letters
+        last = read[-1][0].tree
+        factor = _without_numbers(last) if letters(last) <= known else None
+        if factor is None:
+            return list(read)
+        return [
+            (*each, Side(Binary("*", each[0].tree, factor)))
+            if isinstance(each[0].tree, Binary) and not letters(each[0].tree)
+            else each
+            for each in read
+        ]
 
     # -- declarations ---------------------------------------------------------------------------
 

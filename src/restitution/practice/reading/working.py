@@ -28,7 +28,7 @@ from restitution.practice.reading.statements import Past, Statements, read_state
 from restitution.practice.reading.tokens import Token, Usage
 from restitution.practice.reading.usage import usage_of
 from restitution.practice.script import ANYWHERE, LineKind, Scope, Script, ScriptLine
-from restitution.problem import Problem
+from restitution.problem import Impact, Problem
 
 MAX_LINES = 60
 MAX_LENGTH = 200
@@ -91,11 +91,22 @@ class _Reader:
         scope, tokens = self._heading(tokens, line)
         if not tokens:
             return self._script_line(number, typed, "heading")
+        whose = None if scope == self.scope and scope.event is None else self._whose(scope)
         statements = read_statements(
-            segments(tokens), self.usage, self.problem, number, line, self.past
+            segments(tokens), self.usage, self.problem, number, line, self.past, whose
         )
         self.past = statements.past
         return self._line_of_statements(number, typed, statements, scope, opened)
+
+    def _whose(self, scope: Scope) -> str | None:
+        """The velocity of which a heading speaks, in words: ``after W: 8i + 3j``."""
+        spheres = [each.name for each in self.problem.spheres]
+        if scope.event is not None:
+            event = self.problem.events[scope.event - 1]
+            met = (event.first, event.second) if isinstance(event, Impact) else (event.body,)
+            spheres = [each for each in spheres if each in met]
+        body = scope.body or (spheres[0] if len(spheres) == 1 else None)
+        return None if body is None else f"velocity of {body} {scope.stage or 'after'}"
 
     def _line_of_statements(
         self, number: int, typed: str, statements: Statements, scope: Scope, opened: bool
@@ -153,11 +164,16 @@ class _Reader:
             return self.scope, tokens
         scope = replace(scope, case=self.scope.case)
         rest = tokens[end:]
-        while rest and rest[0].kind in (":", ",", "-", "stop", ";", "arrow"):
+        while rest and (rest[0].kind in (":", ",", "stop", ";", "arrow") or _is_dash(rest)):
             rest = rest[1:]
         if not rest or scope.event != self.scope.event:
             self.scope = scope if not rest else replace(scope, body=None, stage=None)
         return scope, rest
+
+
+def _is_dash(tokens: Sequence[Token]) -> bool:
+    """Whether a line begins with a dash, and not with the sign of what follows: ``- 3i``."""
+    return tokens[0].kind == "-" and (len(tokens) == 1 or tokens[1].gap > 0)
 
 
 def _cut(line: Plain, start: int, end: int) -> Plain:

@@ -16,6 +16,7 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.explaining.misconceptions import VariantAt
+from restitution.expression.tree import has_quantity
 from restitution.practice.judging.entries import Entry
 from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import difference
@@ -54,13 +55,14 @@ def student_world(
     *,
     latest: bool = True,
     broken: Collection[tuple[str, int | None]] = (),
+    laws_first: bool = False,
 ) -> World | None:
     """The world in which the lines of a student hold, as far as they hold together.
 
     ``unknown`` are the letters of the statement that the part has to find. Where lines clash those
     that are not true win, of these the ``latest`` or the first.
-    Laws that are ``broken``, each at an event, do not hold beside them. None where there are no
-    such values.
+    Laws that are ``broken``, each at an event, do not hold beside them. Where facts of the question
+    and laws clash, the facts win, unless ``laws_first``. None where there are no such values.
     """
     order = list(reversed(entries)) if latest else list(entries)
     own = [each for each in order if not each.right] + [each for each in order if each.right]
@@ -69,7 +71,12 @@ def student_world(
         _of_entry(each) for each in own if each.claim.sign == "=" and not each.claim.others
     ]
     laws = [each for each in laws_of(base) if (each.law, each.event) not in broken]
-    return _solved(base, [*equations, *facts_of(base), *laws], unknown)
+    facts = list(facts_of(base))
+    rest = [*facts, *laws]
+    if laws_first:
+        moving = [each for each in facts if each.law]
+        rest = [*(each for each in facts if not each.law), *laws, *moving]
+    return _solved(base, [*equations, *rest], unknown)
 
 
 def world_of_lines(base: World, entries: Sequence[Entry], unknown: Collection[str]) -> World | None:
@@ -164,13 +171,16 @@ def _restitution(number: int, bodies: tuple[str, ...]) -> Residual:
 
 
 def facts_of(world: World) -> Iterator[Equation]:
-    """The equations that the statement gives for this part."""
+    """The equations that the statement gives for this part; of the motion, or of letters alone."""
     for step, now, _ in world.problem.timeline(world.part):
         if isinstance(step, Given):
             for relation in step.relations:
                 residual = _fact(relation, now)
                 if residual is not None:
-                    yield Equation(residual)
+                    moving = not isinstance(relation, Compare) or any(
+                        map(has_quantity, relation.operands)
+                    )
+                    yield Equation(residual, "motion" if moving else None)
 
 
 def _fact(relation: Relation, now: int) -> Residual | None:
