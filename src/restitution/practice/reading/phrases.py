@@ -81,7 +81,7 @@ def read_phrase(words: str, problem: Problem, event: int | None = None) -> tuple
     return _unique(chain.from_iterable(_Reader(each, problem).candidates() for each in staged))
 
 
-def _counted(event: int, found: Features, problem: Problem) -> int | None:
+def _counted(event: int, features: Features, problem: Problem) -> int | None:
     """Which impact an event is, counted from 1, if the phrase may speak of it."""
     impacts = [n for n, each in enumerate(problem.events, 1) if isinstance(each, Impact)]
     if event not in impacts:
@@ -89,7 +89,7 @@ def _counted(event: int, found: Features, problem: Problem) -> int | None:
     impact = problem.events[event - 1]
     assert isinstance(impact, Impact)
     met = {impact.first, impact.second}
-    return impacts.index(event) + 1 if set(found.names) <= met else None
+    return impacts.index(event) + 1 if set(features.names) <= met else None
 
 
 def _exact(text: str, problem: Problem) -> Expression | None:
