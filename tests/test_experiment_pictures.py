@@ -22,7 +22,7 @@ from hypothesis import strategies as st
 import restitution as r
 from restitution.drawing.svg import INK
 from restitution.experiments.frames import frame_of, outlying
-from restitution.experiments.plots import law_plot, residual_plot, speed_plot
+from restitution.experiments.plots import MOST_DRAWN, law_plot, residual_plot, speed_plot
 from restitution.experiments.records import Table
 from restitution.experiments.report import report
 from restitution.experiments.results import Check, ClassValues, Experiment, Interval, Point
@@ -288,3 +288,16 @@ def test_the_picture_of_the_guide_is_that_of_its_script():
         == re.findall(r"<desc.*?</desc>", drawn)[0].partition(">")[2]
     )
     assert marks(kept) == pytest.approx(np.array(marks(drawn)))
+
+
+def test_of_very_many_readings_some_are_drawn():
+    rows = [(1 + k / 5000, 0.8 * (1 + k / 5000)) for k in range(5000)]
+    rows[1234] = (1.25, 1.4)
+    result = spheres(0.8, rows)
+    for plot in (law_plot, residual_plot, speed_plot):
+        svg = plot(result)
+        assert len(marks(svg)) <= MOST_DRAWN + 6
+        assert "5000 readings" in svg and len(svg) < 1_000_000
+    x, y = np.array(marks(law_plot(result))).T
+    off = np.abs(np.polyval(np.polyfit(x, y, 1), x) - y)
+    assert sorted(off > 20) == [False] * (len(off) - 1) + [True]  # the one far off is among them

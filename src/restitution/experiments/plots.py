@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 import textwrap
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from restitution.counting import listed
@@ -22,6 +22,7 @@ from restitution.drawing.ink import Piece, overlap, padded, stick, touched
 from restitution.drawing.svg import INK
 from restitution.experiments.canvas import POINT, SMALL, Canvas, canvas, svg_of
 from restitution.experiments.frames import Frame, frame_of, outlying
+from restitution.experiments.needs import needed
 from restitution.experiments.numbers import decimals, fixed, with_error
 from restitution.experiments.results import Experiment, Point
 from restitution.render.glyphs import Box
@@ -31,6 +32,9 @@ WIDTH, HEIGHT = 96.0, 72.0
 """Of the frame of a plot, in millimetres."""
 FAR = 3.0
 """Standard errors from the fit beyond which a reading is named in a plot."""
+
+MOST_DRAWN = 600
+"""Readings that are drawn; of more, some are left out evenly, and this is told beneath."""
 
 _MANY = 60  # readings, beyond which their marks are small
 _NAMED = 6  # readings that are named in a plot
@@ -45,14 +49,16 @@ def law_plot(experiment: Experiment) -> str:
     With the readings and their standard errors, the fit, the interval of e as a band about it, and
     the line e = 1. Raises UnsupportedError where Matplotlib is not installed.
     """
-    frame = frame_of(experiment)
+    frame, total = frame_of(experiment), len(experiment.points)
+    experiment = _thinned(experiment)
     inside = [each for each in experiment.points if frame.holds(each.x, each.y)]
+    outside = [each for each in experiment.points if not frame.holds(each.x, each.y)]
     with canvas(WIDTH, HEIGHT) as drawn:
         axes = drawn.axes
         axes.set_xlim(frame.left, frame.right)
         axes.set_ylim(frame.bottom, frame.top)
         _law_lines(axes, experiment, frame)
-        _readings(axes, inside, experiment, frame)
+        _readings(axes, inside, frame)
         names = _law_names(experiment)
         axes.set_xlabel(names[0], labelpad=3)
         axes.set_ylabel(names[1], labelpad=3)
@@ -60,12 +66,12 @@ def law_plot(experiment: Experiment) -> str:
         if walls:
             _angles_beside(axes, frame)
         _legend(axes, above=9.5 if walls else 2.0)
-        _edge_marks(axes, [each for each in experiment.points if each not in inside], frame)
-        _note(drawn, _outside_words(experiment, inside))
+        _edge_marks(axes, outside, frame)
+        _note(drawn, _outside_words(outside), _thin_words(experiment, total))
         named = [(each.line, each.x, each.y, each.residual) for each in inside]
         lines = [(experiment.e, 0.0), (1.0, 0.0)]
-        _name_far_ones(drawn, named, _error_pieces(inside, experiment), lines)
-        return svg_of(drawn, "The law of restitution", _law_words(experiment, len(inside)))
+        _name_far_ones(drawn, named, _error_pieces(inside, frame), lines)
+        return svg_of(drawn, "The law of restitution", _law_words(experiment, total, len(outside)))
 
 
 def residual_plot(experiment: Experiment) -> str:
@@ -73,10 +79,12 @@ def residual_plot(experiment: Experiment) -> str:
 
     Raises UnsupportedError where Matplotlib is not installed.
     """
+    all_points = experiment.points
+    experiment = _thinned(experiment)
     points = experiment.points
     walls = _walls(experiment)
     x = [_angle_or_speed(each) for each in points]
-    highest = max(FAR * 1.15, outlying([abs(each.residual) for each in points], 4 * FAR) * 1.1)
+    highest = max(FAR * 1.15, outlying([abs(each.residual) for each in all_points], 4 * FAR) * 1.1)
     with canvas(WIDTH, 0.55 * HEIGHT) as drawn:
         axes = drawn.axes
         axes.set_xlim(*_around(x))
@@ -97,15 +105,16 @@ def residual_plot(experiment: Experiment) -> str:
             f"line {p.line} ({fixed(p.residual, 1)})"
             for _, p in sorted(beyond, key=lambda each: -abs(each[1].residual))
         ]
-        _note(drawn, _told("Outside the frame", words))
+        thin = _thin_words(experiment, len(all_points))
+        _note(drawn, _told("Outside the frame", words), thin)
         named = [(p.line, a, p.residual, p.residual) for a, p, s in zip(x, points, shown) if s]
         _name_far_ones(drawn, named, [], [(0.0, 0.0), (0.0, 2.0), (0.0, -2.0)])
-        far = sum(abs(each.residual) > 2 for each in points)
+        far = sum(abs(each.residual) > 2 for each in all_points)
         return svg_of(
             drawn,
             "Distances from the fit",
-            f"Distances of {len(points)} readings from the fit in standard errors; {far} of them "
-            "lie beyond 2.",
+            f"Distances of {len(all_points)} readings from the fit in standard errors; {far} of "
+            "them lie beyond 2.",
         )
 
 
@@ -114,8 +123,12 @@ def speed_plot(experiment: Experiment) -> str | None:
 
     None where the speeds are not known. Raises UnsupportedError where Matplotlib is not installed.
     """
-    points = [each for each in experiment.points if each.speed is not None and each.x > 0]
-    if not points or any(each.speed is None for each in experiment.points):
+    if any(each.speed is None for each in experiment.points):
+        return None
+    total = len(experiment.points)
+    experiment = _thinned(experiment)
+    points = [each for each in experiment.points if each.x > 0]
+    if not points:
         return None
     rows = [_Ratio.of(each) for each in points]
     high = max(outlying([each.high for each in rows], 2.5), 1.25 * experiment.e, 0.1) * 1.05
@@ -143,8 +156,8 @@ def speed_plot(experiment: Experiment) -> str | None:
         _trend(axes, experiment, rows)
         inside = [each for each in rows if each.value <= high]
         for each in inside:
-            ends = [max(each.low, 2 * low - high), min(each.high, 2 * high)]
-            axes.plot([each.speed] * 2, ends, color=INK, linewidth=0.6, alpha=_strength(len(rows)))
+            ends = max(each.low, 2 * low - high), min(each.high, 2 * high)
+            axes.vlines([each.speed], *ends, color=INK, lw=0.6, alpha=_strength(len(rows)))
         _marks(axes, [(each.speed, each.value) for each in inside])
         beyond = [each for each in rows if each.value > high]
         for each in beyond:
@@ -153,13 +166,23 @@ def speed_plot(experiment: Experiment) -> str | None:
         axes.set_ylabel(_ratio_name(experiment), labelpad=3)
         _legend(axes, above=2.0)
         words = [f"line {each.line} ({each.value:.3g})" for each in beyond]
-        _note(drawn, _told("Outside the frame", words))
+        _note(drawn, _told("Outside the frame", words), _thin_words(experiment, total))
         return svg_of(
             drawn,
             "e and speed",
-            f"The ratio of each of {len(rows)} readings against the speed, from "
+            f"The ratio of each of {total} readings against the speed, from "
             f"{min(speeds):.3g} to {max(speeds):.3g}, with the fit e = {fixed(experiment.e, 3)}.",
         )
+
+
+def _thinned(experiment: Experiment) -> Experiment:
+    """The same with no more readings than a plot can show: every n-th, and those farthest off."""
+    points = experiment.points
+    if len(points) <= MOST_DRAWN:
+        return experiment
+    far = sorted(points, key=lambda each: -abs(each.residual))[:_NAMED]
+    kept = {each.line: each for each in (*points[:: math.ceil(len(points) / MOST_DRAWN)], *far)}
+    return replace(experiment, points=tuple(kept[line] for line in sorted(kept)))
 
 
 # --- the parts of a plot ----------------------------------------------------------------------
@@ -184,11 +207,13 @@ def _law_lines(axes: Any, experiment: Experiment, frame: Frame) -> None:
     axes.plot(xs, xs, color=INK, linewidth=0.6, linestyle=(0, (5, 3)), label="e = 1", zorder=1)
 
 
-def _readings(axes: Any, points: Sequence[Point], experiment: Experiment, frame: Frame) -> None:
+def _readings(axes: Any, points: Sequence[Point], frame: Frame) -> None:
     strength = _strength(len(points))
-    for point in points:
-        for start, end in _bars(point, experiment, frame):
-            axes.plot(*zip(start, end), color=INK, linewidth=0.6, alpha=strength, zorder=2.5)
+    collections = needed("matplotlib.collections", "a plot")
+    bars = _error_pieces(points, frame)
+    axes.add_collection(
+        collections.LineCollection(bars, colors=INK, linewidths=0.6, alpha=strength, zorder=2.5)
+    )
     errors = any(each.x_error or each.y_error for each in points)
     label = "readings, with standard errors" if errors else "readings"
     _marks(axes, [(each.x, each.y) for each in points], label)
@@ -292,8 +317,9 @@ def _angle_ticks(low: float, high: float, length: float, apart: float) -> list[i
     return sorted(chosen)
 
 
-def _note(drawn: Canvas, text: str) -> None:
+def _note(drawn: Canvas, *texts: str) -> None:
     """Words beneath the axis."""
+    text = " ".join(filter(None, texts))
     if text:
         lines = "\n".join(textwrap.wrap(text, _LINE_OF_TEXT))
         drawn.axes.annotate(
@@ -393,7 +419,7 @@ _AROUND = ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1))
 _Place = tuple[float, float]
 
 
-def _bars(point: Point, experiment: Experiment, frame: Frame) -> list[tuple[_Place, _Place]]:
+def _bars(point: Point, frame: Frame) -> list[tuple[_Place, _Place]]:
     """The error bars of a reading: from α − σ to α + σ and so for β, where these are known."""
     x_ends = _ends(point.x, point.x_error, point.alpha, point.alpha_error)
     y_ends = _ends(point.y, point.y_error, point.beta, point.beta_error)
@@ -418,9 +444,8 @@ def _tangent(angle: float) -> float:
     return math.tan(math.radians(angle)) if angle < 90 else math.inf
 
 
-def _error_pieces(points: Sequence[Point], experiment: Experiment) -> list[tuple[_Place, _Place]]:
-    frame = frame_of(experiment)
-    return [each for point in points for each in _bars(point, experiment, frame)]
+def _error_pieces(points: Sequence[Point], frame: Frame) -> list[tuple[_Place, _Place]]:
+    return [each for point in points for each in _bars(point, frame)]
 
 
 def _band(experiment: Experiment) -> tuple[float, float]:
@@ -500,8 +525,7 @@ def _band_label(experiment: Experiment) -> str:
     return f"{100 * experiment.interval.level:.0f}%: e from {ends[0]} to {ends[1]}"
 
 
-def _outside_words(experiment: Experiment, inside: Sequence[Point]) -> str:
-    outside = [each for each in experiment.points if each not in inside]
+def _outside_words(outside: Sequence[Point]) -> str:
     words = []
     for each in outside:
         if each.alpha is not None and each.beta is not None:
@@ -509,6 +533,11 @@ def _outside_words(experiment: Experiment, inside: Sequence[Point]) -> str:
         else:
             words.append(f"line {each.line} ({each.x:.3g}, {each.y:.3g})")
     return _told("Outside the frame", words)
+
+
+def _thin_words(experiment: Experiment, total: int) -> str:
+    drawn = len(experiment.points)
+    return "" if drawn == total else f"Of {total} readings {drawn} are drawn."
 
 
 def _degrees(angle: float) -> str:
@@ -524,12 +553,11 @@ def _told(what: str, words: Sequence[str]) -> str:
     return f"{what}: {listed(shown)}."
 
 
-def _law_words(experiment: Experiment, inside: int) -> str:
+def _law_words(experiment: Experiment, total: int, outside: int) -> str:
     what = "tan β against tan α" if _walls(experiment) else "speed of separation against approach"
-    count = len(experiment.points)
-    beside = f", {count - inside} of them outside the frame" if inside < count else ""
+    beside = f", {outside} of them outside the frame" if outside else ""
     return (
-        f"{what}: {count} readings with their errors{beside}; the line of the fit, "
+        f"{what}: {total} readings with their errors{beside}; the line of the fit, "
         f"{_fit_label(experiment).removeprefix('fit: ')}, with a band from "
         f"{_band_label(experiment).partition('from ')[2]}; and the line e = 1."
     )
