@@ -1,4 +1,4 @@
-"""Lines in forms that students use beside equations: true ones hold, the same with a slip do not."""
+"""Lines in forms that students use beside equations: true ones hold, those with a slip do not."""
 
 from __future__ import annotations
 
