@@ -123,6 +123,18 @@ UNDECIDED = (
 )
 
 
+def test_what_the_working_proves_has_no_warning():
+    statement = (
+        b"wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\n"
+        b"find range of deflection(P) in terms of alpha\n"
+    )
+    status, out, err = run("solve", "-", stdin=statement)
+    assert (status, err) == (0, "")
+    assert "α ≤ δ ≤ 2α" in out
+    # Without the working there is no proof of it.
+    assert "not proved" in run("solve", "-", "--answers-only", stdin=statement)[2]
+
+
 @pytest.mark.parametrize("form", ["text", "markdown", "latex", "html"])
 @pytest.mark.parametrize("answers_only", [True, False])
 def test_an_undecided_show_is_answered_with_a_warning(form, answers_only):

@@ -271,7 +271,7 @@ def serve(job: Job) -> Reply:
                 text if text.endswith("\n") else text + "\n",
                 answered and explained.sound,
                 errors,
-                (*reply["warnings"], *explained.why_not),
+                (*(e for e in reply["warnings"] if e not in explained.proved), *explained.why_not),
                 explained.fault,
                 tired or bool(explained.why_not or explained.fault),
                 explained.notes,
@@ -355,7 +355,8 @@ class _Explained:
     """What came of the working: its text or value, why there is none, and a fault's traceback.
 
     ``notes`` tell whether it was followed, if that was asked; ``sound`` is False for a fault, and
-    where it was not followed to its end.
+    where it was not followed to its end. ``proved`` are warnings of the solution that the working
+    makes needless, as its lines are the proof.
     """
 
     value: Any = None
@@ -363,6 +364,7 @@ class _Explained:
     fault: str = ""
     notes: tuple[str, ...] = ()
     sound: bool = True
+    proved: frozenset[str] = frozenset()
 
 
 def _explained(
@@ -388,11 +390,11 @@ def _explained(
     except Exception:  # noqa: BLE001 - whatever it is, the answers stand
         # The answers are right without their working: they are given, and the fault told.
         return _Explained(fault=traceback.format_exc(), sound=False)
+    proved = frozenset(solution.warnings) - frozenset(explanation.warnings)
     if not task.check:
-        return _Explained(content)
-    return _Explained(
-        content, notes=(_FOLLOWED[bool(explanation.followed)],), sound=explanation.followed is True
-    )
+        return _Explained(content, proved=proved)
+    followed = explanation.followed is True
+    return _Explained(content, notes=(_FOLLOWED[followed],), sound=followed, proved=proved)
 
 
 _FOLLOWED = {
