@@ -162,4 +162,6 @@ def test_nothing_that_is_typed_is_kept_or_logged(caplog) -> None:
         "mark",
         "practise",
         "progress",
+        "experiment",
+        "report",
     ]

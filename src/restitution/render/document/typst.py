@@ -62,11 +62,11 @@ def _block(block: Block) -> str:
     assert_never(block)
 
 
-def inline(said: Inline) -> str:
+def inline(text: Inline) -> str:
     """Words with their mathematics."""
     return "".join(
         words(each) if isinstance(each, str) else to_typst(each)
-        for each in pieces(said)
+        for each in pieces(text)
         if each != ""
     )
 
