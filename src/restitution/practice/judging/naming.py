@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cached_property
+from itertools import permutations
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -35,7 +37,7 @@ from restitution.practice.letters.candidates import Candidate, candidates
 from restitution.practice.reading.lines import text_of
 from restitution.practice.worlds.agreement import agrees, difference, numbers_of
 from restitution.practice.worlds.world import World
-from restitution.problem import Problem
+from restitution.problem import Compare, Given, Problem
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
@@ -62,7 +64,11 @@ _BEFORE: Mapping[str, set[str]] = {
     "impulse-of-speeds": {"impulse-sign"},
     "deflection-difference": {"deflection-is-after"},
 }
-_BEFORE_AT_A_WALL: Mapping[str, set[str]] = {"across-changed": {"restitution-parallel"}}
+_BEFORE_AT_A_WALL: Mapping[str, set[str]] = {
+    "across-changed": {"restitution-parallel"},
+    "speed-for-component": {"momentum-sign", "restitution-sign", "restitution-whole-speed"},
+    "restitution-whole-speed": {"restitution-sign", "restitution-inverted"},
+}
 _BEFORE_OF_SPHERES: Mapping[str, set[str]] = {"restitution-parallel": {"across-changed"}}
 _TRIED = 6
 _CLOSE, _TINY = 0.03, 1e-6
@@ -98,6 +104,9 @@ class Names:
         mended = tuple(_mending(entry, judge))
         at = text_of(mended[0].part) if mended else None
         variants = self._explaining(entry, judge, mended)
+        if self._is_of_impulse(entry):
+            # 3 = 0.5(4 - 4e): the sign is lost in the change of momentum, not in the law.
+            variants = tuple(each for each in variants if each.mistake != "restitution-sign")
         near = () if judge.uses_of_entry(entry) else _near(entry, judge, mended)
         return Explained(variants, _slip(entry, judge, mended), at, near)
 
@@ -145,6 +154,27 @@ class Names:
         blocking = [each for each in mended if not self._is_familiar(each, entry, judge)]
         variants = list(self._results(entry, judge)) or list(self._worlds(entry, judge))
         return tuple(dict.fromkeys(each for each in variants if _stands(each, blocking)))
+
+    def _is_of_impulse(self, entry: Entry) -> bool:
+        """Whether a side of a claim is an impulse that the question gives."""
+        return any(
+            side == given
+            for given in self._impulses
+            for side in (entry.claim.left, entry.claim.right)
+        )
+
+    @cached_property
+    def _impulses(self) -> tuple[Expression, ...]:
+        """The sizes of impulses that the question gives."""
+        return tuple(
+            other
+            for _, step in self.problem.steps()
+            if isinstance(step, Given)
+            for relation in step.relations
+            if isinstance(relation, Compare)
+            for one, other in permutations(relation.operands, 2)
+            if isinstance(one, Quantity) and one.kind == "impulse"
+        )
 
     def _results(self, entry: Entry, judge: Judge) -> Iterator[VariantAt]:
         """By a result: the claim gives a quantity the value that an altered definition gives it."""

@@ -291,7 +291,21 @@ class Values:
             asked = world.value(quantity)
         except UnvaluedError:
             return False
-        return _same(world, own, asked)
+        return _same(world, own, asked) or self._is_size_of(side, quantity, meanings)
+
+    def _is_size_of(
+        self, side: Expression, quantity: Expression, meanings: Mapping[str, Expression]
+    ) -> bool:
+        """Whether a side is a component of an impulse, and so its size, as smooth bodies meet."""
+        meant = meanings.get(side.name, side) if isinstance(side, Letter) else side
+        if not isinstance(quantity, Quantity) or quantity.kind != "impulse" or quantity.arguments:
+            return False
+        try:
+            own, asked = self._base.value(meant), self._base.value(quantity)
+        except UnvaluedError:
+            return False
+        inside = [each for each in _within(meant) if each.kind == "impulse"]
+        return bool(inside) and not isinstance(own, Vector) and _same(self._base, own, asked)
 
     def _changes(
         self, side: Expression, meanings: Mapping[str, Expression], line: JudgedLine

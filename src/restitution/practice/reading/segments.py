@@ -51,6 +51,10 @@ def segments(tokens: Sequence[Token]) -> list[Segment]:
             depth, separator = max(0, depth - 1), False
         else:
             separator = _separates(tokens, place, depth, pending)
+        if not depth and _begins_body(tokens, place, pending):
+            pieces.append(Segment(tuple(pending), tuple(before)))
+            pending, before = [token], [","]
+            continue
         if not separator:
             pending.append(token)
             continue
@@ -87,6 +91,15 @@ def _separates(tokens: Sequence[Token], place: int, depth: int, pending: Sequenc
     if token.kind == "phrase" and pending and pending[-1].kind in (*_CLOSING, "measure", "degrees"):
         return not _is_factor(tokens, place, pending)
     return False
+
+
+def _begins_body(tokens: Sequence[Token], place: int, pending: Sequence[Token]) -> bool:
+    """Whether the name of another body begins a relation: ``A = 3i + j  B = 2i``."""
+    token = tokens[place]
+    if token.kind != "name" or not token.gap or place + 1 >= len(tokens):
+        return False
+    sign = tokens[place + 1].kind in ("relation", ":")
+    return sign and len(pending) > 1 and pending[-1].kind in (*_CLOSING, "measure")
 
 
 def _is_proportion(tokens: Sequence[Token], place: int) -> bool:
