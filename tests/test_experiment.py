@@ -7,40 +7,11 @@ import math
 
 import numpy as np
 import pytest
+from experiments import wall_columns as measured
 from scipy import optimize
 
 import restitution as r
 from restitution.errors import MissingError, StatementError
-
-Columns = dict[str, np.ndarray]
-
-
-def measured(
-    rng: np.random.Generator,
-    e: float = 0.7,
-    n: int = 10,
-    error: float = 1.0,
-    between: tuple[float, float] = (20, 70),
-    *,
-    turn: float = 0.0,
-    kept: float = 1.0,
-    fall: float = 0.0,
-    speeds: bool = True,
-) -> Columns:
-    """What a class measures: angles with errors, and speeds to 2%, half of them slow."""
-    alpha = np.radians(np.linspace(*between, n))
-    u = np.where(np.arange(n) % 2, 1.0, 2.0)
-    beta = np.arctan((e - fall * (u - 1.5)) * np.tan(alpha) / kept)
-    v = kept * u * np.cos(alpha) / np.cos(beta)
-    noise = rng.normal(0, error, (2, n))
-    columns = {
-        "alpha": np.degrees(alpha) + turn + noise[0],
-        "beta": np.degrees(beta) - turn + noise[1],
-    }
-    if speeds:
-        columns["u"] = u * rng.normal(1, 0.02, n)
-        columns["v"] = v * rng.normal(1, 0.02, n)
-    return columns
 
 
 @pytest.mark.parametrize("e", [0.0, 0.05, 0.3, 0.6, 1.0])

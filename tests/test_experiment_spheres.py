@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 import pytest
+from experiments import sphere_columns as measured
 from scipy import optimize
 
 import restitution as r
@@ -16,63 +17,8 @@ from restitution.experiments.impacts import impact_of
 from restitution.experiments.rows import rows_of
 from restitution.experiments.tables import Options, table_of
 
-Columns = dict[str, np.ndarray]
 
-
-def turned(angles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Unit vectors along and across directions in degrees, of shape (n, 2)."""
-    a = np.radians(angles)
-    n = np.column_stack([np.cos(a), np.sin(a)])
-    return n, np.column_stack([-n[:, 1], n[:, 0]])
-
-
-def measured(
-    rng: np.random.Generator,
-    e: float = 0.7,
-    n: int = 10,
-    error: float = 0.02,
-    *,
-    masses: tuple[float, float] = (0.5, 0.3),
-    between: tuple[float, float] = (20, 60),
-    rest: bool = False,
-    line: bool = False,
-    turn: float = 0.0,
-    kept: float = 1.0,
-    fall: float = 0.0,
-    slow: float = 0.0,
-    weighed: bool = True,
-) -> Columns:
-    """What pucks on an air table do, with errors of every component; speeds from 0.4 to 1.2."""
-    m_A, m_B = masses
-    angles = rng.uniform(*between, n) * np.where(np.arange(n) % 2, 1, -1)
-    along, across = turned(angles)
-    u = rng.permutation(np.linspace(0.4, 1.2, n))
-    u_A = np.column_stack([u, 0 * u])
-    u_B = np.zeros((n, 2)) if rest else np.column_stack([-0.3 * u, 0.2 * u])
-    approach = ((u_A - u_B) * along).sum(axis=1)
-    passing = ((u_A - u_B) * across).sum(axis=1)
-    each = e - fall * ((approach - approach.mean()) / max(np.ptp(approach), 1e-9))
-    reduced = m_A * m_B / (m_A + m_B)
-    impulse = reduced * (
-        -along * ((1 + each) * approach)[:, None] - across * ((1 - kept) * passing)[:, None]
-    )
-    after = (1 - slow) * (u_A + impulse / m_A), (1 - slow) * (u_B - impulse / m_B)
-    vectors = {"u_A": u_A, "v_A": after[0], "v_B": after[1]}
-    if not rest:
-        vectors["u_B"] = u_B
-    columns = {
-        f"{name}_{part}": values + rng.normal(0, error, n) if error else values
-        for name, pair in vectors.items()
-        for part, values in zip("xy", pair.T)
-    }
-    if weighed:
-        columns |= {"m_A": np.full(n, m_A), "m_B": np.full(n, m_B)}
-    if line:
-        columns["line"] = angles + turn + rng.normal(0, 0.5, n) * (error > 0)
-    return columns
-
-
-def trials_of(columns: Columns):
+def trials_of(columns: dict[str, np.ndarray]):
     return table_of(rows_of(columns), Options(speed_error=0.02, angle_error=0.5)).trials
 
 

@@ -83,6 +83,8 @@ def speed(
     if speeds is None:
         return Untested("speed", reason), None
     low, high = float(speeds.min()), float(speeds.max())
+    if len(speeds) == 1:
+        return Untested("speed", "Untested: one trial has one speed."), None
     if high - low <= 1e-9 * high:
         return Untested("speed", f"Untested: all speeds are the same, {low:.3g} {unit}."), None
     share = (speeds - speeds.mean()) / (high - low)

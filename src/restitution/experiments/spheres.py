@@ -32,7 +32,8 @@ class Words:
     passing: str
     smooth: str
     approaching: str
-    masses: bool
+    masses: str
+    """The columns of the masses; "" of a wall, which momentum does not concern."""
 
 
 OF_SPHERES = Words(
@@ -42,9 +43,9 @@ OF_SPHERES = Words(
     passing="after the impact one sphere passes the other",
     smooth="smooth spheres leave",
     approaching="before the impact the spheres do not approach each other",
-    masses=True,
+    masses="columns m_A and m_B",
 )
-OF_TWO_TRACKS = replace(OF_SPHERES, column="wall")
+OF_TWO_TRACKS = replace(OF_SPHERES, column="wall", masses="a column m")
 OF_WALL = Words(
     line="the normal of the wall",
     column="wall",
@@ -52,7 +53,7 @@ OF_WALL = Words(
     passing="after the impact the ball moves along the wall",
     smooth="a smooth wall leaves",
     approaching="before the impact the ball does not approach the wall",
-    masses=False,
+    masses="",
 )
 """A wall is a sphere B that stays at rest."""
 
@@ -401,7 +402,7 @@ def _momentum(spheres: Spheres, sample: Sample) -> Pattern | Untested:
     """
     rows = [each for impact in spheres.impacts if (each := impact.momentum())]
     if len(rows) < len(spheres.impacts):
-        return Untested("momentum", "Untested: it takes the masses, columns m_A and m_B.")
+        return Untested("momentum", f"Untested: it takes the masses, {spheres.words.masses}.")
     freedom = sample.freedom if sample.known else sample.fit.degrees_of_freedom
     if sample.exact or (freedom is not None and freedom < 1):
         return Untested("momentum", "Untested: no errors were given, and there is no scatter.")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import statistics
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -177,21 +177,39 @@ def patterns(wall: Wall) -> list[Pattern | Untested]:
     """The patterns of a wall."""
     sample = wall.sample
     places = tuple(place_of(each) for each in wall.readings)
-    trend, trend_fit = speed(sample, _speeds(wall), wall.unit, _NO_SPEEDS)
     turned = _turned(wall, sample)
+    trend, trend_fit = _trend(wall, sample, turned)
     spread = scatter(sample, [fit for fit in (trend_fit, turned) if fit], places, "readings")
     if isinstance(spread, Pattern) and spread.p_value < STRICT:
         # The errors given are too small, so they are no measure for the other patterns.
         sample = sample.with_scatter()
-        trend, _ = speed(sample, _speeds(wall), wall.unit, _NO_SPEEDS)
         turned = _turned(wall, sample)
+        trend, _ = _trend(wall, sample, turned)
     return [
         above_one(sample, wall.sample, places, "β is larger than α", _COLUMNS),
         trend,
         _offset(wall, sample, turned),
-        _friction(wall),
+        _friction(wall, _turn_of(sample, turned)),
         spread,
     ]
+
+
+def _turn_of(sample: Sample, turned: Fit | None) -> Measured:
+    """By how much the line of reference is seen to be turned, in radians; exactly 0 if it is not.
+
+    Friction and e with speed are tested with the angles put right by it, so that a line that is
+    turned is not seen as these too.
+    """
+    if turned is None or sample.p_value(turned) >= STRICT:
+        return Measured(0.0, 0.0)
+    return Measured(turned.parameters[1], sample.error_of(turned, 1))
+
+
+def _trend(wall: Wall, sample: Sample, turned: Fit | None) -> tuple[Pattern | Untested, Fit | None]:
+    turn = _turn_of(sample, turned).value
+    arrays = sample.readings
+    right = replace(sample, readings=replace(arrays, x=arrays.x - turn, y=arrays.y + turn))
+    return speed(right, _speeds(wall), wall.unit, _NO_SPEEDS)
 
 
 _COLUMNS = "Look for angles in the wrong columns, or measured from the normal."
@@ -243,8 +261,11 @@ def _offset(wall: Wall, sample: Sample, turned: Fit | None) -> Pattern | Unteste
 _TOO_STEEP = math.radians(85)
 
 
-def _friction(wall: Wall) -> Pattern | Untested:
-    """The test of v cos β against u cos α, by the mean of the logarithm of their quotient."""
+def _friction(wall: Wall, turn: Measured) -> Pattern | Untested:
+    """The test of v cos β against u cos α, by the mean of the logarithm of their quotient.
+
+    The angles are put right by a ``turn`` of the line of reference, in radians.
+    """
     if not wall.wall_known:
         reason = "Untested: the wall was taken along what does not change; give it as wall."
         return Untested("friction", reason)
@@ -256,15 +277,16 @@ def _friction(wall: Wall) -> Pattern | Untested:
     if (~steep).sum() < 3 and not (wall.sample.known and (~steep).any()):
         reason = "Untested: it takes three readings or more below 85°."
         return Untested("friction", reason)
-    logs, variances = _losses(wall, ~steep)
-    mean, error, p = mean_test(logs, variances)
+    logs, variances = _losses(wall, ~steep, turn.value)
+    slope = float((np.tan(arrays.x) + np.tan(arrays.y))[~steep].mean())
+    mean, error, p = mean_test(logs, variances, slope * (turn.error or 0.0))
     kept = math.exp(mean)
     size = f"{percent(abs(1 - kept))} ± {percent(kept * error)}"
     way = "less" if kept < 1 else "more"
     seen = (
         f"The component along the wall changes: v cos β is {size} {way} than u cos α "
         f"({probability(p)}), though a smooth wall leaves it as it is. Then tan β / tan α is not "
-        f"e{_by_components(wall)}."
+        f"e{_by_components(wall, math.degrees(turn.value))}."
     )
     not_seen = (
         f"The component along the wall stays: v cos β and u cos α differ by {size} "
@@ -274,11 +296,11 @@ def _friction(wall: Wall) -> Pattern | Untested:
     return Pattern("friction", statistic, p, seen, not_seen, kept - 1, kept * error)
 
 
-def _by_components(wall: Wall) -> str:
-    """The value of e from the speeds at right angles to the wall."""
+def _by_components(wall: Wall, turn: float) -> str:
+    """The value of e from the speeds at right angles to the wall, turned by degrees."""
     ratios = [
-        each.v.value * math.sin(math.radians(each.beta.value))
-        / (each.u.value * math.sin(math.radians(each.alpha.value)))
+        each.v.value * math.sin(math.radians(each.beta.value + turn))
+        / (each.u.value * math.sin(math.radians(each.alpha.value - turn)))
         for each in wall.readings
         if each.u and each.v
     ]  # fmt: skip
@@ -287,12 +309,12 @@ def _by_components(wall: Wall) -> str:
     return f"; v sin β / u sin α gives {with_error(mean, error)}"
 
 
-def _losses(wall: Wall, usable: NDArray[np.bool_]) -> tuple[Array, Array | None]:
+def _losses(wall: Wall, usable: NDArray[np.bool_], turn: float) -> tuple[Array, Array | None]:
     """ln(v cos β / u cos α), with variances where all errors are known."""
     arrays = wall.sample.readings
     u = np.array([_pair(each.u) for each in wall.readings])[usable]
     v = np.array([_pair(each.v) for each in wall.readings])[usable]
-    alpha, beta = arrays.x[usable], arrays.y[usable]
+    alpha, beta = arrays.x[usable] - turn, arrays.y[usable] + turn
     logs = np.log(v[:, 0] * np.cos(beta)) - np.log(u[:, 0] * np.cos(alpha))
     ta, tb = np.tan(alpha), np.tan(beta)
     variances = (
@@ -312,16 +334,19 @@ def _pair(measured: Measured | None) -> tuple[float, float]:
     return measured.value, math.nan if measured.error is None else measured.error
 
 
-def mean_test(values: Array, variances: Array | None) -> tuple[float, float, float]:
+def mean_test(values: Array, variances: Array | None, shared: float) -> tuple[float, float, float]:
     """The mean of values that should be 0, its standard error, and its two-sided p-value.
 
-    Weighted by the variances where these are known; else with the error of the scatter.
+    Weighted by the variances where these are known; else with the error of the scatter. An error
+    that all values share is added.
     """
     if variances is not None:
         weights = 1 / variances
-        mean, error = float((weights * values).sum() / weights.sum()), float(weights.sum() ** -0.5)
+        mean = float((weights * values).sum() / weights.sum())
+        error = math.hypot(float(weights.sum()) ** -0.5, shared)
         return mean, error, 2 * upper_tail(abs(mean) / error, None)
-    mean, error = float(values.mean()), float(values.std(ddof=1) / math.sqrt(len(values)))
+    own = float(values.std(ddof=1) / math.sqrt(len(values)))
+    mean, error = float(values.mean()), math.hypot(own, shared)
     if error < 1e-12:
         return mean, error, 1.0 if abs(mean) < 1e-9 else 0.0
     return mean, error, 2 * upper_tail(abs(mean) / error, len(values) - 1)
