@@ -7,6 +7,9 @@ documentation says.
 
 from __future__ import annotations
 
+import math
+
+import numpy as np
 import pytest
 from experiments import (
     ANGLE_ERRORS,
@@ -16,11 +19,15 @@ from experiments import (
     WALL_PATTERNS,
     coverage_of_spheres,
     coverage_of_walls,
+    holds,
     seen,
     sphere_columns,
     wall_columns,
 )
 from scipy import stats
+
+import restitution as r
+from restitution.experiments.curves import WALL, Readings
 
 GIVEN = {"wall": {"angle_error": 1.0}, "spheres": {"speed_error": 0.02, "angle_error": 0.5}}
 
@@ -31,11 +38,24 @@ def bounds(low: float, high: float, trials: int) -> tuple[float, float]:
     return ends[0] / trials, ends[1] / trials
 
 
+@pytest.mark.parametrize("known", [True, False])
+def test_shares_are_those_of_intervals(known):
+    """What is counted below is whether e lies between the ends that `experiment` gives."""
+    rng = np.random.default_rng(0)
+    columns = [wall_columns(rng, 0.7, speeds=False) for _ in range(40)]
+    alpha, beta = (np.radians([each[name] for each in columns]) for name in ("alpha", "beta"))
+    variance = np.full_like(alpha, math.radians(1) ** 2)
+    inside = holds(Readings(alpha, beta, variance, variance, 0 * variance), WALL, 0.7, known=known)
+    for each, expected in zip(columns, inside):
+        interval = r.experiment(each, angle_error=1 if known else None).interval
+        assert (interval.low <= 0.7 <= interval.high) == expected
+
+
 @pytest.mark.parametrize(("e", "error"), [(0.1, 1.0), (0.7, 1.0), (1.0, 3.0)])
 @pytest.mark.parametrize("known", [True, False])
 def test_interval_of_a_wall_holds_e(e, error, known):
-    low, high = bounds(0.93, 0.97, 150)
-    assert low <= coverage_of_walls(e, error, known=known, trials=150, seed=1) <= high
+    low, high = bounds(0.93, 0.97, 400)
+    assert low <= coverage_of_walls(e, error, known=known, trials=400, seed=1) <= high
 
 
 @pytest.mark.parametrize("line", [True, False])
