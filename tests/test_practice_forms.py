@@ -159,3 +159,19 @@ def test_a_letter_met_below_a_mistake_means_what_makes_it_follow() -> None:
     angle = "tan β = 2/(6√3), β = 10.9"
     assert verdicts(statement, *lines, angle)[2] == "follows"
     assert verdicts(statement, *lines, "tan β = 3/(6√3)")[2] != "follows"
+
+
+def test_two_bodies_may_stand_on_one_line() -> None:
+    assert verdicts(PAIR, "A = i + 2j  B = 3.5i + 3j") == ["true"]
+    assert verdicts(PAIR, "A = i + 2j  B = 3i + 3j") == ["false"]
+
+
+def test_a_sign_lost_in_a_given_impulse_is_not_one_of_restitution() -> None:
+    statement = (
+        "wall W: along i\nsphere P: mass 0.5, velocity 7i - 4j\nP hits W\n"
+        "given impulse = 3\nfind e, speed(P)\n"
+    )
+    marking = restitution.mark(solution_of(statement), "3 = 0.5(4 - 4e)")
+    (line,) = marking.json()["lines"]
+    assert line["verdict"] == "false"
+    assert line["mistake"]["id"] != "restitution-sign"
