@@ -37,7 +37,7 @@ def test_a_guide_says_what_the_documentation_says(name: str, served: str) -> Non
     reply = httpx.get(f"{served}/guides/{name}", timeout=100)
     assert reply.headers["content-type"].startswith("text/html")
     text = GUIDES[name].text()
-    title, content = rendered(text)
+    title, content = GUIDES[name].rendered()
     assert text.startswith(f"# {title}\n")
     assert content in reply.text
     assert content.count("<h2") == len(re.findall(r"^## ", text, re.MULTILINE))
@@ -64,6 +64,15 @@ def test_what_is_not_served_is_no_link() -> None:
     _, content = rendered("# One\n\n[a](api.md#x), [b](language.md#y), [c](#one) <b>no</b>\n")
     links = '<span>a</span>, <a href="language#y">b</a>, <a href="#one">c</a>'
     assert content == f'<h1 id="one">One</h1>\n<p>{links} &lt;b&gt;no&lt;/b&gt;</p>\n'
+
+
+def test_a_picture_stands_in_the_page_or_is_told(tmp_path) -> None:
+    (tmp_path / "a.svg").write_text("<svg/>", encoding="utf-8")
+    (tmp_path / "b.png").write_bytes(b"")
+    text = "![one](a.svg) ![two](b.png) ![three](c.svg)\n"
+    picture = '<img src="data:image/svg+xml;base64,PHN2Zy8+" alt="one" />'
+    assert rendered(text, tmp_path)[1] == f"<p>{picture} two three</p>\n"
+    assert rendered(text)[1] == "<p>one two three</p>\n"
 
 
 def test_a_statement_of_a_guide_is_solved_with_one_click(page: Page, served: str) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from base64 import b64encode
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
@@ -27,10 +28,18 @@ class Guide:
     file: str
     inside: Path
 
+    @property
+    def path(self) -> Path:
+        """Where it is: in an installed package, or in the documentation of a clone."""
+        return self.inside if self.inside.exists() else _DOCS / self.file
+
     def text(self) -> str:
         """What it says, in Markdown."""
-        path = self.inside if self.inside.exists() else _DOCS / self.file
-        return path.read_text(encoding="utf-8")
+        return self.path.read_text(encoding="utf-8")
+
+    def rendered(self) -> tuple[str, str]:
+        """Its title and its HTML, with its pictures in it."""
+        return rendered(self.text(), self.path.parent)
 
 
 def _carried(name: str, file: str) -> Guide:
@@ -44,6 +53,7 @@ GUIDES: Mapping[str, Guide] = {
     "marking": _carried("Marking", "marking.md"),
     "language": Guide("The language", "language.md", _PACKAGE / "language" / "reference.md"),
     "lab": _carried("The Lab", "lab.md"),
+    "experiment": _carried("Experiments", "experiment.md"),
     "glossary": _carried("Glossary", "glossary.md"),
 }
 """By their addresses, which are relative to each other."""
@@ -51,12 +61,13 @@ GUIDES: Mapping[str, Guide] = {
 _ADDRESSES = {guide.file: address for address, guide in GUIDES.items()}
 
 
-def rendered(text: str) -> tuple[str, str]:
+def rendered(text: str, folder: Path | None = None) -> tuple[str, str]:
     """The title and the HTML of a text in Markdown.
 
     Headings have the anchors that links in the documentation use, links to what is not served are
     plain words, and behind each statement stands a link that opens it in the editor, from a page
-    one folder below it.
+    one folder below it. Pictures in SVG of the ``folder`` stand in the page; others are their
+    descriptions.
     """
     reader = MarkdownIt("commonmark", {"html": False}).enable("table")
     tokens = reader.parse(text)
@@ -68,6 +79,7 @@ def rendered(text: str) -> tuple[str, str]:
     for token in tokens:
         if token.children:
             _linked(token.children)
+            _pictured(token.children, folder)
     reader.add_render_rule("fence", _fence)
     return title, str(reader.renderer.render(tokens, reader.options, {}))
 
@@ -84,6 +96,19 @@ def _fence(renderer: RendererHTML, tokens: Sequence[Token], index: int, *more: A
 def _anchor(heading: str) -> str:
     """The anchor of a heading, as it is known where the documentation is read in a repository."""
     return re.sub(r"[^\w -]", "", heading.lower()).strip().replace(" ", "-")
+
+
+def _pictured(tokens: Sequence[Token], folder: Path | None) -> None:
+    """Puts the files of pictures into the page: they are few and small."""
+    for token in tokens:
+        if token.type != "image":
+            continue
+        picture = folder / str(token.attrGet("src")) if folder else Path()
+        if picture.suffix == ".svg" and picture.is_file():
+            content = b64encode(picture.read_bytes()).decode()
+            token.attrSet("src", f"data:image/svg+xml;base64,{content}")
+        else:
+            token.type, token.tag = "text", ""
 
 
 def _linked(tokens: Sequence[Token]) -> None:

@@ -16,7 +16,7 @@ from starlette.routing import Route
 from restitution.examples.topics import TOPICS
 from restitution.practice.questions.topics import TOPICS as PRACTICE
 from restitution.web.files import digest, files_of, imported, stored
-from restitution.web.guides import GUIDES, rendered
+from restitution.web.guides import GUIDES
 from restitution.web.words import vocabulary
 
 _FOLDERS = {
@@ -87,7 +87,7 @@ def routes() -> list[Route]:
         return Route("/" if template == "solve" else f"/{template}", show)
 
     def guide(address: str) -> Route:
-        title, content = rendered(GUIDES[address].text())
+        title, content = GUIDES[address].rendered()
         more = {"title": title, "content": content, "name": address, "guides": GUIDES}
         kept = stored(written("guide", "../", **more), _HTML)
 
