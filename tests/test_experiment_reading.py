@@ -97,6 +97,7 @@ def test_errors_in_cells_and_for_all():
         ("NaN,21", "line 3, column alpha: 'NaN': a number is needed; leave a row out where"),
         ("30,inf", "line 3, column beta: 'inf': a number is needed"),
         ("30,1e999", "line 3, column beta: '1e999': a number is finite"),
+        ("1e10,21", "line 3, column alpha: '1e10': a number is at most 1e+09 in size"),
         ("95,21", "line 3, column alpha: '95': an angle of impact is between 0° and 90°"),
         ("0,21", "line 3, column alpha: '0': an angle of impact is between"),
         ("30,-20", "line 3, column beta: '-20': an angle of rebound is from 0° to 90°"),
@@ -168,6 +169,38 @@ def test_random_bytes_never_crash():
         )
         with suppress(RestitutionError):
             r.experiment(text, angle_error=1)
+
+
+HEADS = (
+    "u_A_x,u_A_y,v_A_x,v_A_y,v_B_x,v_B_y",
+    "u_A_x,u_A_y,v_A_x,v_A_y,v_B_x,v_B_y,line,m_A,m_B",
+    "u_A_x,u_A_y,u_A_x_error,v_A_x,v_A_y,v_B_x,v_B_y",
+    "t,x,y",
+    "t,x,y,wall,body",
+    "alpha,beta,u,v",
+    "alpha,beta,beta_error,u,u_error,v",
+)
+
+
+def test_random_numbers_never_crash():
+    """Tables of random numbers, some of them absurd, with a fixed seed; warnings are errors."""
+    draw = random.Random(2)
+    odd = ("0", "1e9", "-9e8", "1e-9", "1e-300", "1e300", "", "x", "nan", "30")
+    for _ in range(250):
+        names = draw.choice(HEADS).split(",")
+        rows = [",".join(names)]
+        for frame in range(draw.randrange(1, 25)):
+            cells = {name: f"{draw.uniform(-2, 2):.3f}" for name in names}
+            cells |= {name: f"{draw.uniform(1, 89):.1f}" for name in names if name.endswith("a")}
+            cells |= {"t": f"{frame / 10}", "wall": "30"}
+            cells |= {name: draw.choice(odd) for name in names if draw.random() < 0.03}
+            cells["body"] = draw.choice("AB")
+            rows.append(",".join(cells[name] for name in names))
+        for errors in ({}, {"angle_error": 1.0, "speed_error": 0.05}):
+            with suppress(RestitutionError):
+                result = r.experiment("\n".join(rows), **errors)
+                assert result.text(80)
+                assert result.json()
 
 
 def test_columns_of_unlike_length():

@@ -298,6 +298,17 @@ def test_walls_and_masses_that_change_in_a_trial():
         r.experiment(f"t,x,y,m (kg)\n{rows}\n")
 
 
+def test_a_time_that_is_wrong():
+    data = one_track(REGULAR)
+    data["t"][-1] = 9e8
+    result = r.experiment(data)
+    assert result.e == pytest.approx(0.75, abs=0.01)
+    assert any(f"(line {len(REGULAR) + 1})" in note for note in result.notes)
+    stopped = {"t": data["t"], "x": [0.0] * len(REGULAR), "y": [*np.minimum(REGULAR, 0)]}
+    with pytest.raises(MissingError, match="much longer than its frames"):
+        r.experiment(stopped)
+
+
 def test_names_cannot_command_a_terminal():
     data = one_track(REGULAR)
     data["trial"] = ["\x1b[31mred"] * len(REGULAR)

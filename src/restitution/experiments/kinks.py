@@ -121,7 +121,7 @@ class _Sums:
         h1, hs = s1 - at * n, s2 - at * s1
         own = s2 - 2 * at * s1 + at**2 * n - h1**2 / len(self.times) - hs**2 / self.square
         along = [rest[2 + i] - at * rest[i] for i in (0, 1)]
-        result: Array = (along[0] ** 2 + along[1] ** 2) / np.maximum(own, 1e-300)
+        result: Array = (along[0] ** 2 + along[1] ** 2) / np.maximum(own, _ROUNDING * self.square)
         return result
 
 
@@ -403,7 +403,7 @@ def slowing_column(kink: Kink) -> Array | None:
 
     None where nothing moves. A body that hardly moves has no direction, and is left out.
     """
-    error = np.sqrt(np.diag(kink.covariance())).reshape(-1, 2, 2).max(axis=2)
+    error = np.sqrt(np.maximum(np.diag(kink.covariance()), 0)).reshape(-1, 2, 2).max(axis=2)
     error *= np.sqrt(kink.sum_of_squares / max(kink.freedom, 1))
     columns = []
     for body, path in enumerate(kink.paths):

@@ -22,6 +22,9 @@ MAX_BYTES = 4_000_000
 MAX_ROWS = 20_000
 MAX_CELL = 200
 """Characters of one cell."""
+_NOTHING = 1e-30
+LARGEST = 1e9
+"""A number beyond it is in the wrong unit, or in the wrong column."""
 
 Data = str | bytes | PathLike[str] | Mapping[str, Sequence[object]]
 """A text in CSV, a path to one, or columns by their names."""
@@ -195,9 +198,11 @@ def number_of(cell: str) -> float:
     text = cell.replace("−", "-").removesuffix("°").strip()
     if len(text) <= MAX_CELL and _NUMBER.fullmatch(text):
         value = float(text.replace(",", "."))
-        if math.isfinite(value):
-            return value
-        raise ValueError("a number is finite")
+        if not math.isfinite(value):
+            raise ValueError("a number is finite")
+        if abs(value) > LARGEST:
+            raise ValueError(f"a number is at most {LARGEST:g} in size; take another unit")
+        return value if abs(value) > _NOTHING else 0.0
     if text.lower().lstrip("+-") in ("nan", "inf", "infinity", "na", "n/a", "-"):
         raise ValueError("a number is needed; leave a row out where nothing was measured")
     if _TWO_SIGNS.fullmatch(text[:MAX_CELL]):

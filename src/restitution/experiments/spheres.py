@@ -114,6 +114,7 @@ def impacts_of(
     return Spheres(tuple(impacts), sample, unit, tuple(faults), notes, words)
 
 
+_SINGULAR = 1e-9
 _UNCLEAR = math.radians(20)
 """A line of centres with a larger error is not known."""
 
@@ -129,6 +130,9 @@ def _unfit(impact: Impact | None, words: Words, *, known: bool) -> str:
         )
     if impact.approach <= 0:
         return words.approaching
+    along = impact.along()
+    if not np.linalg.det(along) > _SINGULAR * along[0, 0] * along[1, 1]:
+        return f"the velocities do not determine {words.line}; give a column {words.column}"
     return ""
 
 

@@ -35,6 +35,8 @@ from restitution.experiments.records import (
 )
 from restitution.experiments.rows import Row, number_of, printable, shown
 
+LEAST_ERROR = 1e-9
+SAME_TIME = 1e-9
 MAX_NAME = 40
 """Characters of the name of a trial or of a body."""
 _T = TypeVar("_T")
@@ -454,7 +456,7 @@ def _in_order(sheet: _Sheet, positions: list[Position]) -> tuple[Position, ...]:
     """In order of time; of two at one time the first is kept."""
     ordered: list[Position] = []
     for each in sorted(positions, key=lambda position: position.t):
-        if ordered and ordered[-1].t == each.t:
+        if ordered and each.t - ordered[-1].t <= SAME_TIME * max(1.0, abs(each.t)):
             rule = "a body is at one place at a time; give a column trial, or body"
             header = sheet.values["t"][1].header
             sheet.faults.append(Fault(each.line, shown(header), f"{each.t:g}", rule))

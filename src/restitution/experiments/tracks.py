@@ -161,6 +161,11 @@ def _trial(group: tuple[Track, ...], notes: list[str]) -> Trial:
                 f"{_named(track)} has {counted(len(path), 'position')}: it takes three before the "
                 "impact and three after"
             )
+        if float(np.ptp(path.t)) > _LONGEST * float(np.median(np.diff(path.t))):
+            raise _NoImpactError(
+                f"the times of {_named(track)} go from {path.t[0]:.4g} s to {path.t[-1]:.4g} s, "
+                "much longer than its frames: one of them is wrong"
+            )
         if float(np.ptp(path.xy, axis=0).max()) <= 1e-12 * float(np.abs(path.xy).max()):
             raise _NoImpactError(f"{_named(track)} stands still")
     kink, outliers, others = _kink(group, paths)
@@ -177,6 +182,10 @@ def _trial(group: tuple[Track, ...], notes: list[str]) -> Trial:
             "lasted, or frames are missing"
         )
     return Trial(group, kink)
+
+
+_LONGEST = 1e6
+"""Frames from the first position to the last."""
 
 
 def _path(track: Track) -> Path:

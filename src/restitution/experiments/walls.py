@@ -274,10 +274,10 @@ def _friction(wall: Wall, turn: Measured) -> Pattern | Untested:
         return Untested("friction", reason)
     arrays = wall.sample.readings
     steep = (arrays.x > _TOO_STEEP) | (arrays.y > _TOO_STEEP)
-    if (~steep).sum() < 3 and not (wall.sample.known and (~steep).any()):
-        reason = "Untested: it takes three readings or more below 85°."
-        return Untested("friction", reason)
     logs, variances = _losses(wall, ~steep, turn.value)
+    if len(logs) < (3 if variances is None else 1):
+        reason = "Untested: it takes three readings or more below 85°, or errors of all of them."
+        return Untested("friction", reason)
     slope = float((np.tan(arrays.x) + np.tan(arrays.y))[~steep].mean())
     mean, error, p = mean_test(logs, variances, slope * (turn.error or 0.0))
     kept = math.exp(mean)
