@@ -22,7 +22,6 @@ MAX_BYTES = 4_000_000
 MAX_ROWS = 20_000
 MAX_CELL = 200
 """Characters of one cell."""
-_NOTHING = 1e-30
 LARGEST = 1e9
 """A number beyond it is in the wrong unit, or in the wrong column."""
 
@@ -202,7 +201,7 @@ def number_of(cell: str) -> float:
             raise ValueError("a number is finite")
         if abs(value) > LARGEST:
             raise ValueError(f"a number is at most {LARGEST:g} in size; take another unit")
-        return value if abs(value) > _NOTHING else 0.0
+        return value
     if text.lower().lstrip("+-") in ("nan", "inf", "infinity", "na", "n/a", "-"):
         raise ValueError("a number is needed; leave a row out where nothing was measured")
     if _TWO_SIGNS.fullmatch(text[:MAX_CELL]):

@@ -35,8 +35,9 @@ from restitution.experiments.records import (
 )
 from restitution.experiments.rows import Row, number_of, printable, shown
 
-LEAST_ERROR = 1e-9
 SAME_TIME = 1e-9
+NOTHING = 1e-30
+"""What is less is 0, so that no quotient of two values overflows."""
 MAX_NAME = 40
 """Characters of the name of a trial or of a body."""
 _T = TypeVar("_T")
@@ -108,6 +109,7 @@ class _Sheet:
             raise _fault(row, column, "", "no value")
         text, _, beside = cell.partition("±")
         value = self._number(row, column, text) * column.factor
+        value = value if abs(value) > NOTHING else 0.0
         error = None
         if quantity in self.errors:
             place, other = self.errors[quantity]
