@@ -90,7 +90,7 @@ def _fence(renderer: RendererHTML, tokens: Sequence[Token], index: int, *more: A
     if token.info.strip() != "impact":
         return shown
     address = escape(f"../#{urlencode({'statement': token.content})}")
-    return f'{shown}<p><a href="{address}">Solve this</a></p>\n'
+    return f'{shown}<p class="opens"><a href="{address}">Solve this</a></p>\n'
 
 
 def _anchor(heading: str) -> str:
