@@ -1,15 +1,20 @@
-"""The patterns that walls and spheres share: e above 1, e with speed, scatter."""
+"""What walls and spheres share: the patterns e above 1, e with speed and scatter, class values."""
 
 from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from restitution.experiments.curves import Array, sum_of_squares
 from restitution.experiments.distributions import upper_tail, upper_tail_of_squares
 from restitution.experiments.fitting import Fit
-from restitution.experiments.numbers import fixed, probability, with_error
+from restitution.experiments.numbers import fixed, percent, probability, with_error
 from restitution.experiments.patterns import Pattern, Untested
 from restitution.experiments.records import SpheresTrial, WallReading
+from restitution.experiments.results import ClassValues
 from restitution.experiments.samples import Sample
 
 STRICT = 0.01
@@ -19,6 +24,45 @@ STRICT = 0.01
 def place_of(measured: WallReading | SpheresTrial) -> str:
     """How a sentence names a reading: its trial, or its line in the table."""
     return f"trial {measured.label}" if measured.label else f"line {measured.line}"
+
+
+@dataclass(frozen=True)
+class Reasons:
+    """Why what a class computes differs from the fit, as sentences with slots.
+
+    ``alone`` is for one reading. ``mean`` has the slots worst, worst_error, best and best_error,
+    ``line`` the slots top and share; ``fit`` has none.
+    """
+
+    alone: str
+    mean: str
+    line: str
+    fit: str
+
+
+def class_values(
+    sample: Sample, x: Array, y: Array, errors: Array, places: Sequence[str], reasons: Reasons
+) -> ClassValues:
+    """The mean of y/x, the slope of the line through the origin, and why they differ from e.
+
+    ``errors`` are those of the ratios, and ``places`` name the readings.
+    """
+    ratios = y / x
+    mean, slope = float(ratios.mean()), float((x * y).sum() / (x * x).sum())
+    if len(x) == 1:
+        return ClassValues(mean, None, slope, reasons.alone)
+    error = float(ratios.std(ddof=1) / math.sqrt(len(ratios)))
+    best, worst, top = int(np.argmin(errors)), int(np.argmax(errors)), int(np.argmax(x))
+    share = float(x[top] ** 2 / (x * x).sum())
+    sentences = []
+    if max(abs(mean - sample.e), abs(slope - sample.e)) < 0.5 * sample.standard_error:
+        sentences.append("Here the three agree well within the error.")
+    if errors[worst] > 1.2 * errors[best]:
+        words = {"worst": places[worst], "worst_error": errors[worst]}
+        sentences.append(reasons.mean.format(**words, best=places[best], best_error=errors[best]))
+    if share > 1.5 / len(x):
+        sentences.append(reasons.line.format(top=places[top], share=percent(share)))
+    return ClassValues(mean, error, slope, " ".join((*sentences, reasons.fit)))
 
 
 def above_one(

@@ -10,7 +10,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from restitution.errors import MissingError
-from restitution.experiments.common import STRICT, above_one, place_of, scatter, speed
+from restitution.experiments import common
+from restitution.experiments.common import STRICT, Reasons, above_one, place_of, scatter, speed
 from restitution.experiments.curves import SPHERES, Array, Readings
 from restitution.experiments.distributions import upper_tail, upper_tail_of_squares
 from restitution.experiments.impacts import Impact, impact_of
@@ -229,38 +230,23 @@ def class_values(spheres: Spheres) -> ClassValues:
     arrays = spheres.sample.readings.scaled(spheres.sample.factor)
     x, y = arrays.x, arrays.y
     ratios = y / x
-    error = float(ratios.std(ddof=1) / math.sqrt(len(ratios))) if len(ratios) > 1 else None
     variances = arrays.y_variance - 2 * ratios * arrays.covariance + ratios**2 * arrays.x_variance
-    mean, slope = float(ratios.mean()), float((x * y).sum() / (x * x).sum())
-    return ClassValues(mean, error, slope, _why(spheres, np.sqrt(variances) / x, mean, slope))
+    errors = np.sqrt(variances) / x
+    return common.class_values(spheres.sample, x, y, errors, spheres.places, _REASONS)
 
 
-def _why(spheres: Spheres, errors: Array, mean: float, slope: float) -> str:
-    sample = spheres.sample
-    x = sample.readings.x
-    if len(x) == 1:
-        return "With one trial all of these are the same number."
-    best, worst, top = int(np.argmin(errors)), int(np.argmax(errors)), int(np.argmax(x))
-    share = float(x[top] ** 2 / (x * x).sum())
-    reasons = ""
-    if errors[worst] > 1.2 * errors[best]:
-        reasons += (
-            f"The mean lets every ratio count the same, though that of {spheres.places[worst]} is "
-            f"known to ±{errors[worst]:.2g} and that of {spheres.places[best]} to "
-            f"±{errors[best]:.2g}. "
-        )
-    if share > 1.5 / len(x):
-        reasons += (
-            f"The line leans on the fastest impact: {spheres.places[top]} alone has "
-            f"{percent(share)} of its weight. "
-        )
-    reasons += (
+_REASONS = Reasons(
+    alone="With one trial all of these are the same number.",
+    mean=(
+        "The mean lets every ratio count the same, though that of {worst} is known to "
+        "±{worst_error:.2g} and that of {best} to ±{best_error:.2g}."
+    ),
+    line="The line leans on the fastest impact: {top} alone has {share} of its weight.",
+    fit=(
         "The fit lets each trial count by its own error, in the speed of approach as well as in "
         "the speed of separation."
-    )
-    if max(abs(mean - sample.e), abs(slope - sample.e)) < 0.5 * sample.standard_error:
-        return f"Here the three agree well within the error. {reasons}"
-    return reasons
+    ),
+)
 
 
 # --- patterns ---------------------------------------------------------------------------------

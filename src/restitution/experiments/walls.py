@@ -9,7 +9,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from restitution.experiments.common import STRICT, above_one, place_of, scatter, speed
+from restitution.experiments import common
+from restitution.experiments.common import STRICT, Reasons, above_one, place_of, scatter, speed
 from restitution.experiments.curves import WALL, Array, Readings, reflected
 from restitution.experiments.distributions import upper_tail
 from restitution.experiments.fitting import Fit
@@ -130,40 +131,26 @@ def class_values(wall: Wall) -> ClassValues:
         return ClassValues(math.nan, None, math.nan, "All angles are nearly 90°.")
     alpha, beta = arrays.x[usable], arrays.y[usable]
     x, y = np.tan(alpha), np.tan(beta)
-    ratios = y / x
-    error = float(ratios.std(ddof=1) / math.sqrt(len(ratios))) if len(ratios) > 1 else None
     errors = np.hypot(
         np.sqrt(arrays.y_variance[usable]) / np.cos(beta) ** 2 / x,
-        ratios * np.sqrt(arrays.x_variance[usable]) / (np.sin(alpha) * np.cos(alpha)),
+        y / x * np.sqrt(arrays.x_variance[usable]) / (np.sin(alpha) * np.cos(alpha)),
     )
-    mean, slope = float(ratios.mean()), float((x * y).sum() / (x * x).sum())
-    return ClassValues(mean, error, slope, _why(wall.sample, alpha, x, errors, mean, slope))
+    places = [_degrees(each) for each in alpha]
+    return common.class_values(wall.sample, x, y, errors, places, _REASONS)
 
 
-def _why(sample: Sample, alpha: Array, x: Array, errors: Array, mean: float, slope: float) -> str:
-    if len(x) == 1:
-        return "With one reading all of these are the same number."
-    best, worst = int(np.argmin(errors)), int(np.argmax(errors))
-    top = int(np.argmax(x))
-    share = float(x[top] ** 2 / (x * x).sum())
-    reasons = ""
-    if errors[worst] > 1.2 * errors[best]:
-        reasons += (
-            f"The mean lets every ratio count the same, though the ratio at "
-            f"{_degrees(alpha[worst])} is known to ±{errors[worst]:.2g} and that at "
-            f"{_degrees(alpha[best])} to ±{errors[best]:.2g}. "
-        )
-    if share > 1.5 / len(x):
-        reasons += (
-            f"The line leans on the steepest impact: the one at {_degrees(alpha[top])} alone has "
-            f"{percent(share)} of its weight, and there a small error of the angle is a large one "
-            "of the tangent. "
-        )
-    reasons += "The fit lets each reading count by its own error, in α as well as in β."
-    apart = max(abs(mean - sample.e), abs(slope - sample.e))
-    if apart < 0.5 * sample.standard_error:
-        return f"Here the three agree well within the error. {reasons}"
-    return reasons
+_REASONS = Reasons(
+    alone="With one reading all of these are the same number.",
+    mean=(
+        "The mean lets every ratio count the same, though the ratio at {worst} is known to "
+        "±{worst_error:.2g} and that at {best} to ±{best_error:.2g}."
+    ),
+    line=(
+        "The line leans on the steepest impact: the one at {top} alone has {share} of its weight, "
+        "and there a small error of the angle is a large one of the tangent."
+    ),
+    fit="The fit lets each reading count by its own error, in α as well as in β.",
+)
 
 
 def _degrees(angle: float) -> str:
