@@ -279,3 +279,9 @@ def test_an_error_that_cannot_be_is_refused_with_its_place(error, rule):
 def test_where_too_few_rows_are_left_those_left_out_are_named():
     with pytest.raises(MissingError, match=r"left out: line 2, column beta: 'nan'.*and 1 more"):
         r.experiment("alpha,beta\n30,nan\n45,36\n50,x\n")
+
+
+@pytest.mark.parametrize("name", ["angle_error", "speed_error"])
+def test_an_error_beyond_every_float_is_refused(name):
+    with pytest.raises(StatementError, match="more than 0, and finite"):
+        r.experiment(PLAIN, **{name: 10**400})

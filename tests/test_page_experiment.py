@@ -122,3 +122,11 @@ def test_the_page_is_accessible_and_fits_every_screen(experiment) -> None:
     for width, height in SCREENS:
         page.set_viewport_size({"width": width, "height": height})
         assert not too_wide(page), width
+
+
+def test_what_cannot_be_worked_out_is_a_dash(experiment) -> None:
+    steep = "alpha\tbeta\n89.9\t89.8\n89.7\t89.2\n89.6\t89.3\n"
+    page = experiment(data=steep, angle_error="0.01")
+    cells = page.locator(".class-values td").all_inner_texts()
+    assert cells[:2] == ["–", "–"]
+    expect(page.locator(".class-values")).to_contain_text("All angles are nearly 90°.")

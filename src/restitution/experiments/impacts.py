@@ -75,8 +75,8 @@ class Impact:
 
     def direction_error(self) -> float:
         """The standard error of the direction of ``n`` in radians."""
-        found = self.turning @ self.covariance @ self.turning
-        return math.sqrt(float(found) + self.line_error**2)
+        variance = self.turning @ self.covariance @ self.turning
+        return math.sqrt(float(variance) + self.line_error**2)
 
     def _propagated(self, rows: Array, turned: Array) -> Array:
         """The covariance of rows · z, each of which grows by ``turned`` as n turns by 1 rad."""

@@ -139,13 +139,13 @@ def _best_time(paths: Paths) -> float | None:
     top = int(np.argmax(sum(each.fall(grid) for each in sums)))
     low, high = grid[max(top - 1, 0)], grid[min(top + 1, len(grid) - 1)]
     optimize = needed("scipy.optimize", "the search for an impact")
-    found = optimize.minimize_scalar(
+    least = optimize.minimize_scalar(
         lambda tau: -sum(float(each.fall(np.array([tau]))[0]) for each in sums),
         bounds=(low, high),
         method="bounded",
         options={"xatol": 1e-9 * (end - begin)},
     )
-    return float(found.x)
+    return float(least.x)
 
 
 _PARTS = 6

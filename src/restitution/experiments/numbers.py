@@ -13,7 +13,9 @@ def decimals(error: float) -> int:
 
 
 def with_error(value: float, error: float | None, unit: str = "") -> str:
-    """``0.703 ± 0.012``, with the unit behind."""
+    """``0.703 ± 0.012``, with the unit behind; a dash where there is no value."""
+    if not math.isfinite(value):
+        return "–"
     if error is None:
         return f"{value:.3g}{unit}"
     places = decimals(error)

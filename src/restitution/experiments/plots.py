@@ -38,7 +38,7 @@ MOST_DRAWN = 600
 
 _MANY = 60  # readings, beyond which their marks are small
 _NAMED = 6  # readings that are named in a plot
-_TOLD = 4  # readings outside the frame that are told one by one
+_MOST_LISTED = 4  # readings outside the frame that are told one by one
 _BAND = 0.13  # strength of the ink of an area
 _LINE_OF_TEXT = 84  # characters beneath a plot
 
@@ -106,7 +106,7 @@ def residual_plot(experiment: Experiment) -> str:
             for _, p in sorted(beyond, key=lambda each: -abs(each[1].residual))
         ]
         thin = _thin_words(experiment, len(all_points))
-        _note(drawn, _told("Outside the frame", words), thin)
+        _note(drawn, _list_sentence("Outside the frame", words), thin)
         named = [(p.line, a, p.residual, p.residual) for a, p, s in zip(x, points, shown) if s]
         _name_far_ones(drawn, named, [], [(0.0, 0.0), (0.0, 2.0), (0.0, -2.0)])
         far = sum(abs(each.residual) > 2 for each in all_points)
@@ -166,7 +166,7 @@ def speed_plot(experiment: Experiment) -> str | None:
         axes.set_ylabel(_ratio_name(experiment), labelpad=3)
         _legend(axes, above=2.0)
         words = [f"line {each.line} ({each.value:.3g})" for each in beyond]
-        _note(drawn, _told("Outside the frame", words), _thin_words(experiment, total))
+        _note(drawn, _list_sentence("Outside the frame", words), _thin_words(experiment, total))
         return svg_of(
             drawn,
             "e and speed",
@@ -532,7 +532,7 @@ def _outside_words(outside: Sequence[Point]) -> str:
             words.append(f"line {each.line} ({_degrees(each.alpha)}, {_degrees(each.beta)})")
         else:
             words.append(f"line {each.line} ({each.x:.3g}, {each.y:.3g})")
-    return _told("Outside the frame", words)
+    return _list_sentence("Outside the frame", words)
 
 
 def _thin_words(experiment: Experiment, total: int) -> str:
@@ -544,12 +544,12 @@ def _degrees(angle: float) -> str:
     return f"{fixed(angle, 1)}°"
 
 
-def _told(what: str, words: Sequence[str]) -> str:
+def _list_sentence(what: str, words: Sequence[str]) -> str:
     if not words:
         return ""
-    shown = list(words[:_TOLD])
-    if len(words) > _TOLD:
-        shown.append(f"{len(words) - _TOLD} more")
+    shown = list(words[:_MOST_LISTED])
+    if len(words) > _MOST_LISTED:
+        shown.append(f"{len(words) - _MOST_LISTED} more")
     return f"{what}: {listed(shown)}."
 
 

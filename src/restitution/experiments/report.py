@@ -12,7 +12,7 @@ from restitution.experiments.formulas import ALPHA, BETA, RATIO, TAN_ALPHA, TAN_
 from restitution.experiments.numbers import fixed, with_error
 from restitution.experiments.plots import law_plot, residual_plot, speed_plot
 from restitution.experiments.results import Check, Experiment, Point
-from restitution.experiments.texts import TITLES, error_sentence, interval_sentence
+from restitution.experiments.texts import TITLES, class_words, error_sentence, interval_sentence
 from restitution.experiments.track_scenes import track_scenes
 from restitution.render.document import (
     Block,
@@ -118,20 +118,20 @@ def _sentence(check: Check) -> str:
 
 
 def _class(experiment: Experiment) -> Iterator[Block]:
-    values = experiment.class_values
+    mean, slope, fit = class_words(experiment)
     ratio: Inline = RATIO if _walls(experiment) else "separation / approach"
     yield Heading("What a class computes")
     yield Table(
         ("", "value"),
         (
-            (_joined("mean of ", ratio), with_error(values.mean_ratio, values.mean_ratio_error)),
-            ("slope of the line through the origin", f"{values.slope:.3g}"),
-            ("fit with errors in both", with_error(experiment.e, experiment.standard_error)),
+            (_joined("mean of ", ratio), mean),
+            ("slope of the line through the origin", slope),
+            ("fit with errors in both", fit),
         ),
         "lr",
         narrow=True,
     )
-    yield Paragraph(values.why)
+    yield Paragraph(experiment.class_values.why)
 
 
 def _notes(experiment: Experiment) -> Iterator[Block]:

@@ -85,8 +85,8 @@ def _of_columns(data: Mapping[str, Sequence[object]]) -> list[Row]:
     columns = {str(name): [*values] for name, values in data.items()}
     lengths = {name: len(values) for name, values in columns.items()}
     if len(set(lengths.values())) > 1:
-        told = ", ".join(f"{name} has {length}" for name, length in lengths.items())
-        raise StatementError(f"columns have as many values as each other: {told}")
+        counts = ", ".join(f"{name} has {length}" for name, length in lengths.items())
+        raise StatementError(f"columns have as many values as each other: {counts}")
     if any(length > MAX_ROWS for length in lengths.values()):
         raise _too_many()
     rows = [Row(1, tuple(columns))]

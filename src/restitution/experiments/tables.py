@@ -67,10 +67,18 @@ class Options:
 
     def __post_init__(self) -> None:
         for name in ("angle_error", "speed_error"):
-            value = getattr(self, name)
+            value = _as_float(getattr(self, name))
             rule = None if value is None else _rule_of_error(value, name.removesuffix("_error"))
             if rule is not None:
                 raise StatementError(f"{name.replace('_', ' ')} {value:g}: {rule}")
+
+
+def _as_float(number: float | None) -> float | None:
+    """A whole number that no float can hold is infinite."""
+    try:
+        return None if number is None else float(number)
+    except OverflowError:
+        return math.inf
 
 
 LEAST_ERROR, LARGEST_ANGLE_ERROR = 1e-9, 45.0

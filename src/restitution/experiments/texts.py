@@ -154,20 +154,30 @@ def _number(value: float, places: int) -> str:
 # --- what stands beside -----------------------------------------------------------------------
 
 
-def _class(experiment: Experiment, width: int) -> Iterator[str]:
+def class_words(experiment: Experiment) -> tuple[str, str, str]:
+    """The mean of the ratios, the slope of the line, and e of the fit, as they are printed."""
     values = experiment.class_values
+    return (
+        with_error(values.mean_ratio, values.mean_ratio_error),
+        with_error(values.slope, None),
+        with_error(experiment.e, experiment.standard_error),
+    )
+
+
+def _class(experiment: Experiment, width: int) -> Iterator[str]:
     walls = experiment.points[0].alpha is not None
+    mean, slope, fit = class_words(experiment)
     ratio = "tan β / tan α" if walls else "separation / approach"
     yield "What a class computes"
     rows = {
-        f"mean of {ratio}": with_error(values.mean_ratio, values.mean_ratio_error),
-        "slope of the line through the origin": f"{values.slope:.3g}",
-        "fit with errors in both (above)": with_error(experiment.e, experiment.standard_error),
+        f"mean of {ratio}": mean,
+        "slope of the line through the origin": slope,
+        "fit with errors in both (above)": fit,
     }
     longest = max(map(len, rows))
     for name, value in rows.items():
         yield f"  {name:<{longest}}   {value}"
-    yield from _wrapped(values.why, width)
+    yield from _wrapped(experiment.class_values.why, width)
 
 
 def _checks(experiment: Experiment, width: int) -> Iterator[str]:

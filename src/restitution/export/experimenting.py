@@ -5,19 +5,19 @@ from __future__ import annotations
 from typing import Any
 from xml.etree import ElementTree as ET
 
-from restitution.errors import StatementError, UnsupportedError
+from restitution.errors import UnsupportedError
 from restitution.experiments import experiment
 from restitution.experiments.numbers import with_error
-from restitution.experiments.records import KINDS, Kind
+from restitution.experiments.records import Kind
 from restitution.experiments.results import Experiment
-from restitution.experiments.texts import error_sentence, interval_sentence
+from restitution.experiments.texts import class_words, error_sentence, interval_sentence
 
 Object = dict[str, Any]
 
 
 def experiment_of(
     data: str,
-    kind: str | None,
+    kind: Kind | None,
     angle_error: float | None,
     speed_error: float | None,
     from_normal: bool,
@@ -28,9 +28,9 @@ def experiment_of(
     """
     return experiment(
         data,
-        kind=_kind(kind),
-        angle_error=_error(angle_error, "angle_error"),
-        speed_error=_error(speed_error, "speed_error"),
+        kind=kind,
+        angle_error=angle_error,
+        speed_error=speed_error,
         from_normal=from_normal,
     )
 
@@ -41,6 +41,7 @@ def shown(result: Experiment) -> Object:
     The keys of `Experiment.data`, and beside them::
 
         {"words": ["e = 0.70 ± 0.02", "With 95% confidence …", "The errors are …"],
+         "class_words": [the mean of the ratios, the slope, e of the fit],
          "pictures": [{"title", "description", "svg"}], "pictures_error": null or a sentence}
     """
     words = [
@@ -48,23 +49,8 @@ def shown(result: Experiment) -> Object:
         interval_sentence(result.interval, result.standard_error),
         error_sentence(result),
     ]
-    return {**result.data(), "words": words, **_pictures(result)}
-
-
-def _kind(name: str | None) -> Kind | None:
-    for kind in KINDS:
-        if kind == name:
-            return kind
-    if name is not None:
-        raise StatementError(f"kind {name[:40]!r}: it is one of {', '.join(KINDS)}")
-    return None
-
-
-def _error(value: float | None, name: str) -> float | None:
-    try:
-        return None if value is None else float(value)
-    except OverflowError:
-        raise StatementError(f"{name}: an error is more than 0, and finite") from None
+    beside = {"words": words, "class_words": class_words(result)}
+    return {**result.data(), **beside, **_pictures(result)}
 
 
 def _pictures(result: Experiment) -> Object:

@@ -179,36 +179,24 @@ def progress(record: contract.Object, limit: float) -> Payload:
     return _tried(lambda: practising.progress(record))
 
 
-def experiment(
-    data: str,
-    limit: float,
-    kind: str | None = None,
-    angle_error: float | None = None,
-    speed_error: float | None = None,
-    from_normal: bool = False,
-) -> Payload:
-    """The coefficient of restitution from a table; an error where the table does not give it."""
+def experiment(data: str, limit: float, *reading: Any) -> Payload:
+    """The coefficient of restitution from a table; an error where the table does not give it.
+
+    ``reading`` is how the table is read: the other arguments of `experimenting.experiment_of`.
+    """
     from restitution.export import experimenting
 
-    asked = (data, kind, angle_error, speed_error, from_normal)
-    return _tried(lambda: experimenting.shown(experimenting.experiment_of(*asked)))
+    return _tried(lambda: experimenting.shown(experimenting.experiment_of(data, *reading)))
 
 
-def report(
-    data: str,
-    limit: float,
-    kind: str | None = None,
-    angle_error: float | None = None,
-    speed_error: float | None = None,
-    from_normal: bool = False,
-) -> Payload:
+def report(data: str, limit: float, *reading: Any) -> Payload:
     """The report of an experiment as a PDF; or the error, as JSON, where there is none."""
     from restitution.experiments.report import report as written
     from restitution.export import experimenting
 
-    asked = (data, kind, angle_error, speed_error, from_normal)
     try:
-        return Payload(written(experimenting.experiment_of(*asked), "pdf"), "application/pdf")
+        content = written(experimenting.experiment_of(data, *reading), "pdf")
+        return Payload(content, "application/pdf")
     except RestitutionError as error:
         return _failed(error)
 

@@ -39,18 +39,18 @@ def to_markup(document: Document) -> str:
 
 def _block(block: Block) -> str:
     match block:
-        case Heading(said):
+        case Heading(text):
             return (
                 f"#block(above: 1.5em, below: 0.8em, sticky: true, "
-                f"text(size: 1.1em, strong[{inline(said)}]))"
+                f"text(size: 1.1em, strong[{inline(text)}]))"
             )
-        case Paragraph(said, role):
-            content = inline(said)
+        case Paragraph(text, role):
+            content = inline(text)
             return f"#text({_SIZES[role]})[{content}]" if _SIZES[role] else content
         case Table():
             return _table(block)
-        case Picture(svg, width, said):
-            beneath = f"\n  #block(above: 0.6em)[{inline(said)}]" if said else ""
+        case Picture(svg, width, caption):
+            beneath = f"\n  #block(above: 0.6em)[{inline(caption)}]" if caption else ""
             return (
                 "#align(center, block(above: 1em, below: 1em, breakable: false)[\n"
                 f'  #image(bytes({literal(svg)}), format: "svg", width: {width:g}mm){beneath}\n])'

@@ -12,14 +12,6 @@ const MOST_ROWS = 200; // of readings, in the page
 const minus = (text) => text.replace("-", "−");
 const fixed = (x, places) => minus(x.toFixed(places));
 
-// So many digits that an error has two; at most six places.
-const places = (error) =>
-  error > 0 ? Math.max(0, Math.min(6, 1 - Math.floor(Math.log10(error)))) : 3;
-
-const withError = (x, error) =>
-  error === null ? minus(String(Number(x.toPrecision(3))))
-    : `${fixed(x, places(error))} ± ${fixed(error, places(error))}`;
-
 const cell = (text) => html("td", {}, text);
 const head = (...words) => html("th", { scope: "col" }, ...words);
 const row = (...cells) => html("tr", {}, ...cells.map(cell));
@@ -59,7 +51,7 @@ function readings({ points, kind }) {
       "Distance from the law, in standard errors; more than 3 is rare."));
 }
 
-function classValues({ class_values: values, e, standard_error: error, points }) {
+function classValues({ class_values: { why }, class_words: [mean, slope, fit], points }) {
   const angles = points[0]?.alpha !== null;
   const quotient = angles ? "tan β / tan α" : "separation / approach";
   const line = (words, value) =>
@@ -67,10 +59,10 @@ function classValues({ class_values: values, e, standard_error: error, points })
   return html("section", { class: "class-values" },
     html("h3", {}, "What a class computes"),
     html("table", {}, html("tbody", {},
-      line(`Mean of ${quotient}`, withError(values.mean_ratio, values.mean_ratio_error)),
-      line("Slope of the line through the origin", withError(values.slope, null)),
-      line("The fit, with errors in both", withError(e, error)))),
-    html("p", {}, ...prose(values.why)));
+      line(`Mean of ${quotient}`, mean),
+      line("Slope of the line through the origin", slope),
+      line("The fit, with errors in both", fit))),
+    html("p", {}, ...prose(why)));
 }
 
 function check({ title, verdict, sentence }) {
@@ -87,14 +79,14 @@ function checks({ checks: all }) {
     html("h3", {}, "Check of the model"), html("ul", {}, ...all.map(check)));
 }
 
-function notes({ table, notes: said }) {
+function notes({ table, notes: all }) {
   const faults = table.faults.map(({ message }) => html("li", {}, message));
   const section = (title, items) =>
     items.length ? html("section", {}, html("h3", {}, title), html("ul", {}, ...items)) : null;
   const rows = faults.length === 1 ? "1 row" : `${faults.length} rows`;
   return [
     section(`Left out: ${rows}`, faults),
-    section("Notes", said.map((note) => html("li", {}, ...prose(`${capital(note)}.`)))),
+    section("Notes", all.map((note) => html("li", {}, ...prose(`${capital(note)}.`)))),
   ].filter(Boolean);
 }
 

@@ -5,6 +5,7 @@ import { keep, kept } from "../kept.js";
 import { allow, button, html, reachable } from "../player/elements.js";
 import { across, along } from "../player/motion.js";
 import { size } from "../player/numbers.js";
+import { fragment } from "../experiment/address.js";
 import { prose } from "../experiment/prose.js";
 import { typed, written } from "./fields.js";
 
@@ -239,13 +240,12 @@ export class Measure {
     const { angle_error: angle, speed_error: speed } = this.errors();
     const of = { data, angle_error: written(angle) };
     if (this.speeds.checked) of.speed_error = written(speed);
-    const more = new URLSearchParams(of);
     this.outcome.replaceChildren(
       html("p", { class: "value" }, ...prose(value)),
       html("p", {}, ...prose(interval)),
       ...seen.map((check) => html("p", { class: "seen" }, ...prose(check.sentence))),
       ...(plot ? [html("img", { src: this.picture, alt: plot.description })] : []),
-      html("p", {}, html("a", { href: `./experiment#${more}` }, "Open in Experiment")),
+      html("p", {}, html("a", { href: `./experiment${fragment(of)}` }, "Open in Experiment")),
     );
   }
 
