@@ -467,6 +467,13 @@ def _energy_of_difference() -> Iterator[_Plain]:
                 (lost, terms["X"]),
                 words=f"the square of a difference {words}",
             )
+    sizes = f"1/2 mass(X) ({_p('X')} + {_q('X')})^2"
+    yield _result(
+        "wall",
+        ("energy_lost(1)", sizes),
+        (lost, sizes),
+        words="the square of a difference of sizes of components",
+    )
 
 
 def _energy_one_sphere() -> Iterator[_Plain]:

@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Negate,
     Number,
     Quantity,
     walk,
@@ -104,9 +105,6 @@ class Names:
         mended = tuple(_mending(entry, judge))
         at = text_of(mended[0].part) if mended else None
         variants = self._explaining(entry, judge, mended)
-        if self._is_of_impulse(entry):
-            # 3 = 0.5(4 - 4e): the sign is lost in the change of momentum, not in the law.
-            variants = tuple(each for each in variants if each.mistake != "restitution-sign")
         near = () if judge.uses_of_entry(entry) else _near(entry, judge, mended)
         return Explained(variants, _slip(entry, judge, mended), at, near)
 
@@ -121,7 +119,7 @@ class Names:
         ]
         variants.sort(key=lambda each: 0 if each.event.wall else len(each.laws))
         ids = tuple(dict.fromkeys(each.id for each in variants))
-        families = tuple(dict.fromkeys(each.mistake for each in variants))
+        families = tuple(dict.fromkeys(map(_family_of, variants)))
         if not families:
             return Mistake(explained.slip, "slip", at=explained.at) if explained.slip else NO_NAME
         wall = variants[0].event.wall
@@ -146,6 +144,12 @@ class Names:
             return ()
         altered = {use.altered for use in judge.uses_of_entry(entry)}
         by_states = [each for each in self.variants if each.id in altered]
+        if self._is_of_impulse(entry):
+            # 3 = 0.5(4 - 4e): the sign is lost in the change of momentum, not in the law.
+            by_states = [each for each in by_states if each.mistake != "restitution-sign"]
+        if _is_of_energy(entry):
+            # The values of two mistakes may be one: a line of energy has a mistake of energy.
+            by_states = [each for each in by_states if _kinds(each) & _OF_ENERGY - {"speed"}]
         if by_states:
             lawful = [each for each in mended if _is_law(each, entry, judge)]
             return tuple(each for each in by_states if _stands(each, lawful))
@@ -156,42 +160,51 @@ class Names:
         return tuple(dict.fromkeys(each for each in variants if _stands(each, blocking)))
 
     def _is_of_impulse(self, entry: Entry) -> bool:
-        """Whether a side of a claim is an impulse that the question gives."""
-        return any(
-            side == given
-            for given in self._impulses
-            for side in (entry.claim.left, entry.claim.right)
+        """Whether a side of a claim is an impulse, or one that the question gives."""
+        sides = (entry.claim.left, entry.claim.right)
+        given = (value for quantity, value in self._given if quantity.kind == "impulse")
+        return any(_is_impulse(side, entry) for side in sides) or any(
+            map(sides.__contains__, given)
         )
 
     @cached_property
-    def _impulses(self) -> tuple[Expression, ...]:
-        """The sizes of impulses that the question gives."""
+    def _given(self) -> tuple[tuple[Quantity, Expression], ...]:
+        """The quantities that the question gives, with their values."""
         return tuple(
-            other
+            (one, other)
             for _, step in self.problem.steps()
             if isinstance(step, Given)
             for relation in step.relations
             if isinstance(relation, Compare)
             for one, other in permutations(relation.operands, 2)
-            if isinstance(one, Quantity) and one.kind == "impulse"
+            if isinstance(one, Quantity)
         )
 
     def _results(self, entry: Entry, judge: Judge) -> Iterator[VariantAt]:
         """By a result: the claim gives a quantity the value that an altered definition gives it."""
+        forms = (entry, *self._with_given(entry))
         for variant in self.variants:
             for result in variant.results:
                 for world in (judge.base, *judge.students()):
-                    if _is_result(entry, result, world):
+                    if any(_is_result(each, result, world) for each in forms):
                         yield variant
+
+    def _with_given(self, entry: Entry) -> Iterator[Entry]:
+        """A claim in which a side that the question gives stands for its quantity, on the left."""
+        for one, other in permutations((entry.claim.left, entry.claim.right), 2):
+            for quantity, value in self._given:
+                if one == value:
+                    yield replace(entry, claim=replace(entry.claim, left=quantity, right=other))
 
     def _worlds(self, entry: Entry, judge: Judge) -> Iterator[VariantAt]:
         """By altered worlds: the claim holds where one law is altered, and all else is right."""
         energetic = _is_energetic(entry)
+        fitting = _OF_ENERGY - {"speed"} if _is_of_energy(entry) else _OF_ENERGY
         for variant in self.variants:
             if not variant.laws or not variant.alteration.solvable:
                 continue
-            kinds = set(MISCONCEPTIONS[variant.mistake].kinds)
-            if not (kinds & _OF_ENERGY if energetic else kinds - _OF_ENERGY):
+            kinds = _kinds(variant)
+            if not (kinds & fitting if energetic else kinds - _OF_ENERGY):
                 continue
             if any((law.law, variant.event.number) in judge.stated() for law in variant.laws):
                 continue
@@ -249,6 +262,19 @@ def _in_datum(part: Expression, entry: Entry, data: Collection[Fraction]) -> boo
     return False
 
 
+def _kinds(variant: VariantAt) -> set[str]:
+    """The principles whose lines a misconception fits."""
+    return set(MISCONCEPTIONS[variant.mistake].kinds)
+
+
+def _family_of(variant: VariantAt) -> str:
+    """The misconception of a variant; at a wall, e × speed is one, whatever it is called."""
+    restitution = any(law.law == "restitution" for law in variant.laws)
+    if variant.mistake == "speed-for-component" and variant.event.wall and restitution:
+        return "restitution-whole-speed"
+    return variant.mistake
+
+
 def _contradicts(variant: VariantAt, stated: Stated) -> bool:
     """Whether a law that a variant replaces is stated rightly."""
     return any((law.law, variant.event.number) in stated for law in variant.laws)
@@ -295,14 +321,19 @@ def _plausible(variant: VariantAt, world: World) -> bool:
 
 def _is_energetic(entry: Entry) -> bool:
     """Whether a claim speaks of energies, or of squares of speeds."""
+    return _is_of_energy(entry) or any(
+        isinstance(each, Binary) and each.op == "^" and not isinstance(each.left, Apply)
+        for side in (entry.claim.left, entry.claim.right)
+        for each in walk(side)
+    )
+
+
+def _is_of_energy(entry: Entry) -> bool:
+    """Whether a letter or a phrase of a claim means an energy, or a ratio of energies."""
     for side in (entry.claim.left, entry.claim.right):
         for each in walk(side):
-            if isinstance(each, Binary) and each.op == "^" and isinstance(each.left, Letter):
-                return True
-            meant = entry.meanings.get(each.name) if isinstance(each, Letter) else each
-            if isinstance(meant, Quantity) and "energy" in meant.kind:
-                return True
-            if isinstance(each, Binary) and each.op == "^" and not isinstance(each.left, Apply):
+            meant = entry.meanings.get(each.name, each) if isinstance(each, Letter) else each
+            if any(isinstance(part, Quantity) and "energy" in part.kind for part in walk(meant)):
                 return True
     return False
 
@@ -336,12 +367,25 @@ def _is_quantity(entry: Entry, quantity: Expression, world: World) -> bool:
     if not isinstance(left, Letter | Quantity):
         return False
     meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+    if isinstance(quantity, Quantity) and quantity.kind == "impulse" and not quantity.arguments:
+        return _is_impulse(left, entry) and _same_value(Apply("abs", meant), quantity, entry, world)
+    if isinstance(meant, Binary) and isinstance(quantity, Binary):
+        return _same_value(meant, quantity, entry, world)
     return (
         isinstance(meant, Quantity)
         and isinstance(quantity, Quantity)
         and (meant.kind == quantity.kind)
         and _same_value(meant, quantity, entry, world)
     )
+
+
+def _is_impulse(tree: Expression, entry: Entry) -> bool:
+    """Whether a side is the size of an impulse, or a component of one."""
+    meant = entry.meanings.get(tree.name, tree) if isinstance(tree, Letter) else tree
+    meant = meant.operand if isinstance(meant, Negate) else meant
+    if isinstance(meant, Quantity) and meant.kind in ("along", "across"):
+        meant = meant.arguments[0]
+    return isinstance(meant, Quantity) and meant.kind == "impulse"
 
 
 def _same_value(one: Expression, other: Expression, entry: Entry, world: World) -> bool:

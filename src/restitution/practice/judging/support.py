@@ -17,7 +17,7 @@ from restitution.practice.judging.deduction import deduced_from
 from restitution.practice.judging.entries import Entry, is_numeric
 from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees, difference
-from restitution.practice.worlds.student import scattered_world, world_of_lines
+from restitution.practice.worlds.student import scattered_world, smooth_world, world_of_lines
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Part, Problem, Show, Value
 
@@ -64,6 +64,7 @@ class Support:
         self.unknown = unknown
         self.data = data
         self.scattered = scattered_world(base, unknown)
+        self.smooth = smooth_world(base, unknown) or self.scattered
 
     def is_missing(
         self, entry: Entry, entries: Sequence[Entry], students: Sequence[World] = ()
@@ -109,10 +110,19 @@ class Support:
         )
 
     def _equal(self, entry: Entry, own: Expression, other: Expression, now: int) -> bool:
-        """Whether two trees have one value whatever happens, and the first is as short."""
+        """Whether two trees have one value whatever happens, and the first is as short.
+
+        A speed is its only component too, where bodies are smooth.
+        """
         if sum(1 for _ in walk(own)) > sum(1 for _ in walk(other)) + _LONGER:
             return False
-        world = self.scattered
+        return any(
+            self._equal_in(world, entry, own, other, now) for world in (self.scattered, self.smooth)
+        )
+
+    def _equal_in(
+        self, world: World, entry: Entry, own: Expression, other: Expression, now: int
+    ) -> bool:
         try:
             a = world.scalar(own, entry.meanings, scope=entry.scope)
             b = world.scalar(other, now=now, degrees=False)

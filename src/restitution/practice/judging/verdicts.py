@@ -9,12 +9,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Protocol
 
 import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.explaining.misconceptions import VariantAt
+from restitution.explaining.trees import exchanged
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -23,11 +25,15 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Negate,
+    Number,
     Pair,
     Quantity,
+    Unit,
     letters,
+    walk,
 )
 from restitution.practice.judgement import Accuracy, JudgedLine, Mistake, Use, Verdict
+from restitution.practice.judging.angles import unnamed_in, with_angles
 from restitution.practice.judging.deduction import deduced_from
 from restitution.practice.judging.entries import (
     Entry,
@@ -37,12 +43,17 @@ from restitution.practice.judging.entries import (
     sources_of,
 )
 from restitution.practice.judging.naming import Explained, Stated
+from restitution.practice.judging.own_numbers import OwnNumbers
 from restitution.practice.judging.support import Support, Wanted
 from restitution.practice.letters.candidates import Candidate
 from restitution.practice.letters.options import Usage, options, staged
 from restitution.practice.letters.trial import inside_angles
 from restitution.practice.reading.lines import read_as
-from restitution.practice.reading.phrases import is_phrase, read_phrase
+from restitution.practice.reading.phrases import (
+    is_phrase,
+    names_axis,
+    read_phrase,
+)
 from restitution.practice.script import Claim, Link, Script, ScriptLine
 from restitution.practice.worlds.agreement import agrees, difference
 from restitution.practice.worlds.arrays import UnvaluedError
@@ -65,6 +76,14 @@ COARSE = "coarse"
 OTHER_ROOT = "other-root"
 IMPOSSIBLE_ANGLE = "A sine or a cosine is at most 1, so this cannot be."
 IMPOSSIBLE_COEFFICIENT = "A coefficient of restitution lies between 0 and 1, so this cannot be."
+# What a result is, as the principle of a line.
+_PRINCIPLES = {
+    "impulse": "impulse",
+    "energy_lost": "energy",
+    "energy": "energy",
+    "speed": "speed",
+    "deflection": "deflection",
+}
 _COEFFICIENT = re.compile(r"e(_\w+)?'*")
 
 
@@ -94,7 +113,10 @@ class Question:
 
 @dataclass(frozen=True)
 class JudgedLink:
-    """A link with its verdict: the reading that decided, and what is said of it."""
+    """A link with its verdict: the reading that decided, and what is said of it.
+
+    ``right`` is a claim that follows, as it would be without the wrong numbers above it.
+    """
 
     verdict: Verdict
     claim: Claim
@@ -102,6 +124,7 @@ class JudgedLink:
     sources: tuple[int, ...] = ()
     remark: str | None = None
     letters: frozenset[str] = frozenset()
+    right: Claim | None = None
     meant: tuple[tuple[str, Expression], ...] = ()
 
 
@@ -135,6 +158,7 @@ class Judge:
         self._stated: set[tuple[str, int | None]] = set()
         self._meant: dict[str, Expression] = {}
         self._phrases: dict[tuple[str, int | None], tuple[Expression, ...]] = {}
+        self._own_numbers = OwnNumbers()
         self._known_uses: dict[tuple[Claim, int, bool], tuple[Use, ...]] = {}
 
     # --- a script -----------------------------------------------------------------------------
@@ -156,7 +180,10 @@ class Judge:
             return replace(line, mistake=Mistake(None))
         confirmed = frozenset(self._confirmed.get(line.line.number, ()))
         mistake = self.naming.named(explained, self.stated(), confirmed)
-        return replace(line, mistake=mistake, uses=line.uses or explained.near)
+        uses = line.uses or explained.near
+        if mistake.variants and not any(use.altered in mistake.variants for use in uses):
+            uses = tuple(dict.fromkeys((*_uses_of_variants(explained.variants, mistake), *uses)))
+        return replace(line, mistake=mistake, uses=uses)
 
     def is_true(self, script: Script) -> bool:
         """Whether every relation of a script holds in one of the solutions."""
@@ -180,7 +207,7 @@ class Judge:
     @property
     def wrong(self) -> bool:
         """Whether a line so far is false."""
-        return any(entry.wrong for entry in self.entries)
+        return bool(self._own_numbers) or any(entry.wrong for entry in self.entries)
 
     def _likeliest(self, script: Script) -> World:
         if len(self.worlds) == 1:
@@ -198,6 +225,7 @@ class Judge:
             return JudgedLine(line, "unread")
         if line.kind in ("remark", "heading", "crossed") or not line.links:
             return JudgedLine(line, "remark")
+        line = self._with_axes(line)
         links = self._links(line)
         verdict = next(each for each in _WORST if any(link.verdict == each for link in links))
         place = next(k for k, link in enumerate(links) if link.verdict == verdict)
@@ -210,7 +238,8 @@ class Judge:
         accuracies = [link.accuracy for link in links if link.accuracy is not None]
         uses = self._uses(line, links)
         if verdict == "true":
-            self._stated |= {(use.principle, use.event) for use in uses if use.altered is None}
+            # A value rests on laws, and states none.
+            self._stated |= {(use.principle, use.event) for use in uses[:1] if not use.altered}
         self._remember(line, links)
         return JudgedLine(
             line,
@@ -255,6 +284,7 @@ class Judge:
         return (
             self._root(line, link)
             or self._relabelled(line, link, self.worlds, "true")
+            or self._of_unnamed_angle(line, link, self.worlds, "true")
             or self._following(line, link)
             or self._refused(line, link)
         )
@@ -276,6 +306,21 @@ class Judge:
                         sources = sources_of(claim, self.entries) if verdict == "follows" else ()
                         meant_here = ((claim.left.name, each),)
                         return JudgedLink(verdict, other, grade, sources, meant=meant_here)
+        return None
+
+    def _of_unnamed_angle(
+        self, line: ScriptLine, link: Link, worlds: Sequence[World], verdict: Verdict
+    ) -> JudgedLink | None:
+        """A sine, cosine or tangent without its angle, as that of one angle of the story."""
+        for claim in filter(unnamed_in, link.readings):
+            for world in worlds:
+                known = iter(self.naming.candidates(self._base))
+                for angle, each in with_angles(claim, world, known):
+                    grade = self.accuracy(each, world, line, link)
+                    if grade is not None:
+                        sources = sources_of(claim, self.entries) if verdict == "follows" else ()
+                        meant = tuple((name, angle) for name in unnamed_in(claim))
+                        return JudgedLink(verdict, each, grade, sources, meant=meant)
         return None
 
     def _meanings_of(self, phrase: str, event: int | None) -> tuple[Expression, ...]:
@@ -308,10 +353,40 @@ class Judge:
                     best = grade, claim
         return best
 
+    def _with_axes(self, line: ScriptLine) -> ScriptLine:
+        """A line in which a negative component by its axis, *the j component*, has that sense.
+
+        A positive one may be a size, whatever its sense.
+        """
+        known = self.meanings(line.number)
+
+        def put(claim: Claim) -> Claim:
+            if not isinstance(claim.left, Letter) or not names_axis(claim.left.name):
+                return claim
+            meant = known.get(claim.left.name)
+            if not isinstance(meant, Negate):
+                return claim
+            try:
+                negative = bool(np.all(self._base.scalar(claim.right) < 0))
+            except RestitutionError:
+                return claim
+            return replace(claim, left=meant.operand) if negative else claim
+
+        if not any(map(names_axis, known)):
+            return line
+        links = (replace(each, readings=tuple(map(put, each.readings))) for each in line.links)
+        return replace(line, links=tuple(links))
+
     def accuracy(self, claim: Claim, world: World, line: ScriptLine, link: Link) -> Accuracy | None:
         """How exactly a claim holds in a world; None where it does not, or has no value there."""
         meanings = self.meanings(line.number)
-        for each in (claim, *_of_sizes(claim, meanings), *_of_vectors(claim, meanings, world)):
+        forms = (
+            claim,
+            *_of_sizes(claim, meanings),
+            *_of_vectors(claim, meanings, world),
+            *_of_components(claim),
+        )
+        for each in forms:
             try:
                 grade = agrees(each, world, meanings, link.decimals, line.scope)
             except RestitutionError:
@@ -408,6 +483,8 @@ class Judge:
                     return JudgedLink("follows", claim, grade, sources, self._impossible(claim))
         relabelled = (
             self._relabelled(line, link, self.students(), "follows")
+            or self._of_unnamed_angle(line, link, self.students(), "follows")
+            or self._with_own_numbers(line, link)
             or self._adopted(line, link)
             or self._consistent(line, link)
         )
@@ -423,6 +500,17 @@ class Judge:
             if places:
                 numbers = tuple(self.entries[place].number for place in places)
                 return JudgedLink("follows", claim, "exact", numbers, self._impossible(claim))
+        return None
+
+    def _with_own_numbers(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A line that is true with what the student's wrong numbers stand for."""
+        for claim in link.readings:
+            for each, numbers in self._own_numbers.put_back(claim):
+                grade = next(
+                    (g for w in self.worlds if (g := self.accuracy(each, w, line, link))), None
+                )
+                if grade is not None:
+                    return JudgedLink("follows", claim, grade, numbers, right=each)
         return None
 
     def _adopted(self, line: ScriptLine, link: Link) -> JudgedLink | None:
@@ -530,7 +618,9 @@ class Judge:
                 else:
                     missing.add(letter)
             else:
-                if not missing:
+                if unnamed := unnamed_in(claim):
+                    missing.update(unnamed)
+                elif not missing:
                     return JudgedLink("false", claim)
         first = link.readings[0]
         if missing:
@@ -594,6 +684,8 @@ class Judge:
             last = claim.right
             if judged.verdict not in ("true", "follows", "false", "unsupported"):
                 continue
+            if judged.verdict in ("false", "follows"):
+                self._note_number(line, judged, start)
             if not is_numeric(claim.left) or not is_numeric(claim.right):
                 self.entries.append(self._entry(line, link, judged))
             elif judged.verdict == "false" and not is_numeric(start):
@@ -601,6 +693,15 @@ class Judge:
                 del self.entries[first:]
                 whole = replace(judged, claim=replace(claim, left=start))
                 self.entries.append(self._entry(line, link, whole))
+
+    def _note_number(self, line: ScriptLine, judged: JudgedLink, start: Expression) -> None:
+        """Keep a number that is wrong, with what is right in its place."""
+        claim = judged.right or judged.claim
+        named = isinstance(start, Letter | Quantity)
+        if claim.sign == "=" and (named or is_numeric(start)):
+            meant = start if named else claim.left
+            meanings = self.meanings(line.number)
+            self._own_numbers.note(judged.claim.right, meant, meanings, line.number)
 
     def _entry(self, line: ScriptLine, link: Link, judged: JudgedLink) -> Entry:
         entry = self._entry_of(line, link, judged.claim)
@@ -653,6 +754,18 @@ class Judge:
         return ()
 
 
+def _uses_of_variants(variants: Sequence[VariantAt], mistake: Mistake) -> Iterator[Use]:
+    """The altered laws and results of a named mistake in a line with numbers put in."""
+    for variant in variants:
+        if variant.id in mistake.variants:
+            for law in variant.laws:
+                yield Use(law.law, variant.event.number, law.bodies, variant.id)
+            for result in variant.results:
+                kind = _PRINCIPLES.get(str(_kind(result.quantity)))
+                if kind is not None:
+                    yield Use(kind, variant.event.number, (), variant.id)
+
+
 def same_left(one: Claim, other: Claim) -> bool:
     """Whether two claims are about the same letter or quantity."""
     return one.left == other.left
@@ -696,6 +809,19 @@ def _of_vectors(claim: Claim, meanings: Meanings, world: World) -> Iterator[Clai
         return
     for sphere in world.problem.spheres:
         yield replace(claim, left=Quantity("impulse", (Name(sphere.name),), size.stage))
+
+
+def _of_components(claim: Claim) -> Iterator[Claim]:
+    """A claim whose sides are a number and a multiple of i, or of j, without the vector."""
+    sides = claim.left, claim.right
+    units = [{each for each in walk(side) if isinstance(each, Unit)} for side in sides]
+    if claim.others or sorted(map(len, units)) != [0, 1]:
+        return
+    (unit,) = units[0] | units[1]
+    put: dict[Expression, Expression] = {unit: Number(Fraction(1))}
+    left, right = (exchanged(side, put) for side in sides)
+    if not any(isinstance(each, Quantity | Pair) for side in (left, right) for each in walk(side)):
+        yield replace(claim, left=left, right=right)
 
 
 def _lines_of(world: World) -> Iterator[Expression]:

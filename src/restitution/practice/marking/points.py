@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from restitution.explaining.misconceptions import MISCONCEPTIONS
+from restitution.expression.tree import Pair, Unit, walk
 from restitution.practice.judgement import JudgedLine, Judgement, Use
 from restitution.practice.marking.scheme import MarkPoint, Scheme
 from restitution.practice.marking.values import Values
@@ -185,7 +186,8 @@ class _Examiner:
             if line.verdict == "true" and match == "true":
                 last = self._earned(point, line, "")
             elif line.verdict == "follows" and match != "true":
-                state: State = "earned" if point.follows else "lost"
+                through = point.follows and not self._begins_here(point, line)
+                state: State = "earned" if through else "lost"
                 last = PointMark(point, state, line.line.number, "follows from an earlier slip")
             elif line.verdict == "false":
                 if last is not None and last.state == "earned":
@@ -194,9 +196,34 @@ class _Examiner:
             elif line.verdict == "unsupported":
                 why = "does not follow from the lines above"
                 if last is None or last.state != "earned":
-                    state = "lost" if point.shown else "earned"
-                    last = PointMark(point, state, line.line.number, why if point.shown else "")
+                    last = PointMark(point, "lost", line.line.number, why)
         return last or self._missing(point)
+
+    def _begins_here(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a value follows from a mistake in its own working, below all other answers.
+
+        What follows through is a value from before: an answer above, or one that is only quoted.
+        """
+        answers = [
+            mark.line or 0
+            for mark in self.states.values()
+            if mark.point.item is not None and mark.point.item != point.item
+        ]
+        above = max((number for number in answers if number < line.line.number), default=0)
+        roots = [each for each in self._roots(line) if each.line.number > above]
+        return any(not self.values.is_quoted(each) for each in roots)
+
+    def _roots(self, line: JudgedLine) -> list[JudgedLine]:
+        """The false lines from which a line follows, over all lines between."""
+        seen: set[int] = set()
+        pending = list(line.sources)
+        while pending:
+            number = pending.pop()
+            source = self._line(number)
+            if number not in seen and source is not None:
+                seen.add(number)
+                pending += source.sources
+        return [each for each in self.lines if each.line.number in seen and each.verdict == "false"]
 
     def _elimination(self) -> JudgedLine | None:
         """A line in which one unknown is left."""
@@ -226,6 +253,10 @@ class _Examiner:
                 continue
             if place and use.altered is None and use.principle in _LAWS and not implied:
                 continue  # a bare value states no law
+            if (point.principle, use.principle) == ("velocity", "component") and not _has_vector(
+                line
+            ):
+                continue  # one component is no velocity
             if point.event is not None and use.event not in (None, point.event):
                 continue
             own = point.principle in ("unchanged", "impulse", "speed", "angle", "deflection")
@@ -315,11 +346,13 @@ class _Examiner:
                 continue
             if point.letter == "M" and not own.implied and point.principle != "solve":
                 continue
-            if point.letter == "B":
-                continue
             for name in point.above:
                 state = self.states[name]
-                if state.state == "earned" or state.point.shown or name in printed:
+                if point.letter == "B" and state.point.principle not in _RESOLVING:
+                    continue  # what stays implies no more than that it was resolved
+                if state.state == "earned" or state.point.shown:
+                    continue
+                if name in printed and point.letter != "B":
                     continue
                 if point.equation and state.point.principle not in _IN_EQUATIONS:
                     continue  # an equation needs the components in it, and nothing found before
@@ -481,6 +514,9 @@ _LAWS = ("momentum", "restitution", "unchanged")
 # What an equation of a law has in it, so that it cannot be had without them.
 _IN_EQUATIONS = ("component", "unchanged", "angle", "condition", "direction", "fact")
 
+# What a component is found by.
+_RESOLVING = ("component", "angle", "direction")
+
 # Methods that a value of what they are for shows.
 _OF_VALUES = (
     "speed",
@@ -503,6 +539,16 @@ _NAMES: Mapping[str, tuple[str, ...]] = {
     "fact": ("fact", "energy", "angle", "deflection", "speed"),
     "solve": ("solve", "value"),
 }
+
+
+def _has_vector(line: JudgedLine) -> bool:
+    """Whether a vector stands in a line, by its components."""
+    return any(
+        isinstance(node, Unit | Pair)
+        for link in line.line.links
+        for side in (link.readings[0].left, link.readings[0].right)
+        for node in walk(side)
+    )
 
 
 def _ends_fine(line: JudgedLine) -> bool:

@@ -22,6 +22,7 @@ from restitution.practice.letters.interpretation import Interpretation
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.script import Claim
 from restitution.practice.worlds.arrays import Array, UnvaluedError
+from restitution.practice.worlds.principles import is_worked
 from restitution.practice.worlds.student import scattered_world
 from restitution.practice.worlds.world import World
 from restitution.vector import Vector
@@ -98,6 +99,11 @@ class Values:
             for chain in _chains(line)
             for claim in chain
         )
+
+    def is_quoted(self, line: JudgedLine) -> bool:
+        """Whether a line gives a quantity its value and no more, without a calculation."""
+        claims = [link.readings[0] for link in line.line.links]
+        return len(claims) == 1 and not is_worked(claims[0].right)
 
     def carries(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line uses the component of a point: in a velocity, a speed, or as a remark."""

@@ -27,6 +27,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.reading.angles import angular, radians
 from restitution.practice.reading.cursor import Cursor, UnreadableError
+from restitution.practice.reading.phrases import UNNAMED_ANGLE
 from restitution.practice.reading.tokens import Token
 from restitution.practice.reading.vocabulary import INVERSES
 
@@ -402,6 +403,8 @@ class Parser(Cursor):
             tree = self.bare_multiple(name)
         elif self.kind() == "(":
             tree = self.brackets()
+        elif not self.kind() and name in _TRIGONOMETRIC:
+            tree = Letter(UNNAMED_ANGLE)
         else:
             raise self.fail("the angle" if name in _TRIGONOMETRIC else "a number or a letter")
         tree = self.bare_quotient(name, tree)

@@ -28,9 +28,17 @@ from restitution.expression.tree import (
     Unit,
 )
 from restitution.practice.reading.features import AXES, Features, features_of, words_of
-from restitution.problem import Impact, Problem
+from restitution.problem import Find, Impact, Problem, Value
 
-__all__ = ["is_phrase", "names_quantity", "read_phrase", "words_of"]
+__all__ = [
+    "UNNAMED_ANGLE",
+    "UNNAMED_DIRECTION",
+    "is_phrase",
+    "names_axis",
+    "names_quantity",
+    "read_phrase",
+    "words_of",
+]
 
 MAX_CANDIDATES = 40
 # What people compare with the start under any heading.
@@ -50,9 +58,20 @@ def names_quantity(words: Sequence[str], problem: Problem) -> bool:
     return bool(features.heads or features.direction or features.axis is not None)
 
 
+UNNAMED_ANGLE = "an angle"
+"""The argument of a sine, cosine or tangent typed without one: ``tan = 3/4``."""
+UNNAMED_DIRECTION = "the direction"
+"""What *direction* alone is read as: ``direction = 30° below i``."""
+
+
 def is_phrase(name: str) -> bool:
     """Whether the name of a `Letter` is a phrase: it has a blank in it, as no letter has."""
     return " " in name
+
+
+def names_axis(name: str) -> bool:
+    """Whether a phrase names i or j: *the j component*, and so its sense."""
+    return not {"i", "j"}.isdisjoint(name.casefold().split())
 
 
 def read_phrase(words: str, problem: Problem, event: int | None = None) -> tuple[Expression, ...]:
@@ -164,8 +183,18 @@ class _Reader:
             elif "distance" in heads and len(self.features.names) == 2:
                 first, second = self.features.names
                 yield Quantity("distance", (Name(first), Name(second)))
+            elif "distance" in heads:
+                yield from self.asked("distance")
             elif self.features.names:
                 yield from self.velocity(event)
+
+    def asked(self, kind: str) -> Iterator[Expression]:
+        """The quantities of a kind for which the question asks."""
+        for _, step in self.problem.steps():
+            for item in step.items if isinstance(step, Find) else ():
+                tree = item.expression if isinstance(item, Value) else None
+                if isinstance(tree, Quantity) and tree.kind == kind:
+                    yield tree
 
     # -- events, bodies, stages ---------------------------------------------------------------
 

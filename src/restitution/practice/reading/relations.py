@@ -50,11 +50,17 @@ def is_numeric(tree: Expression) -> bool:
 
 
 def is_identity(tokens: Sequence[Token]) -> bool:
-    """Whether a relation is one of functions without their angle: ``sin² + cos² = 1``."""
+    """Whether a relation is one of functions without their angle: ``sin² + cos² = 1``.
+
+    One alone on its side, ``tan = 3/4``, is that of an angle which is not named.
+    """
     for place, token in enumerate(tokens):
         if token.kind != "function":
             continue
         behind = place + 1
+        first = not place or token.gap or tokens[place - 1].kind == "relation"
+        if first and behind < len(tokens) and tokens[behind].kind == "relation":
+            continue
         if [each.kind for each in tokens[behind : behind + 2]] == ["^", "number"]:
             behind += 2
         if behind >= len(tokens) or tokens[behind].kind in ("+", "=", "relation", "/", ")"):

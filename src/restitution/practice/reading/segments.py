@@ -241,4 +241,5 @@ def _is_simple(tokens: Sequence[Token]) -> bool:
     kinds = [each.kind for each in tokens if each.kind not in ("(", ")")]
     if kinds == ["letter"] or kinds == ["phrase"]:
         return True
-    return kinds[:1] == ["function"] and kinds[1:] in (["letter"], ["^", "number", "letter"])
+    angles: tuple[list[str], ...] = ([], ["letter"], ["^", "number", "letter"])
+    return kinds[:1] == ["function"] and kinds[1:] in angles

@@ -427,11 +427,11 @@ def _is_value(claim: Claim, world: World, meanings: Meanings) -> bool:
         )
         spoken = Claim(other, "=", other)
         if named and not any(_quantities(spoken, world, meanings)):
-            return not _letters_of(spoken, meanings) & world.determined and not _is_worked(other)
+            return not _letters_of(spoken, meanings) & world.determined and not is_worked(other)
     return False
 
 
-def _is_worked(tree: Expression) -> bool:
+def is_worked(tree: Expression) -> bool:
     """Whether there is a calculation in a side: a sum of numbers, or a product of two."""
     return any(
         isinstance(node, Binary)
@@ -445,5 +445,5 @@ def _is_worked(tree: Expression) -> bool:
 
 def _is_plain(tree: Expression) -> bool:
     return isinstance(tree, Number) or (
-        isinstance(tree, Binary) and tree.op == "/" and is_bare(tree) and not _is_worked(tree)
+        isinstance(tree, Binary) and tree.op == "/" and is_bare(tree) and not is_worked(tree)
     )

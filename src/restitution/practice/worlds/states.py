@@ -346,8 +346,17 @@ def _unlawful(
 
 
 def _factual(base: World, number: int, step: Event, loose: Parts) -> Iterator[tuple[Block, Parts]]:
-    """The states under each fact of the statement that speaks of them."""
-    search = _Search(base, number, loose)
+    """The states under each fact of the statement that speaks of them.
+
+    Where it relates the directions of two spheres, there are states as well in which nothing
+    changes across the line of centres: components that stay are put into such a fact.
+    """
+    searches = [_Search(base, number, loose)]
+    if isinstance(step, Impact):
+        smooth = {
+            name: (along, _before(base, number, name)[1]) for name, (along, _) in loose.items()
+        }
+        searches.append(_Search(base, number, smooth, along=True))
     for given, now, _ in base.problem.timeline(base.part):
         if not isinstance(given, Given) or now < number:
             continue
@@ -359,9 +368,22 @@ def _factual(base: World, number: int, step: Event, loose: Parts) -> Iterator[tu
                     yield _valid(base, Block(number, given=True)), {**loose, name: (still, still)}
                 continue
             for claim in _claims_of(relation):
-                valid, parts = search.under([claim], now)
-                if valid.any():
-                    yield Block(number, given=True, valid=valid), parts
+                for search in searches if _is_of_two(relation) else searches[:1]:
+                    valid, parts = search.under([claim], now)
+                    if valid.any():
+                        yield Block(number, given=True, valid=valid), parts
+
+
+def _is_of_two(relation: Relation) -> bool:
+    """Whether a fact relates the directions in which two spheres move."""
+    if not isinstance(relation, Aligned):
+        return False
+    moving = [
+        each.arguments
+        for each in (relation.left, relation.right)
+        if isinstance(each, Quantity) and each.kind == "velocity"
+    ]
+    return len(moving) == 2 and moving[0] != moving[1]
 
 
 def _claims_of(relation: Relation) -> Iterator[Claim]:
@@ -370,21 +392,25 @@ def _claims_of(relation: Relation) -> Iterator[Claim]:
         for left, op, right in zip(relation.operands, relation.operators, relation.operands[1:]):
             if op == "=":
                 yield Claim(left, "=", right)
-    elif isinstance(relation, Aligned) and relation.relation == "perpendicular to":
-        product = Quantity("dot", (relation.left, relation.right))
-        yield Claim(product, "=", _ZERO)
+    elif isinstance(relation, Aligned):
+        kind = "dot" if relation.relation == "perpendicular to" else "across"
+        yield Claim(Quantity(kind, (relation.left, relation.right)), "=", _ZERO)
 
 
 _ZERO = Number(Fraction(0))
 
 
 class _Search:
-    """Solves an equation for one component after an event, by Newton's method in every sample."""
+    """Solves an equation for one component after an event, by Newton's method in every sample.
 
-    def __init__(self, base: World, number: int, loose: Parts) -> None:
+    With ``along`` it is a component along the line of centres.
+    """
+
+    def __init__(self, base: World, number: int, loose: Parts, *, along: bool = False) -> None:
         self.base, self.number, self.loose = base, number, loose
         self.copies: dict[int, World] = {}
-        self.places = [(name, k) for k in (0, 1, _ALL) for name in loose]
+        kinds = (0,) if along else (0, 1, _ALL)
+        self.places = [(name, k) for k in kinds for name in loose]
         moved = [self._moved(loose, place, self._step(place)) for place in self.places]
         self.slopes = self._world([loose, *moved])
 
@@ -434,7 +460,7 @@ class _Search:
         slopes = (table[1:] - table[0]) / steps
         worth = np.abs(np.nan_to_num(slopes)).sum(axis=1)
         largest = (nowhere, self.loose)
-        count = 2 * len(self.loose)
+        count = sum(k != _ALL for _, k in self.places)
         speeds = range(count, len(worth))
         for best in (*np.argsort(-worth[:count])[:2], *speeds):
             if worth[best] < 1e-9:

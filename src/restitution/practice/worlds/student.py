@@ -96,6 +96,12 @@ def lawful_world(
     return _solved(scattered_world(base, unknown), [*facts_of(base), *laws], unknown)
 
 
+def smooth_world(base: World, unknown: Collection[str]) -> World | None:
+    """A world of scattered values in which components across lines of centres do not change."""
+    laws = (each for each in laws_of(base) if each.law == "unchanged")
+    return _solved(scattered_world(base, unknown), list(laws), unknown)
+
+
 def altered_world(base: World, variant: VariantAt, unknown: Collection[str] = ()) -> World | None:
     """The world in which a variant of a mistake stands in place of the laws that it replaces."""
     altered = [_of_claim(Claim(law.sides[0], "=", law.sides[1])) for law in variant.laws]

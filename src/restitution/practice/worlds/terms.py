@@ -232,10 +232,12 @@ class _Match:
         """Whether every term of the law is a sum of terms of the line, up to one factor.
 
         A ``usual`` factor is 1 or -1, perhaps divided by a mass. Of two terms any two equal numbers
-        are a multiple: for these no other will do.
+        are a multiple, and of an impulse one side is the sum of the others: for these no other
+        will do.
         """
         count = len(self.terms)
-        if not 2 <= count <= len(self.true) or (count == 2 and not usual):
+        needs_usual = count == 2 or self.slots.law == "impulse"
+        if not 2 <= count <= len(self.true) or (needs_usual and not usual):
             return False
         target, _ = self.terms[0]
         with np.errstate(all="ignore"):

@@ -1,0 +1,40 @@
+"""Angles that are not named: ``tan = 3/4``, ``direction 30°``, and what they may be."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+
+from restitution.explaining.trees import exchanged
+from restitution.expression.tree import Binary, Degrees, Expression, Letter, Negate
+from restitution.practice.judging.entries import names_of
+from restitution.practice.letters.candidates import Candidate
+from restitution.practice.reading.phrases import UNNAMED_ANGLE, UNNAMED_DIRECTION
+from restitution.practice.script import Claim
+from restitution.practice.worlds.world import World
+
+_UNNAMED = frozenset({UNNAMED_ANGLE, UNNAMED_DIRECTION})
+_RIGHT, _STRAIGHT = Degrees(Fraction(90)), Degrees(Fraction(180))
+
+
+def unnamed_in(claim: Claim) -> frozenset[str]:
+    """The angles without a name in a claim."""
+    return names_of(claim) & _UNNAMED
+
+
+def with_angles(
+    claim: Claim, world: World, known: Iterator[Candidate]
+) -> Iterator[tuple[Expression, Claim]]:
+    """Each angle that may be meant, of the statement or of the motion, and the claim with it."""
+    angles: list[Expression] = [Letter(name) for name in sorted(world.angles)]
+    angles += [each.quantity for each in known if each.kind in ("angle", "deflection")]
+    turned = UNNAMED_DIRECTION in unnamed_in(claim)
+    for angle in angles:
+        forms: list[Expression] = [angle, Binary("-", _RIGHT, angle)]
+        if turned:
+            forms += [*map(Negate, forms), Binary("-", _STRAIGHT, angle)]
+        for each in forms:
+            put: dict[Expression, Expression] = {Letter(name): each for name in _UNNAMED}
+            left, right = (exchanged(side, put) for side in (claim.left, claim.right))
+            yield each, replace(claim, left=left, right=right)

@@ -1,0 +1,88 @@
+"""Numbers that a student worked out wrongly and goes on with.
+
+A line with such a number in it follows where it is true with what the number was worked out from.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+from itertools import product
+
+from restitution.explaining.trees import exchanged
+from restitution.expression.tree import Binary, Expression, Letter, Negate, Number, children, walk
+from restitution.practice.judging.entries import Meanings
+from restitution.practice.script import Claim
+
+_MOST = 3
+"""So many of the numbers in a line are put back at once: each may have either sign."""
+_SMALL = frozenset(map(Fraction, (0, 1)))
+
+
+class OwnNumbers:
+    """The wrong numbers of a script so far, each with what it stands for and its line."""
+
+    def __init__(self) -> None:
+        self._known: dict[Fraction, tuple[Expression, int]] = {}
+
+    def __bool__(self) -> bool:
+        return bool(self._known)
+
+    def note(self, value: Expression, meant: Expression, meanings: Meanings, line: int) -> None:
+        """Note that ``value``, a number, stands where ``meant`` would be right."""
+        size = _size(value)
+        if size is None or size in _SMALL or size in map(_size, walk(meant)):
+            return
+        names: dict[Expression, Expression] = {
+            each: meanings[each.name]
+            for each in walk(meant)
+            if isinstance(each, Letter) and each.name in meanings
+        }
+        tree = exchanged(meant, names)
+        self._known[size] = (Negate(tree) if _is_negative(value) else tree), line
+
+    def put_back(self, claim: Claim) -> Iterator[tuple[Claim, tuple[int, ...]]]:
+        """A claim with what its wrong numbers stand for, and the lines that these are from."""
+        sizes = {size for side in (claim.left, claim.right) for size in _sizes(side)}
+        own = [size for size in self._known if size in sizes][-_MOST:]
+        if not own or claim.others:
+            return
+        lines = tuple(dict.fromkeys(self._known[size][1] for size in own))
+        for signs in product((False, True), repeat=len(own)):
+            put: dict[Fraction, Expression] = {}
+            for size, turned in zip(own, signs, strict=True):
+                tree = self._known[size][0]
+                put[size] = Negate(tree) if turned else tree
+            left, right = (_with(side, put) for side in (claim.left, claim.right))
+            yield replace(claim, left=left, right=right), lines
+
+
+def _size(tree: Expression) -> Fraction | None:
+    """The size of a number as it stands; None for any other tree."""
+    inside = tree.operand if isinstance(tree, Negate) else tree
+    return inside.value if isinstance(inside, Number) else None
+
+
+def _is_negative(tree: Expression) -> bool:
+    return isinstance(tree, Negate)
+
+
+def _sizes(tree: Expression) -> Iterator[Fraction]:
+    """The numbers of a tree, without exponents."""
+    if isinstance(tree, Number):
+        yield tree.value
+    elif isinstance(tree, Binary) and tree.op == "^":
+        yield from _sizes(tree.left)
+    else:
+        for child in children(tree):
+            yield from _sizes(child)
+
+
+def _with(tree: Expression, put: dict[Fraction, Expression]) -> Expression:
+    """A tree with other trees in place of some numbers; exponents stay."""
+    if isinstance(tree, Number):
+        return put.get(tree.value, tree)
+    if isinstance(tree, Binary) and tree.op == "^":
+        return replace(tree, left=_with(tree.left, put))
+    return exchanged(tree, {child: _with(child, put) for child in children(tree)})
