@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from restitution import solve
 from restitution.language import parse
-from restitution.problem import Find, Given, Impact, Part, Show
+from restitution.problem import Find, Given, Impact, Let, Part, Show
 
 STATEMENT = """
 wall W: along i
@@ -68,3 +69,45 @@ def test_a_part_of_another_problem_is_refused() -> None:
     problem = parse(STATEMENT)
     with pytest.raises(ValueError, match="not in"):
         list(problem.timeline(Part("c", (Find(()), Given(())))))
+
+
+NAMES = """
+wall W: along i
+sphere P: velocity u at alpha to W
+part a
+P hits W: e = 1/2
+let beta = angle(velocity(P), W)
+let gamma = 2 beta
+find tan(beta)
+part b
+wall V: along j
+P hits V: e = 1/3
+{own}
+find {asked}
+"""
+
+
+@pytest.mark.parametrize(
+    ("own", "asked", "expected"),
+    [
+        ("", "tan(beta)", [("beta", 1)]),
+        ("", "tan(gamma)", [("beta", 1), ("gamma", 1)]),
+        ("", "speed(P)", []),
+        ("given alpha + beta = 90°", "tan(alpha)", [("beta", 1)]),
+        ("let beta = angle(velocity(P), V)", "tan(beta)", [("beta", 2)]),
+        ("unknown beta", "speed(P)", []),
+    ],
+)
+def test_a_name_of_an_earlier_part_goes_on_where_it_is_used(
+    own: str, asked: str, expected: list[tuple[str, int]]
+) -> None:
+    problem = parse(NAMES.format(own=own, asked=asked))
+    lets = [(s.letter, n) for s, n, _ in problem.timeline(problem.parts[-1]) if isinstance(s, Let)]
+    assert lets == expected
+
+
+def test_a_name_of_an_earlier_part_means_the_quantity_as_it_was() -> None:
+    # tan β = ½ tan α at the first wall, so that α + β = 90° where tan²α = 2.
+    problem = parse(NAMES.format(own="given alpha + beta = 90°", asked="tan(alpha)"))
+    (answer,) = solve(problem).parts["b"].items
+    assert [each.exact for each in answer.answers] == ["sqrt(2)"]

@@ -14,7 +14,7 @@ from fractions import Fraction
 from typing import Any, Literal, NamedTuple
 
 from restitution.errors import StatementError
-from restitution.expression.tree import Expression, Name, Pair, Place, rational
+from restitution.expression.tree import Expression, Name, Pair, Place, letters, rational
 from restitution.mending import Note
 from restitution.shapes import Circle, Line, Segment, Shape
 
@@ -381,18 +381,42 @@ class Problem:
 
         With a part, only what concerns it: the events of the parts up to it, the facts, names
         and unknown letters in force in it, which are its own and those before the first ``part``
-        line, and its own questions. Raises ValueError for a part of another problem.
+        line, the names of earlier parts that it uses, and its own questions. Raises ValueError
+        for a part of another problem.
         """
         last = len(self.parts) - 1 if part is None else self.parts.index(part)
+        earlier = () if part is None else self._names_used(last)
         events = 0
         for number, each in enumerate(self.parts[: last + 1]):
             own = part is None or number == last
             for step in each.steps:
                 if isinstance(step, Event):
                     events += 1
-                elif not own and (each.label is not None or isinstance(step, Find | Show)):
+                elif own or any(step is name for name in earlier):
+                    pass
+                elif each.label is not None or isinstance(step, Find | Show):
                     continue
                 yield Moment(step, events, each)
+
+    def _names_used(self, last: int) -> tuple[Let, ...]:
+        """The names that earlier labelled parts gave and this one uses, without naming anew."""
+        named: dict[str, Let] = {}
+        for each in self.parts[:last]:
+            if each.label is not None:
+                named |= {step.letter: step for step in each.steps if isinstance(step, Let)}
+        if not named:
+            return ()
+        own = self.parts[last].steps
+        anew = {step.letter for step in own if isinstance(step, Let)}
+        anew |= {letter for step in own if isinstance(step, Unknown) for letter in step.letters}
+        pending = [tree for step in own for tree in trees_of_step(step)]
+        used: dict[str, Let] = {}
+        while pending:
+            for letter in letters(pending.pop()) - anew - set(used):
+                if letter in named:
+                    used[letter] = named[letter]
+                    pending.append(named[letter].expression)
+        return tuple(used.values())
 
     def asked(self, part: Part) -> Iterator[tuple[Item | Show, int]]:
         """The items and shows of a part, each with the number of events before it."""
