@@ -24,7 +24,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.conditions import has_quantity_in
-from restitution.planning.desk import NotPlannedError
+from restitution.planning.desk import UNPLANNED
 from restitution.planning.forms import tree_of
 from restitution.planning.givens import write_given
 from restitution.planning.impacts import residual
@@ -109,7 +109,7 @@ class Ties:
         mark = self.worths.mark()
         try:
             line = attempt()
-        except NotPlannedError:
+        except UNPLANNED:
             line = None
         if line is None:
             self.worths.back(mark)

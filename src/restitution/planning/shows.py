@@ -29,13 +29,23 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning.angles import write_other_ratio
 from restitution.planning.claims import Claims
 from restitution.planning.comparisons import Comparison
 from restitution.planning.conditions import has_quantity_in
 from restitution.planning.deflections import cosine_of_deflection
-from restitution.planning.desk import NotPlannedError, chain, together
+from restitution.planning.desk import UNPLANNED, NotPlannedError, chain, together
 from restitution.planning.extrema import write_extremum
-from restitution.planning.forms import ZERO, alike, negative, product, square, swept, tree_of
+from restitution.planning.forms import (
+    ZERO,
+    alike,
+    is_rational,
+    negative,
+    product,
+    square,
+    swept,
+    tree_of,
+)
 from restitution.planning.items import in_a_frame, is_named
 from restitution.planning.order import Solver
 from restitution.planning.polynomials import expanded
@@ -99,7 +109,8 @@ def _print_form(scene: Scene, line: int, relation: Relation) -> None:
         return
     (link,), links = relation.only, own.only
     right = links[-1].right
-    if links[0].left == link.left and right != link.right and alike(right, link.right):
+    same = links[0].left == link.left and right != link.right
+    if same and _is_form_of(scene, (right, link.right)):
         scene.desk.reword(line, link.right)
 
 
@@ -180,9 +191,9 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
                 return line, scene.desk.relation(line)
             if (turned := _turned_by(claims, link)) is not None:
                 return turned, scene.desk.relation(turned)
-            component = _component_shown(claims, link)
-            if component is not None:
-                return component
+            for shown in (_component_shown, _letter_shown):
+                if (known := shown(claims, link)) is not None:
+                    return known
             return _Equation(claims, link).write(), Relation(((link,),))
         case Compare(operators=operators) if "=" not in operators:
             links = links_of(scene.problem, item.relation, now)
@@ -240,6 +251,59 @@ def _component_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:
             return line, relation
     claims.worths.back(mark)
     return None
+
+
+def _letter_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:
+    """A letter that the facts fix, or a ratio of it, worked out as one that is asked.
+
+    It is then brought into the printed form.
+    """
+    scene, mark = claims.scene, claims.worths.mark()
+    match link.left:
+        case Letter(name) | Apply("sin" | "cos" | "tan", Letter(name)):
+            pass
+        case _:
+            return None
+    if f"let {name}" in scene.facts or has_quantity(link.right) or name in letters(link.right):
+        return None
+    symbol = scene.model.unknowns.letter(name)
+    if symbol not in scene.unknown(symbol):
+        return None
+    try:
+        claims.solver.determine([symbol])
+    except NotPlannedError:
+        claims.worths.back(mark)
+        return None
+    if isinstance(link.left, Apply) and scene.desk.known(link.left) is None:
+        write_other_ratio(scene, symbol, link.left.function)
+    known = scene.desk.known(link.left)
+    line = next((ref for ref in known.refs if isinstance(ref, int)), None) if known else None
+    relation = chain(link.left, (link.right, None))
+    if line is not None and known is not None and not _says(scene, line, link):
+        # What was worked out since is put in; then the form is that which is printed.
+        pool = [line, *scene.put(known.value)[1], *claims.judge.known(letters(link.right))]
+        line = claims.judge.write(_LAST, pool, relation)
+    if line is None:
+        claims.worths.back(mark)
+        return None
+    return line, relation
+
+
+def _says(scene: Scene, line: int, link: Link) -> bool:
+    """Whether a line is an equation, but for the order of its factors."""
+    if len(scene.desk.relation(line).options) > 1:
+        return False
+    own = scene.desk.last_link(line)
+    same = own.sign == link.sign and own.left == link.left
+    return same and _is_form_of(scene, (own.right, link.right))
+
+
+def _is_form_of(scene: Scene, pair: tuple[Expression, Expression]) -> bool:
+    """Whether two expressions are one, but for the order of factors or a decimal point."""
+    if all(is_rational(each.operand if isinstance(each, Negate) else each) for each in pair):
+        one, other = (sp.sympify(scene.scalar(each), strict=True) for each in pair)
+        return bool(one == other)
+    return alike(*pair)
 
 
 def _turned_by(claims: Claims, link: Link) -> int | None:
@@ -427,12 +491,50 @@ class _Equation:
     # --- letters --------------------------------------------------------------------------------
 
     def _of_letters(self) -> int:
-        """A relation of letters: the equation that the facts give, rearranged."""
+        """A relation of letters: the equation that the facts give, or the letters by themselves."""
+        mark = self.claims.worths.mark()
+        try:
+            return self._of_ties()
+        except UNPLANNED:
+            self.claims.worths.back(mark)
+            line = self._worked_out()
+            if line is None:
+                raise
+            return line
+
+    def _worked_out(self) -> int | None:
+        """The letters that the facts fix, worked out as those that are asked."""
+        scene = self.scene
+        names = letters(self.link.left) | letters(self.link.right)
+        fixed = {symbol for symbol in scene.model.final if symbol.name in names}
+        free = scene.free & fixed
+        scene.free -= free
+        try:
+            for symbol in sorted(fixed & scene.unknown(sp.Add(*fixed)), key=str):
+                self.claims.solver.determine([symbol])
+                standing = self._standing()
+                if standing is not None:
+                    return standing
+            known = (scene.desk.known(Letter(symbol.name)) for symbol in fixed)
+            lines = [ref for own in known if own for ref in own.refs]
+            return self._last([*lines, *self.judge.known(names)]) if lines else None
+        finally:
+            scene.free |= free
+
+    def _of_ties(self) -> int:
+        """The equation that the facts give, rearranged."""
         lines = self.claims.ties.lines()
         known = self.judge.known(letters(self.link.left) | letters(self.link.right))
         for each in lines:
+            cleared = self._cleared(each, known)
+            if cleared is not None:
+                return cleared
+        standing = self._standing()
+        if standing is not None:
+            return standing
+        for each in lines:
             others = [other for other in lines if other != each]
-            line = self._cleared(each, known) or self._last([each, *others, *known])
+            line = self._last([each, *others, *known])
             if line is not None:
                 return line
         for each in lines:
@@ -440,6 +542,13 @@ class _Equation:
             if line is not None:
                 return line
         raise NotPlannedError("a relation of letters")
+
+    def _standing(self) -> int | None:
+        """The line in force that says what is to be shown already, on the way to something else."""
+        desk = self.scene.desk
+        lines = (line.number for line in desk.lines if isinstance(line.relation, Relation))
+        said = (line for line in lines if _says(self.scene, line, self.link))
+        return next((line for line in said if desk.holds(line)), None)
 
     def _rooted(self, line: int, others: Sequence[int], known: Sequence[Ref]) -> int | None:
         """A letter, or a ratio of one, by its square, of which the root is taken last."""

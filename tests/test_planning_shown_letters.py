@@ -1,0 +1,85 @@
+"""What the facts make of a letter, shown in the printed form: values, ratios, powers, equations."""
+
+from __future__ import annotations
+
+import pytest
+
+from restitution.explaining.derivation import Relation
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import write_relation
+from restitution.language.reading import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solving import solve
+from restitution.solving.letters import roles
+
+WALL = "wall W: along i\nsphere P: mass 1/2, velocity {velocity}\nP hits W{e}\n"
+BALL = WALL.format(velocity="6 at alpha to W", e="")
+PAIR = (
+    "sphere A: mass 2m, velocity {velocity}\nsphere B: mass {mass}, {motion}\n"
+    "A hits B: along i{e}\n"
+)
+NUMBERS = "sphere A: mass 2, velocity 4i + 3j\nsphere B: mass 5, velocity -2i\nA hits B: along i\n"
+EQUAL = "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\n"
+
+
+# Each with its last line, worked out by hand from the laws.
+CASES = {
+    "a coefficient by the direction after a wall": (
+        BALL + "given tan(alpha) = 4/3, tan(angle(velocity(P), W)) = 1/3\nshow e = 1/4",
+        "e = 1/4",
+    ),
+    "a coefficient by the speed after a wall": (
+        WALL.format(velocity="6i - 3j", e="") + "given speed(P) = 6.5\nshow e = 5/6",
+        "e = 5/6",
+    ),
+    "an angle by a deflection": (
+        WALL.format(velocity="u at alpha to W", e=": e = 1/3")
+        + "given deflection(P) = 90°\nshow alpha = 60°",
+        "alpha = 60°",
+    ),
+    "a tangent, of which the cosine is found": (
+        WALL.format(velocity="u at alpha to W", e=": e = 1/3")
+        + "given speed(P) = u/2\nshow tan(alpha) = 3 sqrt(15)/5",
+        "tan(alpha) = 3sqrt(15)/5",
+    ),
+    "a mass in terms of another": (
+        PAIR.format(velocity="3u i", mass="M", motion="at rest", e=", e = 1/2")
+        + "given velocity(B) = 2u i\nshow M = 5/2 m",
+        "M = 5/2 m",
+    ),
+    "a square as a decimal, and then its root": (
+        NUMBERS + "given energy_lost = 18\nshow e^2 = 0.3",
+        "e^2 = 0.3",
+    ),
+    "the square of a sine": (
+        WALL.format(velocity="8 at theta to W", e=": e = 1/2")
+        + "given energy_lost = 3\nshow sin(theta)^2 = 1/4",
+        "sin^2(theta) = 1/4",
+    ),
+    "a quadratic in a tangent": (
+        EQUAL
+        + "A hits B: along i, e = 1/2\ngiven tan(deflection(A)) = 3/4\n"
+        + "show 4tan(alpha)^2 - 4tan(alpha) + 1 = 0",
+        "4tan^2(alpha) - 4tan(alpha) + 1 = 0",
+    ),
+    "a coefficient by an impulse": (
+        PAIR.format(velocity="2u i + u j", mass="m", motion="velocity -u i", e="")
+        + "given impulse = 3 m u\nshow e = 1/2",
+        "e = 1/2",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_what_the_facts_make_of_a_letter_is_shown(name: str) -> None:
+    text, last = CASES[name]
+    problem = parse(text)
+    derivation = plan(solve(problem))  # raises where there is no plan
+    assert not follow(derivation, Oracle(roles(problem)))
+    (end,) = derivation.items
+    assert write_relation(end.answer) == last
+    (link,) = end.answer.only
+    line = derivation.line(end.line).relation
+    assert isinstance(line, Relation)
+    assert (line.only[0].left, line.only[-1].right) == (link.left, link.right)
