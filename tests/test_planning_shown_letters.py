@@ -20,6 +20,11 @@ PAIR = (
     "A hits B: along i{e}\n"
 )
 NUMBERS = "sphere A: mass 2, velocity 4i + 3j\nsphere B: mass 5, velocity -2i\nA hits B: along i\n"
+VECTORS = "sphere A: mass 2, velocity 3i + j\nsphere B: mass 3, velocity -i + 2j\nA hits B\n"
+PARALLEL = (
+    "wall AB: along i\nwall CD: along i\nsphere P: velocity v at alpha to AB\n"
+    "P hits AB: e = 2/3\nP hits CD: e = 2/3\n"
+)
 EQUAL = "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\n"
 
 
@@ -62,6 +67,14 @@ CASES = {
         + "A hits B: along i, e = 1/2\ngiven tan(deflection(A)) = 3/4\n"
         + "show 4tan(alpha)^2 - 4tan(alpha) + 1 = 0",
         "4tan^2(alpha) - 4tan(alpha) + 1 = 0",
+    ),
+    "the tangent of half an angle, for which the working has a letter": (
+        PARALLEL + "given angle(velocity(P), CD) = alpha/2\nshow tan(alpha/2) = 1/3",
+        "tan(alpha/2) = 1/3",
+    ),
+    "a line of centres by the change of a velocity, in the other sense": (
+        VECTORS + "given velocity(A) = i + 3j\nshow line_of_centres parallel to -i + j",
+        "line_of_centres(1) parallel to -i + j",
     ),
     "a coefficient by an impulse": (
         PAIR.format(velocity="2u i + u j", mass="m", motion="velocity -u i", e="")

@@ -12,7 +12,7 @@ import sympy as sp
 
 from restitution.components import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, MoveId, Ref, Relation
+from restitution.explaining.derivation import Link, Meaning, Move, MoveId, Ref, Relation
 from restitution.explaining.facts import links_of, staged
 from restitution.expression.tree import (
     Apply,
@@ -380,10 +380,29 @@ def _aligned(claims: Claims, relation: Aligned, now: int) -> tuple[int, Relation
     """How two directions stand to each other, by their components."""
     scene = claims.scene
     (link,) = links_of(scene.problem, relation, now)
+    if relation.relation == "parallel to":
+        for own in (link, Link(link.right, link.sign, link.left)):
+            match own:
+                case Link(Quantity("line_of_centres", (), int(event)), _, right) if not (
+                    has_quantity(right) or isinstance(right, Name)
+                ):
+                    return _axis_shown(claims, event, own)
     if relation.relation != "perpendicular to" and not isinstance(link.right, Name):
         return _common_direction(claims, relation, link)
     record = "perpendicular" if relation.relation == "perpendicular to" else "parallel"
     return _tied(claims, record, (link.left, link.right), Relation(((link,),)))
+
+
+def _axis_shown(claims: Claims, event: int, link: Link) -> tuple[int, Relation]:
+    """A line of centres that is worked out, in the printed direction."""
+    relation = Relation(((link,),))
+    lines = [ref for ref in claims.scene.frame(event).refs if isinstance(ref, int)]
+    if not lines:
+        raise NotPlannedError("a line of centres that is given")
+    line = claims.judge.write((Move("rearrange"),), lines, relation)
+    if line is None:
+        raise NotPlannedError("another direction of a line of centres")
+    return line, relation
 
 
 def _tied(
@@ -512,7 +531,7 @@ class _Equation:
         try:
             for symbol in sorted(fixed & scene.unknown(sp.Add(*fixed)), key=str):
                 self.claims.solver.determine([symbol])
-                standing = self._standing()
+                standing = self._standing() or self._by_its_letter()
                 if standing is not None:
                     return standing
             known = (scene.desk.known(Letter(symbol.name)) for symbol in fixed)
@@ -520,6 +539,23 @@ class _Equation:
             return self._last([*lines, *self.judge.known(names)]) if lines else None
         finally:
             scene.free |= free
+
+    def _by_its_letter(self) -> int | None:
+        """What the working has a letter for, by the line that says what that is."""
+        desk = self.scene.desk
+        for let in desk.lines:
+            if isinstance(let.relation, Meaning) and let.relation.quantity == self.link.left:
+                own = replace(self.link, left=Letter(let.relation.letter))
+                line = next((e for e in self._equations() if _says(self.scene, e, own)), None)
+                if line is not None:
+                    return self.judge.write((Move("put"),), [line, let.number], self.relation)
+        return None
+
+    def _equations(self) -> Iterator[int]:
+        """The lines in force that are equations."""
+        desk = self.scene.desk
+        lines = (line.number for line in desk.lines if isinstance(line.relation, Relation))
+        return filter(desk.holds, lines)
 
     def _of_ties(self) -> int:
         """The equation that the facts give, rearranged."""
@@ -545,10 +581,7 @@ class _Equation:
 
     def _standing(self) -> int | None:
         """The line in force that says what is to be shown already, on the way to something else."""
-        desk = self.scene.desk
-        lines = (line.number for line in desk.lines if isinstance(line.relation, Relation))
-        said = (line for line in lines if _says(self.scene, line, self.link))
-        return next((line for line in said if desk.holds(line)), None)
+        return next((e for e in self._equations() if _says(self.scene, e, self.link)), None)
 
     def _rooted(self, line: int, others: Sequence[int], known: Sequence[Ref]) -> int | None:
         """A letter, or a ratio of one, by its square, of which the root is taken last."""

@@ -276,14 +276,16 @@ def _direction(derivation: Derivation, number: int) -> Vector | None:
     if any(e.move.record == "chord" and e.move.event == number for e in derivation.lines):
         return None  # components on a chord are known before that direction is
     axis = Quantity("line_of_centres", (), number)
-    # The last line that tells it has the sense in which components are taken; below them it may
-    # stand again, with a letter put in that was sought.
+    # Components are taken in the sense of the line that they cite, or of the last above them;
+    # below them it may stand again, with a letter put in that was sought.
     lines = [] if derivation.cases else derivation.lines
     resolved = [e.move.record == "component" and e.move.event == number for e in lines]
     first = resolved.index(True) if True in resolved else len(lines)
+    cited = lines[first].premises if first < len(lines) else ()
+    above = sorted(lines[:first], key=lambda line: (line.number not in cited, -line.number))
     sources: list[Line | Fact] = [
         each
-        for each in (*reversed(lines[:first]), *reversed(lines[first:]))
+        for each in (*above, *reversed(lines[first:]))
         if not isinstance(each.relation, Meaning)
     ]
     fact = derivation.fact(" ".join(("axis", str(number))))
