@@ -31,6 +31,7 @@ class OwnNumbers:
 
     def note(self, value: Expression, meant: Expression, meanings: Meanings, line: int) -> None:
         """Note that ``value``, a number, stands where ``meant`` would be right."""
+        value, meant = _without_root(value, meant)
         size = _size(value)
         if size is None or size in _SMALL or size in map(_size, walk(meant)):
             return
@@ -56,6 +57,16 @@ class OwnNumbers:
                 put[size] = Negate(tree) if turned else tree
             left, right = (_with(side, put) for side in (claim.left, claim.right))
             yield replace(claim, left=left, right=right), lines
+
+
+def _without_root(value: Expression, meant: Expression) -> tuple[Expression, Expression]:
+    """A number above a root, which cancels later, and what is right in its place."""
+    turned = isinstance(value, Negate)
+    inside = value.operand if isinstance(value, Negate) else value
+    if not (isinstance(inside, Binary) and inside.op == "/" and _size(inside.right) is None):
+        return value, meant
+    above = Negate(inside.left) if turned else inside.left
+    return above, Binary("*", meant, inside.right)
 
 
 def _size(tree: Expression) -> Fraction | None:

@@ -267,7 +267,8 @@ def _of_impact(
     yield Candidate(centres, "direction", "vector", None, number)
     for unit in AXES:
         angle = Quantity("angle", (centres, unit))
-        yield Candidate(angle, "angle", "angle", None, number, cost=0.3)
+        usual = 0.0 if event.offset is not None and unit == Unit("i") else 0.3
+        yield Candidate(angle, "angle", "angle", None, number, cost=usual)
         tangent = Apply("tan", angle)
         yield Candidate(tangent, "tangent", "scalar", None, number, cost=0.4)
     if len(spheres) == 2:

@@ -45,6 +45,8 @@ _DEFINED, _STARTED = -0.15, 0.6
 # What is left of the worth of a line that is true in a less usual reading alone.
 _UNUSUAL = 0.75
 _SAME = 1e-9
+# What a meaning costs more that is zero whatever happens: lines of it say that zero is zero.
+_IDLE = 2.5
 # What it costs that a line would be true in the other sense of its letters; less in one that may
 # be of restitution, as it is that of momentum that tells the sense.
 _WRONG_SENSE, _OTHER_WAY = 1.0, 0.3
@@ -134,6 +136,8 @@ def slot_of(
         if value is None or key is None or (same := (candidate.body, candidate.event, key)) in seen:
             continue
         seen.add(same)
+        if _makes_idle(value, tester):
+            candidate = replace(candidate, cost=candidate.cost + _IDLE)
         for sense in (1, -1) if candidate.sensed else (1,):
             chosen = candidate if sense > 0 else candidate.turned()
             nature = _nature(value)
@@ -148,6 +152,14 @@ def slot_of(
         for nature, each in values.items()
     }
     return Slot(letter, tuple(options), known, tuple(roots), tuple(turns), segment)
+
+
+def _makes_idle(value: Value, tester: Tester) -> bool:
+    """Whether a value is zero, or a right angle, at all samples: much is true of it by accident."""
+    parts = [tester.world.spread(each) for each in _parts(value)]
+    if isinstance(value, Angle):
+        return bool(np.all(np.abs(np.sin(2 * parts[0])) < _SAME))
+    return all(bool(np.all(np.abs(each) < _SAME)) for each in parts)
 
 
 def _nature(value: Value) -> Nature:

@@ -7,6 +7,7 @@ method, or a value reached; a value that cannot be had without a method earns th
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
@@ -124,7 +125,11 @@ class _Examiner:
         by_value = self._by_value(point)
         if by_value is not None:
             return self._earned(point, by_value, "")
-        if lost is None and point.principle in ("solve", "condition", "method", "inequality"):
+        if point.principle == "inequality":
+            conclusion = self._conclusion()
+            if conclusion is not None:
+                return self._earned(point, conclusion, "")
+        elif lost is None and point.principle in ("solve", "condition", "method"):
             line_of_value = self._elimination()
             if line_of_value is not None:
                 return self._earned(point, line_of_value, "")
@@ -197,6 +202,13 @@ class _Examiner:
                 why = "does not follow from the lines above"
                 if last is None or last.state != "earned":
                     last = PointMark(point, "lost", line.line.number, why)
+        if last is None and self.values.is_velocity(point):
+            seen = next((each for each in self.lines if self.values.shows(point, each)), None)
+            last = None if seen is None else self._earned(point, seen, "")
+        if last is None and point.shown and point.principle == "inequality":
+            conclusion = self._conclusion()
+            if conclusion is not None and _CONCLUDING.search(conclusion.line.text):
+                last = self._earned(point, conclusion, "")
         return last or self._missing(point)
 
     def _begins_here(self, point: MarkPoint, line: JudgedLine) -> bool:
@@ -224,6 +236,16 @@ class _Examiner:
                 seen.add(number)
                 pending += source.sources
         return [each for each in self.lines if each.line.number in seen and each.verdict == "false"]
+
+    def _conclusion(self) -> JudgedLine | None:
+        """A line that compares two values, or says in words what comes of it."""
+        for line in self.lines:
+            signs = {link.readings[0].sign for link in line.line.links}
+            if line.verdict in _SOUND and signs - {"=", "!="}:
+                return line
+            if line.verdict in ("remark", *_SOUND) and _CONCLUDING.search(line.line.text):
+                return line
+        return None
 
     def _elimination(self) -> JudgedLine | None:
         """A line in which one unknown is left."""
@@ -253,6 +275,10 @@ class _Examiner:
                 continue
             if place and use.altered is None and use.principle in _LAWS and not implied:
                 continue  # a bare value states no law
+            if place and line.uses[0].principle == "fact" and not self.values.has_coefficient(line):
+                continue  # a fact of the question needs no law
+            if point.principle == "fact" and not self.values.speaks_of(point, use.principle):
+                continue
             if (point.principle, use.principle) == ("velocity", "component") and not _has_vector(
                 line
             ):
@@ -508,6 +534,9 @@ class _Examiner:
     def _line(self, number: int | None) -> JudgedLine | None:
         return next((each for each in self.lines if each.line.number == number), None)
 
+
+# The words in which it is said whether bodies meet.
+_CONCLUDING = re.compile(r"\b(again|collide|collides|collision|hit|hits|meet|catch)\b", re.I)
 
 _LAWS = ("momentum", "restitution", "unchanged")
 

@@ -224,7 +224,7 @@ def _points(derivation: Derivation, solved: PartSolution) -> Iterator[MarkPoint]
                 depends=tuple(rests if mark.kind == "M" else method),
                 above=(*under, *(p.id for p in by_line.get(line.number, ()))),
                 end=ends.get(line.number),
-                item=items.get(line.item or ""),
+                item=items.get(_item_of(line, ends)),
             )
             by_line.setdefault(line.number, []).append(point)
             yield point
@@ -242,6 +242,12 @@ def _points(derivation: Derivation, solved: PartSolution) -> Iterator[MarkPoint]
                 above=(f"{label or ''}{count - 1}",) if mark.kind == "A" else (),
                 item=items.get(note.item),
             )
+
+
+def _item_of(line: Line, ends: Mapping[int, ItemEnd]) -> str:
+    """The item that a line ends, or to which it belongs."""
+    end = ends.get(line.number)
+    return (line.item or "") if end is None else end.item
 
 
 def _items(derivation: Derivation, label: str | None) -> list[str]:

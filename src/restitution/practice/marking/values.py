@@ -16,7 +16,15 @@ import numpy as np
 
 from restitution.explaining.trees import exchanged
 from restitution.expression.evaluate import Angle, Value
-from restitution.expression.tree import Expression, Letter, Negate, Number, Quantity, children
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    Quantity,
+    children,
+    walk,
+)
 from restitution.practice.judgement import JudgedLine, Meaning
 from restitution.practice.letters.interpretation import Interpretation
 from restitution.practice.marking.scheme import MarkPoint
@@ -25,6 +33,7 @@ from restitution.practice.worlds.arrays import Array, UnvaluedError
 from restitution.practice.worlds.principles import is_worked
 from restitution.practice.worlds.student import scattered_world
 from restitution.practice.worlds.world import World
+from restitution.problem import Impact
 from restitution.vector import Vector
 
 Match = Literal["true", "own"]
@@ -32,6 +41,13 @@ Match = Literal["true", "own"]
 _NEAR = 1e-7
 _ROUNDED = 2e-3
 _IMPULSE = ("I", "J")
+# The quantities of which a line of a principle speaks.
+_KINDS_OF_FACTS: Mapping[str, frozenset[str]] = {
+    "speed": frozenset({"speed", "energy", "energy_lost", "total_energy_lost"}),
+    "energy": frozenset({"speed", "energy", "energy_lost", "total_energy_lost"}),
+    "deflection": frozenset({"deflection", "angle", "direction"}),
+    "angle": frozenset({"deflection", "angle", "direction", "line_of_centres"}),
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,6 +115,43 @@ class Values:
             for chain in _chains(line)
             for claim in chain
         )
+
+    def is_velocity(self, point: MarkPoint) -> bool:
+        """Whether a point is for a velocity."""
+        left = point.link.left if point.link is not None else None
+        return isinstance(left, Quantity) and left.kind == "velocity" and not point.shown
+
+    def shows(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether the value of a velocity stands in a remark: ``so both 0.6i + j``."""
+        link = point.link
+        return (
+            link is not None
+            and line.verdict == "remark"
+            and any(self._is_worth(value, link.left, line) for value in line.line.values)
+        )
+
+    def has_coefficient(self, line: JudgedLine) -> bool:
+        """Whether a coefficient of restitution stands in a line, by its letter or its value."""
+        given = {Letter("e")} | {
+            step.e for step in self._base.events if isinstance(step, Impact) and step.e is not None
+        }
+        return any(
+            node in given
+            for link in line.line.links
+            for side in (link.readings[0].left, link.readings[0].right)
+            for node in walk(side)
+        )
+
+    def speaks_of(self, point: MarkPoint, principle: str) -> bool:
+        """Whether a fact may be stated by a line of a principle: one of energy speaks of energies.
+
+        A fact without a quantity may be stated in any of them.
+        """
+        link = point.link
+        if principle == "fact" or link is None:
+            return True
+        kinds = {each.kind for side in (link.left, link.right) for each in _within(side)}
+        return not kinds or bool(kinds & _KINDS_OF_FACTS.get(principle, kinds))
 
     def is_quoted(self, line: JudgedLine) -> bool:
         """Whether a line gives a quantity its value and no more, without a calculation."""

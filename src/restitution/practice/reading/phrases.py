@@ -502,6 +502,9 @@ class _Reader:
         heads = self.features.heads
         if heads & {"energy", "loss"} or heads == {"ratio"}:
             yield Binary("/", Quantity("energy_lost", (), after), energy)
+            if len(self.events) > 1:
+                whole = Quantity("total_energy_lost", (), after)
+                yield Binary("/", whole, Quantity("energy", (), 0))
             if "loss" not in heads:
                 yield Binary("/", Quantity("energy", (), after), energy)
         if heads & {"speed", "velocity"} or heads == {"ratio"}:

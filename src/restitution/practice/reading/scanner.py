@@ -71,6 +71,8 @@ _ENERGY_WORDS = {
 _BRACKETED_UNIT = re.compile(
     r"[(\[]\s*(?:in\s+)?(?:m\s?/\s?s|k?g?\s?m\s?s\s?\^?\s?\(?-\s?1\)?|N\s?s|J|joules?|kg|degrees?)\s*[)\]]"
 )
+_THAT_IS = re.compile(r"\bi\.\s?e\.?(?=\s)", re.IGNORECASE)
+_POSSESSIVE = re.compile(r"\b([A-Z])'s\b(?=\s+[A-Za-z]{2})")
 _DOTTED = re.compile(r"\b([Kk])\.\s?([Ee])\b\.?")
 _AMOUNTS = {"half": Fraction(1, 2), "twice": Fraction(2), "quarter": Fraction(1, 4)}
 _ORDINAL = re.compile(r"(\d)(?:st|nd|rd|th)\b", re.IGNORECASE)
@@ -101,9 +103,11 @@ _CLOSING = frozenset(
 
 
 def blanked(text: str) -> str:
-    """A plain line without its remarks on accuracy and the points of K.E., at the same offsets."""
+    """A plain line with K.E., i.e., A's plainly and no remarks on accuracy, at the same offsets."""
     text = _BRACKETED_UNIT.sub(lambda match: " " * len(match[0]), text)
     text = _OF_BODY.sub(lambda match: f"{match[1]} {match[2]}".ljust(len(match[0])), text)
+    text = _THAT_IS.sub(lambda match: "so".ljust(len(match[0])), text)
+    text = _POSSESSIVE.sub(lambda match: match[1].ljust(len(match[0])), text)
     text = _DOTTED.sub(lambda match: (match[1] + match[2]).ljust(len(match[0])), text)
     return _FIGURES.sub(lambda match: " " * len(match[0]), text)
 
