@@ -40,8 +40,11 @@ class Entry:
 
 
 def is_numeric(tree: Expression) -> bool:
-    """Whether a tree is of numbers alone."""
-    return not any(isinstance(each, Letter | Quantity | Name) for each in walk(tree))
+    """Whether a tree is of numbers alone; scalar products of vectors in numbers are too."""
+    return not any(
+        isinstance(each, Letter | Name) or (isinstance(each, Quantity) and each.kind != "dot")
+        for each in walk(tree)
+    )
 
 
 def names_of(claim: Claim) -> frozenset[str]:

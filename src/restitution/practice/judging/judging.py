@@ -15,6 +15,7 @@ from itertools import islice
 
 import numpy as np
 
+from restitution.errors import RestitutionError
 from restitution.expression.tree import (
     Binary,
     Degrees,
@@ -26,6 +27,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import JudgedLine, Judgement, Mistake
+from restitution.practice.judging.misreading import misread_problems, reread_once
 from restitution.practice.judging.naming import Names
 from restitution.practice.judging.slips import misreadings, read_as_datum
 from restitution.practice.judging.support import Wanted, wanted_of
@@ -40,6 +42,8 @@ from restitution.solving.solution import PartSolution, Solution
 
 _RIVALS = 8
 _MISREADINGS = 8
+_PLACES = 3
+"""A datum stands in so many places, at most, that are tried."""
 
 
 def judge(
@@ -173,9 +177,16 @@ class _Sitting:
             lines = self._asked(lines, asks)
         return Judgement(lines, self.meanings.best.meanings, tuple(sorted(asks)))
 
-    def _judge(self, interpretation: Interpretation, *, names: bool = True) -> Judge:
+    def _judge(
+        self,
+        interpretation: Interpretation,
+        worlds: Sequence[World] | None = None,
+        *,
+        names: bool = True,
+    ) -> Judge:
         table = {line.number: interpretation.trees(line.number) for line in self.script.lines}
-        return Judge(self.bench.worlds, table, self.bench.names, self.bench.question, names=names)
+        bench = self.bench
+        return Judge(worlds or bench.worlds, table, bench.names, bench.question, names=names)
 
     def _judged(
         self, script: Script, interpretation: Interpretation, *, names: bool = True
@@ -257,7 +268,67 @@ class _Sitting:
             script = Script(tuple(_reread(line, value, datum) for line in self.script.lines))
             if self._judge(self.meanings.best).is_true(script):
                 return tuple(_as_misread(lines, str(value)))
+        for value, datum in islice(self._read_instead(lines), _MISREADINGS):
+            if self._is_true_with(value, datum):
+                return tuple(_as_misread(lines, str(value)))
         return lines
+
+    def _read_instead(self, lines: Sequence[JudgedLine]) -> Iterator[tuple[Fraction, Fraction]]:
+        """Numbers with the data that they may misread: in one place of two false lines each."""
+        untrue = [each.line for each in lines if each.verdict in ("false", "follows")]
+        judge_ = self._judge(self.meanings.best, names=False)
+        for value in dict.fromkeys(_numbers_in(untrue[0])):
+            for datum in self.bench.data:
+                if not datum or datum == value:
+                    continue
+                twice = (line for line in untrue if _is_true_reread(line, value, datum, judge_))
+                if len(list(islice(twice, 2))) == 2:
+                    yield value, datum
+
+    def _is_true_with(self, value: Fraction, datum: Fraction) -> bool:
+        """Whether all lines are true where the question has a number in place of a datum."""
+        from restitution.solving.solver import solve
+
+        label = self.bench.solved.part.label
+        for problem in islice(misread_problems(self.bench.problem, datum, value), _PLACES):
+            try:
+                solution = solve(problem)
+                worlds = true_worlds(solution, solution.parts[label])
+            except RestitutionError:
+                continue
+            table = {
+                line.number: self.meanings.best.trees(line.number) for line in self.script.lines
+            }
+            judge_ = Judge(worlds, table, self.bench.names, self.bench.question, names=False)
+            if worlds and judge_.is_true(self.script):
+                return True
+        return False
+
+
+def _numbers_in(line: ScriptLine) -> Iterator[Fraction]:
+    """The numbers of a line but 0 and 1."""
+    for link in line.links:
+        claim = link.readings[0]
+        yield from (x for x in _numbers((claim.left, claim.right)) if x not in (0, 1))
+
+
+def _is_true_reread(line: ScriptLine, value: Fraction, datum: Fraction, judge_: Judge) -> bool:
+    """Whether a line is true with a datum in place of one number that is ``value``."""
+    links = tuple(
+        replace(
+            link,
+            readings=tuple(
+                new for claim in link.readings for new in reread_once(claim, value, datum)
+            ),
+        )
+        for link in line.links
+    )
+    false = [k for k, link in enumerate(line.links) if not judge_.is_true(_alone(line, link))]
+    return bool(false) and all(judge_.is_true(_alone(line, links[k])) for k in false)
+
+
+def _alone(line: ScriptLine, link: Link) -> Script:
+    return Script((replace(line, links=(link,)),))
 
 
 def _factors_in(line: ScriptLine) -> Iterator[Fraction]:

@@ -64,6 +64,7 @@ _BEFORE: Mapping[str, set[str]] = {
     "restitution-whole-speed": {"restitution-sign", "restitution-inverted"},
     "impulse-of-speeds": {"impulse-sign"},
     "deflection-difference": {"deflection-is-after"},
+    "square-not-taken": {"energy-one-sphere", "energy-of-difference"},
 }
 _BEFORE_AT_A_WALL: Mapping[str, set[str]] = {
     "across-changed": {"restitution-parallel"},

@@ -33,7 +33,7 @@ class OwnNumbers:
         """Note that ``value``, a number, stands where ``meant`` would be right."""
         value, meant = _without_root(value, meant)
         size = _size(value)
-        if size is None or size in _SMALL or size in map(_size, walk(meant)):
+        if size is None or size in _SMALL:
             return
         names: dict[Expression, Expression] = {
             each: meanings[each.name]

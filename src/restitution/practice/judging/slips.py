@@ -80,10 +80,11 @@ def _everywhere(tree: Expression, changes: Changes) -> Iterator[Edit]:
         return
     for place, child in enumerate(children(tree)):
         for change, new, part, put in _everywhere(child, changes):
-            yield change, _with_child(tree, place, new), part, put
+            yield change, with_child(tree, place, new), part, put
 
 
-def _with_child(tree: Expression, place: int, child: Expression) -> Expression:
+def with_child(tree: Expression, place: int, child: Expression) -> Expression:
+    """A tree with another one in the place of one of its parts, counted from 0."""
     match tree:
         case Binary(op, left, right):
             return Binary(op, child, right) if place == 0 else Binary(op, left, child)

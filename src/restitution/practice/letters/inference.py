@@ -44,6 +44,8 @@ _OTHER_ORDER = 0.97
 _DEFINED, _STARTED = -0.15, 0.6
 # What is left of the worth of a line that is true in a less usual reading alone.
 _UNUSUAL = 0.75
+# What is left of the worth of a line that is true to two figures alone.
+_FIGURES, _COARSE = 3, 0.6
 _SAME = 1e-9
 # What a meaning costs more that is zero whatever happens: lines of it say that zero is zero.
 _IDLE = 2.5
@@ -430,11 +432,21 @@ def _truth(item: Item, put: Mapping[str, Value], tester: Tester) -> Array | None
     """What an item is worth for every meaning: 1 where it is true, less in an unusual reading."""
     truth: Array | None = None
     for place, reading in enumerate(item.readings):
-        held = tester.holds(reading, put, item.decimals, item.frame)
-        if held is not None:
-            true = everywhere(held) * (_UNUSUAL if place else 1.0)
+        for decimals, share in _by_fineness(item.decimals):
+            held = tester.holds(reading, put, decimals, item.frame)
+            if held is None:
+                break
+            true = everywhere(held) * (_UNUSUAL if place else 1.0) * share
             truth = true if truth is None else np.maximum(truth, true)
     return truth
+
+
+def _by_fineness(decimals: Sequence[Decimal]) -> Iterator[tuple[Sequence[Decimal], float]]:
+    """The decimals that may be rounded, with what a line is worth that holds by these alone."""
+    fine = [each for each in decimals if each.figures >= _FIGURES]
+    yield fine, 1.0
+    if len(fine) < len(decimals):
+        yield decimals, _COARSE
 
 
 def _held(item: Item, states: Sequence[State], slots: Sequence[Slot], tester: Tester) -> Array:

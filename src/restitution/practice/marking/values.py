@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import cached_property
 from typing import Literal
 
@@ -403,13 +404,22 @@ def _chains(line: JudgedLine) -> Iterator[Sequence[Claim]]:
     """The relations of a line, links of a chain together, in the reading that is most natural."""
     chain: list[Claim] = []
     for link in line.line.links:
-        claim = link.readings[0]
+        claim = _of_direction(link.readings[0])
         if chain and chain[-1].right != claim.left:
             yield chain
             chain = []
         chain.append(claim)
     if chain:
         yield chain
+
+
+def _of_direction(claim: Claim) -> Claim:
+    """A vector that has no part across a line, as the direction of that line."""
+    right = claim.right
+    if claim.left == Number(Fraction(0)) and isinstance(right, Quantity) and right.kind == "across":
+        vector, line = right.arguments
+        return Claim(line, "=", vector)
+    return claim
 
 
 def _names_in(tree: Expression) -> Iterator[Expression]:

@@ -71,6 +71,7 @@ _ENERGY_WORDS = {
 _BRACKETED_UNIT = re.compile(
     r"[(\[]\s*(?:in\s+)?(?:m\s?/\s?s|k?g?\s?m\s?s\s?\^?\s?\(?-\s?1\)?|N\s?s|J|joules?|kg|degrees?)\s*[)\]]"
 )
+_CENTRES = re.compile(r"\bl\.\s?o\.\s?c\b\.?", re.IGNORECASE)
 _THAT_IS = re.compile(r"\bi\.\s?e\.?(?=\s)", re.IGNORECASE)
 _POSSESSIVE = re.compile(r"\b([A-Z])'s\b(?=\s+[A-Za-z]{2})")
 _DOTTED = re.compile(r"\b([Kk])\.\s?([Ee])\b\.?")
@@ -106,6 +107,7 @@ def blanked(text: str) -> str:
     """A plain line with K.E., i.e., A's plainly and no remarks on accuracy, at the same offsets."""
     text = _BRACKETED_UNIT.sub(lambda match: " " * len(match[0]), text)
     text = _OF_BODY.sub(lambda match: f"{match[1]} {match[2]}".ljust(len(match[0])), text)
+    text = _CENTRES.sub(lambda match: "loc".ljust(len(match[0])), text)
     text = _THAT_IS.sub(lambda match: "so".ljust(len(match[0])), text)
     text = _POSSESSIVE.sub(lambda match: match[1].ljust(len(match[0])), text)
     text = _DOTTED.sub(lambda match: (match[1] + match[2]).ljust(len(match[0])), text)

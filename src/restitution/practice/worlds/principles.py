@@ -27,7 +27,12 @@ from restitution.practice.worlds.results import altered_results
 from restitution.practice.worlds.states import Block, States, states
 from restitution.practice.worlds.student import lawful_world
 from restitution.practice.worlds.telling import NO_MEANINGS, Meanings, Telling
-from restitution.practice.worlds.terms import coefficient_put_in, is_triangle, law_put_in
+from restitution.practice.worlds.terms import (
+    coefficient_put_in,
+    component_put_in,
+    is_triangle,
+    law_put_in,
+)
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
 from restitution.vector import Vector
@@ -87,6 +92,9 @@ def _put_in(
         product = coefficient_put_in(claim, world, meanings, scope)
         if product is not None:
             return (product,)
+        kept = component_put_in(claim, world, scope) if trial.plain else None
+        if kept is not None:
+            return (kept,)
     if trial.plain or not (first in _OPEN_NAMES or (first == "speed" and len(uses) > 1)):
         return ()
     if uses and is_triangle(claim, world, meanings, scope):

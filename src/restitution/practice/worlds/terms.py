@@ -13,7 +13,16 @@ from functools import lru_cache
 
 import numpy as np
 
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Negate, letters, walk
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    Quantity,
+    letters,
+    walk,
+)
 from restitution.practice.judgement import Use
 from restitution.practice.script import Claim, Scope
 from restitution.practice.worlds.arrays import Array, UnvaluedError
@@ -25,6 +34,7 @@ from restitution.vector import Vector
 
 _MOST = 7
 _NOTHING = 1e-9
+_RESOLVING = frozenset({"sin", "cos"})
 _TRIGONOMETRIC = frozenset({"sin", "cos", "tan"})
 
 
@@ -305,6 +315,37 @@ def coefficient_put_in(claim: Claim, world: World, meanings: Meanings, scope: Sc
                 if _has_size(tree, np.abs(world.spread(wanted)), world, meanings, scope):
                     return Use("restitution", number, spheres)
     return None
+
+
+def component_put_in(claim: Claim, world: World, scope: Scope) -> Use | None:
+    """The impact at which a line in numbers works out a component that does not change.
+
+    It is worked out from a speed and an angle, or by a scalar product.
+    """
+    if not any(_resolves(node) for side in (claim.left, claim.right) for node in walk(side)):
+        return None
+    telling = Telling(world, degrees=False)
+    for number in range(len(world.events), 0, -1):
+        step = world.events[number - 1]
+        if not isinstance(step, Impact):
+            continue
+        for name in (step.first, step.second):
+            if name not in world.start:
+                continue
+            before = telling.velocity(name, number - 1)
+            across = np.abs(world.spread(before.cross(world.lines[number])))
+            along = np.abs(world.spread(before.dot(world.lines[number])))
+            apart = np.all(np.abs(across - along) > 1e-3 * across)
+            if apart and _has_size(claim.right, across, world, {}, scope):
+                return Use("unchanged", number, (name,))
+    return None
+
+
+def _resolves(tree: Expression) -> bool:
+    """Whether a tree is a sine or a cosine, or a scalar product."""
+    if isinstance(tree, Apply):
+        return tree.function in _RESOLVING
+    return isinstance(tree, Quantity) and tree.kind == "dot"
 
 
 @dataclass(frozen=True)

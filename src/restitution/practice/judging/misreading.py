@@ -1,0 +1,78 @@
+"""A misread datum: the question as the student read it, with one number for another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import fields, is_dataclass, replace
+from fractions import Fraction
+from typing import Any
+
+from restitution.expression.tree import Binary, Degrees, Expression, Number, children
+from restitution.practice.judging.slips import with_child
+from restitution.practice.script import Claim
+from restitution.problem import Find, Problem, Show
+
+
+def misread_problems(problem: Problem, datum: Fraction, typed: Fraction) -> Iterator[Problem]:
+    """The problem with ``typed`` in place of one number that is ``datum``, each in turn."""
+    for wanted in range(_count(problem, datum)):
+        yield _Exchange(datum, typed, wanted).of(problem)
+
+
+def reread_once(claim: Claim, typed: Fraction, datum: Fraction) -> Iterator[Claim]:
+    """A claim with ``datum`` in place of one number that is ``typed``, each in turn."""
+    for left in _once(claim.left, typed, datum):
+        yield replace(claim, left=left)
+    for right in _once(claim.right, typed, datum):
+        yield replace(claim, right=right)
+
+
+def _once(tree: Expression, typed: Fraction, datum: Fraction) -> Iterator[Expression]:
+    """A tree with another number in one place; exponents stay."""
+    if isinstance(tree, Number | Degrees):
+        if tree.value == typed:
+            yield replace(tree, value=datum)
+        return
+    power = isinstance(tree, Binary) and tree.op == "^"
+    for place, child in enumerate(children(tree)):
+        for new in _once(child, typed, datum) if not (power and place) else ():
+            yield with_child(tree, place, new)
+
+
+def _count(problem: Problem, datum: Fraction) -> int:
+    counting = _Exchange(datum, datum, -1)
+    counting.of(problem)
+    return counting.seen
+
+
+class _Exchange:
+    """Puts a number in the place of the ``wanted``-th number that is ``datum``.
+
+    What is asked and printed stays.
+    """
+
+    def __init__(self, datum: Fraction, typed: Fraction, wanted: int) -> None:
+        self.datum, self.typed, self.wanted = datum, typed, wanted
+        self.seen = 0
+
+    def of(self, value: Any) -> Any:
+        """A value with its numbers exchanged."""
+        if isinstance(value, Number | Degrees):
+            return self._number(value)
+        if isinstance(value, tuple):
+            return tuple(self.of(each) for each in value)
+        if not is_dataclass(value) or isinstance(value, type | Find | Show):
+            return value
+        put: dict[str, Any] = {}
+        for each in fields(value):
+            old = getattr(value, each.name)
+            new = old if each.name == "place" else self.of(old)
+            if new is not old and new != old:
+                put[each.name] = new
+        return replace(value, **put) if put else value
+
+    def _number(self, node: Number | Degrees) -> Number | Degrees:
+        if node.value != self.datum:
+            return node
+        self.seen += 1
+        return replace(node, value=self.typed) if self.seen - 1 == self.wanted else node
