@@ -41,9 +41,11 @@ from restitution.oracle import (
 from restitution.oracle.roles import ACUTE, DIRECTION, POSITIVE, REAL, Role
 from restitution.problem import Find, Impact, Let, Part, Problem, Show, trees
 from restitution.shapes import Circle
+from restitution.solving.happenings import Happening, Standing
 from restitution.solving.numbers import FIELD, at, number_of, plain_sign
 from restitution.solving.solution import Branch
-from restitution.solving.story import Happening, Sign, Standing, Story, lets_of
+from restitution.solving.state import Sign
+from restitution.solving.story import Story, lets_of
 from restitution.vector import Vector
 from restitution.work import remembered
 

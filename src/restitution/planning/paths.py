@@ -64,7 +64,7 @@ def residuals(scene: Scene, own: Link) -> tuple[sp.Expr, ...]:
         return quantity_of(story, tree, scene.events)
 
     read = type(story.evaluator(scene.events))(
-        story.field, scene.model.unknowns.letter, value, story._named, story.wall_direction
+        story.field, scene.model.unknowns.letter, value, story.named, story.wall_direction
     )
     gap = [read.scalar(each) for each in (own.left, own.right)]
     return (tidy(without_walls(scene, gap[0] - gap[1])),)

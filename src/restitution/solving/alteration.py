@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from restitution.errors import ImpossibleError, UnsupportedError
 from restitution.expression.evaluate import Evaluator, Scalar
@@ -24,10 +24,8 @@ from restitution.expression.tree import Binary, Expression, Name, Quantity, walk
 from restitution.problem import AlteredEquation, AlteredImpact, Impact
 from restitution.solving import quantities
 from restitution.solving.conditions import Condition, Equation
+from restitution.solving.state import State
 from restitution.vector import Vector
-
-if TYPE_CHECKING:
-    from restitution.solving.story import Story
 
 _AFTER = frozenset({"speed", "energy"})
 _COMPONENTS = frozenset({"along", "across"})
@@ -43,7 +41,7 @@ class AlteredLaws:
     line of centres, from the first body to the second.
     """
 
-    story: Story
+    state: State
     altered: AlteredImpact
     step: Impact
     before: Mapping[str, Vector]
@@ -58,7 +56,7 @@ class AlteredLaws:
     @cached_property
     def length(self) -> Scalar:
         """The length of ``c``."""
-        return self.story.size(self.c)
+        return self.state.size(self.c)
 
     @cached_property
     def known(self) -> Components:
@@ -67,8 +65,8 @@ class AlteredLaws:
             key: value
             for name, u in self.before.items()
             for key, value in (
-                ((name, "along"), self.story.rational(u.dot(self.c))),
-                ((name, "across"), self.story.rational(u.dot(self.c.turned_left()))),
+                ((name, "along"), self.state.rational(u.dot(self.c))),
+                ((name, "across"), self.state.rational(u.dot(self.c.turned_left()))),
             )
         }
 
@@ -114,7 +112,7 @@ class AlteredLaws:
 
     def _momentum(self, first: str, second: str) -> Residual:
         def change(name: str, after: Components) -> Scalar:
-            return self.story.mass(name) * (after[name, "along"] - self.known[name, "along"])
+            return self.state.mass(name) * (after[name, "along"] - self.known[name, "along"])
 
         return lambda after: change(first, after) + change(second, after)
 
@@ -129,27 +127,27 @@ class AlteredLaws:
 
     @cached_property
     def _evaluator(self) -> Evaluator:
-        own = self.story.evaluator(self.altered.number - 1)
-        return Evaluator(self.story.field, own._letter, self._quantity, own._name)
+        own = self.state.evaluator(self.altered.number - 1)
+        return Evaluator(self.state.field, own._letter, self._quantity, own._name)
 
     def _quantity(self, tree: Quantity) -> Any:
         number = self.altered.number
         match tree:
             case Quantity("mass", (Name(name),)):
-                return self.story.mass(name)
+                return self.state.mass(name)
             case Quantity("restitution"):
                 return self.e
             case Quantity("along" | "across" as part, (Quantity(_, (Name(name),), stage), line)):
                 if isinstance(line, Quantity) and line.stage == number:
                     return (self.after if stage == number else self.known)[name, part]
             case Quantity("speed", (Name(name),), stage) if stage == number:
-                return self.story.field.sqrt(self._square(name, self.after))
+                return self.state.field.sqrt(self._square(name, self.after))
             case Quantity("speed", (Name(name),), stage) if stage == number - 1:
-                return self.story.size(self.before[name]) * self.length
+                return self.state.size(self.before[name]) * self.length
             case Quantity("energy", (Name(name),), stage):
                 values = self.after if stage == number else self.known
-                return self.story.mass(name) * self._square(name, values) / 2
-        return quantities.quantity(self.story, tree, number - 1) * self.length
+                return self.state.mass(name) * self._square(name, values) / 2
+        return quantities.quantity(self.state, tree, number - 1) * self.length
 
     def _square(self, name: str, values: Components) -> Scalar:
         return values[name, "along"] ** 2 + values[name, "across"] ** 2
@@ -180,7 +178,7 @@ class AlteredLaws:
         return along_line.at(self._root(along_line, rest[0], free))
 
     def _number(self, n: int) -> Scalar:
-        return self.story.field.number(Fraction(n))
+        return self.state.field.number(Fraction(n))
 
     def _eliminated(
         self, residuals: list[Residual], given: Components
@@ -192,8 +190,8 @@ class AlteredLaws:
         for residual in residuals:
             constant = residual(at_zero)
             row = [residual({**at_zero, name: self._number(1)}) - constant for name in names]
-            rows.append([self.story.rational(each) for each in (*row, -constant)])
-        values = _elimination(rows, self.story)
+            rows.append([self.state.rational(each) for each in (*row, -constant)])
+        values = _elimination(rows, self.state)
         if values is None:
             raise ImpossibleError("the altered equations do not determine the motion")
         return {**given, **dict(zip(names, values, strict=True))}
@@ -211,19 +209,19 @@ class AlteredLaws:
     def _conserving(self, line: _Line, residual: Residual, free: tuple[str, str]) -> Scalar:
         """The root other than that at which nothing happened: by the sum of the two."""
         a, b, _ = line.quadratic(residual)
-        if self.story.field.is_zero(self.story.rational(a)):
+        if self.state.field.is_zero(self.state.rational(a)):
             raise ImpossibleError("the altered equations do not determine the motion")
-        return self.story.rational(-b / a - self.known[free])
+        return self.state.rational(-b / a - self.known[free])
 
     def _rebounding(self, line: _Line, equation: AlteredEquation) -> Scalar:
         """The root at which a sphere leaves the wall with the speed that is wanted."""
         (name,) = self.spheres
         values = line.at(self._number(0))
         wanted = self.value(equation.right, values)
-        under = self.story.rational(wanted * wanted - values[name, "across"] ** 2)
+        under = self.state.rational(wanted * wanted - values[name, "across"] ** 2)
         reason = f"the speed of {name} after would be less than its component along the wall"
-        self.story.conditions.append(Condition(under, ">=", reason, "sign"))
-        return -self.story.real_root(under, reason)
+        self.state.conditions.append(Condition(under, ">=", reason, "sign"))
+        return -self.state.real_root(under, reason)
 
     def _separating(self, line: _Line, equation: AlteredEquation, free: tuple[str, str]) -> Scalar:
         """The root of an equation of two speeds at which the spheres separate the least."""
@@ -237,7 +235,7 @@ class AlteredLaws:
         best = fit[0]
         for root in fit[1:]:
             closer = self._separation(line, best) - self._separation(line, root)
-            if self.story.sign(closer) == 1:
+            if self.state.sign(closer) == 1:
                 best = root
         return best
 
@@ -275,32 +273,32 @@ class AlteredLaws:
             return w * w + square(first, t) - square(second, t)
 
         for root in self._quadratic_roots(lambda t: twice(t) ** 2 - 4 * w * w * square(first, t)):
-            speed = self.story.field.sqrt(square(first, root))
+            speed = self.state.field.sqrt(square(first, root))
             yield root, (twice(root) * sign * w, w - sign * speed)
 
     def _moves_along(self, name: str, line: _Line) -> bool:
         """Whether a sphere has no component across the line of centres after."""
-        return self.story.field.is_zero(line.at(self._number(0))[name, "across"])
+        return self.state.field.is_zero(line.at(self._number(0))[name, "across"])
 
     def _quadratic_roots(self, function: Callable[[Scalar], Scalar]) -> list[Scalar]:
         """The real roots of a polynomial of at most the second degree, given by its values.
 
         Raises UnsupportedError for one of higher degree.
         """
-        values = [self.story.rational(function(self._number(n))) for n in range(-2, 3)]
+        values = [self.state.rational(function(self._number(n))) for n in range(-2, 3)]
         fourth = values[0] - 4 * values[1] + 6 * values[2] - 4 * values[3] + values[4]
         third = values[4] - 2 * values[3] + 2 * values[1] - values[0]
-        is_zero = self.story.field.is_zero
-        if not all(is_zero(self.story.rational(each)) for each in (fourth, third)):
+        is_zero = self.state.field.is_zero
+        if not all(is_zero(self.state.rational(each)) for each in (fourth, third)):
             raise UnsupportedError("the altered equations need a root of the fourth degree")
         a, b, c = _coefficients(values[1:4])
-        a, b = self.story.rational(a), self.story.rational(b)
+        a, b = self.state.rational(a), self.state.rational(b)
         if is_zero(a):
             return [] if is_zero(b) else [-c / b]
-        under = self.story.rational(b * b - 4 * a * c)
-        if self.story.sign(under) == -1:
+        under = self.state.rational(b * b - 4 * a * c)
+        if self.state.sign(under) == -1:
             return []
-        root = self.story.field.sqrt(under)
+        root = self.state.field.sqrt(under)
         return [(-b - root) / (2 * a), (-b + root) / (2 * a)]
 
     def _separation(self, line: _Line, t: Scalar) -> Scalar:
@@ -309,7 +307,7 @@ class AlteredLaws:
         return values[second, "along"] - values[first, "along"]
 
     def _is_not_negative(self, x: Scalar) -> bool:
-        sign = self.story.sign(self.story.rational(x))
+        sign = self.state.sign(self.state.rational(x))
         if sign is None:
             raise UnsupportedError("which root is taken depends on the letters")
         return sign >= 0
@@ -322,7 +320,7 @@ class AlteredLaws:
         square = self.c.dot(self.c)
         side = self.c.turned_left()
         return {
-            name: self.story.neat(
+            name: self.state.neat(
                 (self.c * values[name, "along"] + side * values[name, "across"]) / square
             )
             for name in self.spheres
@@ -340,7 +338,7 @@ class AlteredLaws:
         across = {(name, "across"): self.known[name, "across"] for name in self.spheres}
         square = self.c.dot(self.c)
         given = {**across, (first, "along"): self.known[first, "along"] - square}
-        after = {first: self.story.neat(self.before[first] - self.c)}
+        after = {first: self.state.neat(self.before[first] - self.c)}
         rows = [each for each, _ in self.residuals[len(self.spheres) :]]
         if others:
             (second,) = others
@@ -349,14 +347,14 @@ class AlteredLaws:
             values = self._eliminated(rows[:1], given)
             del rows[0]
             gain = (values[second, "along"] - self.known[second, "along"]) / square
-            after[second] = self.story.neat(self.before[second] + self.c * self._neat(gain))
+            after[second] = self.state.neat(self.before[second] + self.c * self._neat(gain))
         else:
             values = dict(given)
         (left,) = rows
         return after, [Equation(left(values), "the altered law", kind="law")]
 
     def _neat(self, x: Scalar) -> Scalar:
-        return self.story.rational(x)
+        return self.state.rational(x)
 
     def hold(self, after: Mapping[str, Vector]) -> bool:
         """Whether the equations hold, in numbers, for velocities after the impact."""
@@ -375,7 +373,7 @@ class AlteredLaws:
         reason = "the signs of this mistake are those of other directions"
         for tree in self.altered.senses:
             value = self.value(tree, self.known)
-            self.story.conditions.append(Condition(value, ">=", reason, "fact"))
+            self.state.conditions.append(Condition(value, ">=", reason, "fact"))
 
 
 @dataclass(frozen=True)
@@ -412,7 +410,7 @@ def _is_linear(equation: AlteredEquation, laws: AlteredLaws) -> bool:
     )
 
 
-def _elimination(rows: list[list[Scalar]], story: Story) -> list[Scalar] | None:
+def _elimination(rows: list[list[Scalar]], state: State) -> list[Scalar] | None:
     """The values at which linear equations hold; None where they do not determine them.
 
     Each row has the coefficients of one equation, and what they add up to.
@@ -420,14 +418,14 @@ def _elimination(rows: list[list[Scalar]], story: Story) -> list[Scalar] | None:
     size = len(rows[0]) - 1
     for column in range(size):
         pivot = next(
-            (n for n in range(column, len(rows)) if not story.field.is_zero(rows[n][column])), None
+            (n for n in range(column, len(rows)) if not state.field.is_zero(rows[n][column])), None
         )
         if pivot is None:
             return None
         rows[column], rows[pivot] = rows[pivot], rows[column]
         top = rows[column]
         for n, row in enumerate(rows):
-            if n != column and not story.field.is_zero(row[column]):
+            if n != column and not state.field.is_zero(row[column]):
                 factor = row[column] / top[column]
-                rows[n] = [story.rational(a - factor * b) for a, b in zip(row, top, strict=True)]
-    return [story.rational(rows[n][size] / rows[n][n]) for n in range(size)]
+                rows[n] = [state.rational(a - factor * b) for a, b in zip(row, top, strict=True)]
+    return [state.rational(rows[n][size] / rows[n][n]) for n in range(size)]

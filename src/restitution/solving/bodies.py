@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 from itertools import combinations
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import sympy as sp
 
@@ -34,27 +34,25 @@ from restitution.render.layout import display, display_point
 from restitution.render.text import to_text
 from restitution.shapes import Line, Segment
 from restitution.solving.neat import neat
+from restitution.solving.state import State
 from restitution.vector import Vector
-
-if TYPE_CHECKING:
-    from restitution.solving.story import Story
 
 # The sign of an expression in more letters and operations than these is hardly plain.
 _PLAIN = 40
 
 
-def require_bodies(story: Story) -> None:
+def require_bodies(state: State) -> None:
     """Masses and radii are positive, walls have a direction, no spheres overlap at the start.
 
     Raises ImpossibleError, with its place, for the first of which the contrary is proved.
     """
-    for sphere in story.problem.spheres:
-        _positive(story, sphere.mass, f"the mass of {sphere.name}", "a mass", sphere.place)
-        _positive(story, sphere.radius, f"the radius of {sphere.name}", "a radius", sphere.place)
-    for wall in story.problem.walls:
-        _positive(story, wall.radius, f"the radius of the wall {wall.name}", "a radius", wall.place)
-        _extended(story, wall)
-    _apart(story)
+    for sphere in state.problem.spheres:
+        _positive(state, sphere.mass, f"the mass of {sphere.name}", "a mass", sphere.place)
+        _positive(state, sphere.radius, f"the radius of {sphere.name}", "a radius", sphere.place)
+    for wall in state.problem.walls:
+        _positive(state, wall.radius, f"the radius of the wall {wall.name}", "a radius", wall.place)
+        _extended(state, wall)
+    _apart(state)
 
 
 def require_direction(c: Vector, what: str, tree: Any, place: Place | None) -> None:
@@ -112,10 +110,10 @@ def fixed_letters(problem: Problem, part: Part) -> frozenset[str]:
 # --- one property each --------------------------------------------------------------------------
 
 
-def _positive(story: Story, tree: Any, what: str, noun: str, place: Place | None) -> None:
-    if tree is None or _rests_on(story, tree):
+def _positive(state: State, tree: Any, what: str, noun: str, place: Place | None) -> None:
+    if tree is None or _rests_on(state, tree):
         return
-    value = sp.sympify(story.read(tree, what), strict=True)
+    value = sp.sympify(state.read(tree, what), strict=True)
     if _no_more_than_zero(value):
         shown = to_text(display(value))
         if isinstance(tree, Expression) and letters(tree) and not value.free_symbols:
@@ -123,14 +121,14 @@ def _positive(story: Story, tree: Any, what: str, noun: str, place: Place | None
         raise _impossible(f"{what} is {shown}: {noun} must be positive", tree, place)
 
 
-def _extended(story: Story, wall: Wall) -> None:
+def _extended(state: State, wall: Wall) -> None:
     """A wall has a direction, and a segment a length."""
     match wall.shape:
-        case Line(along) if along is not None and not _rests_on(story, along):
-            along = story.wall_direction(Name(wall.name))
+        case Line(along) if along is not None and not _rests_on(state, along):
+            along = state.wall_direction(Name(wall.name))
             require_direction(along, f"the wall {wall.name}", wall.along, wall.place)
-        case Segment(start, end) if _are_fixed(story, start, end):
-            start, end = (story.read_vector(point, wall.name) for point in (start, end))
+        case Segment(start, end) if _are_fixed(state, start, end):
+            start, end = (state.read_vector(point, wall.name) for point in (start, end))
             if _is_zero(end - start):
                 shown = to_text(display_point(*start))
                 text = (
@@ -139,42 +137,42 @@ def _extended(story: Story, wall: Wall) -> None:
                 raise _impossible(text, wall.start, wall.place)
 
 
-def _are_fixed(story: Story, *places: Any) -> bool:
-    return not any(place is None or _rests_on(story, place) for place in places)
+def _are_fixed(state: State, *places: Any) -> bool:
+    return not any(place is None or _rests_on(state, place) for place in places)
 
 
-def _apart(story: Story) -> None:
+def _apart(state: State) -> None:
     """Spheres with a radius do not overlap at the places given."""
     placed = [
         sphere
-        for sphere in story.problem.spheres
-        if sphere.position is not None and not _rests_on(story, sphere.position)
+        for sphere in state.problem.spheres
+        if sphere.position is not None and not _rests_on(state, sphere.position)
     ]
-    radius = story.radius(placed[0].name) if placed else None
+    radius = state.radius(placed[0].name) if placed else None
     if radius is None:
         return
     for sphere in placed:
-        for wall in story.problem.walls:
-            if wall.radius is not None and not _rests_on(story, wall.centre):
-                _clear_of_circle(story, sphere, wall, radius)
+        for wall in state.problem.walls:
+            if wall.radius is not None and not _rests_on(state, wall.centre):
+                _clear_of_circle(state, sphere, wall, radius)
     for one, other in combinations(placed, 2):
-        p, q = (story.read_vector(each.position, each.name) for each in (one, other))
+        p, q = (state.read_vector(each.position, each.name) for each in (one, other))
         square = sp.expand((q - p).dot(q - p))
         if sp.expand(4 * radius * radius - square).is_positive:
             centres = " and ".join(to_text(display_point(*each)) for each in (p, q))
             message = (
                 f"{one.name} and {other.name} overlap at the start: their centres, at {centres}, "
-                f"are {to_text(display(story.field.sqrt(square)))} apart, "
+                f"are {to_text(display(state.field.sqrt(square)))} apart, "
                 f"less than two radii, {to_text(display(neat(2 * radius)))}"
             )
             raise _impossible(message, other.position, other.place)
 
 
-def _clear_of_circle(story: Story, sphere: Sphere, wall: Wall, radius: sp.Expr) -> None:
+def _clear_of_circle(state: State, sphere: Sphere, wall: Wall, radius: sp.Expr) -> None:
     """A sphere lies inside a circular wall, or outside it."""
-    size = story.read(wall.radius, f"the radius of {wall.name}")
-    p = story.read_vector(sphere.position, sphere.name)
-    out = p - story.read_vector(wall.centre, f"the centre of {wall.name}")
+    size = state.read(wall.radius, f"the radius of {wall.name}")
+    p = state.read_vector(sphere.position, sphere.name)
+    out = p - state.read_vector(wall.centre, f"the centre of {wall.name}")
     square = sp.expand(out.dot(out))
     if sp.expand(size * size - square).is_positive:
         if sp.expand(size - radius).is_nonpositive:
@@ -188,7 +186,7 @@ def _clear_of_circle(story: Story, sphere: Sphere, wall: Wall, radius: sp.Expr) 
         apart = sp.expand(square - size * size).is_positive
         overlaps = apart and sp.expand((size + radius) ** 2 - square).is_positive
     if overlaps:
-        distance = to_text(display(story.field.sqrt(square)))
+        distance = to_text(display(state.field.sqrt(square)))
         message = (
             f"{sphere.name} overlaps {wall.name} at the start: its centre, at "
             f"{to_text(display_point(*p))}, is {distance} from that of {wall.name}, whose radius "
@@ -208,7 +206,7 @@ def _is_zero(v: Vector) -> bool:
     return all(each == 0 or (not each.free_symbols and neat(each) == 0) for each in v)
 
 
-def _rests_on(story: Story, value: Any) -> bool:
+def _rests_on(state: State, value: Any) -> bool:
     """Whether a property depends on the motion, or on a name that depends on the motion."""
     seen: set[str] = set()
     pending = [value]
@@ -219,10 +217,10 @@ def _rests_on(story: Story, value: Any) -> bool:
         for node in walk(tree):
             if isinstance(node, Quantity):
                 return True
-            if isinstance(node, Name) and node.name in story.points:
-                pending.append(story.points[node.name].position)
-            elif isinstance(node, Letter) and node.name in story.lets and node.name not in seen:
-                let, now = story.lets[node.name]
+            if isinstance(node, Name) and node.name in state.points:
+                pending.append(state.points[node.name].position)
+            elif isinstance(node, Letter) and node.name in state.lets and node.name not in seen:
+                let, now = state.lets[node.name]
                 if now:
                     return True
                 seen.add(node.name)

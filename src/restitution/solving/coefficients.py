@@ -24,11 +24,11 @@ from restitution.render.layout import display
 from restitution.render.text import to_text
 from restitution.solving.bodies import coefficient_outside
 from restitution.solving.conditions import Equation
+from restitution.solving.happenings import Happening
 from restitution.solving.numbers import Sample
 from restitution.solving.setting import Setting
 from restitution.solving.signs import sign
 from restitution.solving.solution import Branch
-from restitution.solving.story import Happening
 from restitution.solving.unknowns import Numbers
 
 COEFFICIENTS = "a coefficient of restitution lies in [0, 1]"

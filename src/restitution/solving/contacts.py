@@ -16,7 +16,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -25,10 +24,8 @@ from restitution.expression.tree import Name
 from restitution.problem import Arrival, Impact, Part, Problem
 from restitution.shapes import Circle
 from restitution.solving.conditions import Condition, Equation
+from restitution.solving.state import State
 from restitution.vector import Vector
-
-if TYPE_CHECKING:
-    from restitution.solving.story import Story
 
 
 @dataclass(frozen=True)
@@ -66,33 +63,33 @@ def rests_on(values: Iterable[Scalar], names: Collection[str]) -> bool:
     )
 
 
-def is_sought(story: Story, number: int, *values: Scalar) -> bool:
+def is_sought(state: State, number: int, *values: Scalar) -> bool:
     """Whether the place of event ``number`` is sought, where a root of ``values`` would give it."""
-    if story.problem.altered:
+    if state.problem.altered:
         return False
-    chooses = getattr(story.unknowns, "seeks_contact", None)
-    return chooses is not None and story.field.exact and bool(chooses(number, values))
+    chooses = getattr(state.unknowns, "seeks_contact", None)
+    return chooses is not None and state.field.exact and bool(chooses(number, values))
 
 
 def with_sphere(
-    story: Story, number: int, step: Impact, start: Vector, velocity: Vector, other: Vector
+    state: State, number: int, step: Impact, start: Vector, velocity: Vector, other: Vector
 ) -> Contact:
     """How a sphere at ``start`` comes to another one at rest at ``other``."""
-    r = story.radius(step.first)
+    r = state.radius(step.first)
     assert r is not None
     phrase = f"the line of centres of {step.first} and {step.second}"
-    c = _hidden(story, number, phrase)
-    story.equations.append(Equation(c.dot(c) - 4 * r * r, phrase, kind="direction"))
+    c = _hidden(state, number, phrase)
+    state.equations.append(Equation(c.dot(c) - 4 * r * r, phrase, kind="direction"))
     way = other - c - start
     reason = f"{step.first} and {step.second} are separating"
-    story.conditions.append(Condition(way.dot(c), ">", reason, "approach"))
+    state.conditions.append(Condition(way.dot(c), ">", reason, "approach"))
     name = step.first
     missed = f"{step.first} passes {step.second} without touching it"
-    return _arriving(story, number, name, way, velocity, c, missed)
+    return _arriving(state, number, name, way, velocity, c, missed)
 
 
 def with_circle(
-    story: Story,
+    state: State,
     number: int,
     name: str,
     wall: str,
@@ -103,46 +100,46 @@ def with_circle(
 ) -> Contact:
     """How a sphere ``out`` of the centre of a circular wall comes to it."""
     phrase = f"the place where {name} strikes {wall}"
-    c = _hidden(story, number, phrase)
-    if not story.still(out):
+    c = _hidden(state, number, phrase)
+    if not state.still(out):
         # Along and across the radius to where it was: what is symmetrical shows as such.
         c = out * c.x + out.turned_left() * c.y
-    story.equations.append(Equation(sp.expand(c.dot(c) - reach * reach), phrase, kind="direction"))
+    state.equations.append(Equation(sp.expand(c.dot(c) - reach * reach), phrase, kind="direction"))
     way = c - out
     reason = f"{name} moves away from {wall}"
     towards = way.dot(c)
-    story.conditions.append(Condition(towards if inside else -towards, ">", reason, "approach"))
-    return _arriving(story, number, name, way, velocity, c, f"{name} passes by {wall}")
+    state.conditions.append(Condition(towards if inside else -towards, ">", reason, "approach"))
+    return _arriving(state, number, name, way, velocity, c, f"{name} passes by {wall}")
 
 
-def _hidden(story: Story, number: int, phrase: str) -> Vector:
+def _hidden(state: State, number: int, phrase: str) -> Vector:
     return Vector(
-        story.unknowns.hidden(f"c_{number}x", phrase, "real"),
-        story.unknowns.hidden(f"c_{number}y", phrase, "real"),
+        state.unknowns.hidden(f"c_{number}x", phrase, "real"),
+        state.unknowns.hidden(f"c_{number}y", phrase, "real"),
     )
 
 
 def _arriving(
-    story: Story, number: int, name: str, way: Vector, velocity: Vector, c: Vector, missed: str
+    state: State, number: int, name: str, way: Vector, velocity: Vector, c: Vector, missed: str
 ) -> Contact:
-    pace = story.unknowns.hidden(f"w_{number}", f"the time that {name} takes", "positive")
-    story.equations.append(Equation(way.cross(velocity), missed))
+    pace = state.unknowns.hidden(f"w_{number}", f"the time that {name} takes", "positive")
+    state.equations.append(Equation(way.cross(velocity), missed))
     if not pace.is_Symbol:
         return Contact(c, 1 / pace, None)
-    story.equations.append(Equation(pace * way.dot(way) - way.dot(velocity), missed))
+    state.equations.append(Equation(pace * way.dot(way) - way.dot(velocity), missed))
     return Contact(c, 1 / pace, way * pace)
 
 
 def velocities_after(
-    story: Story, number: int, step: Impact, u: Vector, c: Vector, e: Scalar
+    state: State, number: int, step: Impact, u: Vector, c: Vector, e: Scalar
 ) -> tuple[Vector, Vector, Vector]:
     """Velocities after of a sphere with velocity ``u`` and of one at rest, and its impulse."""
-    m, other = story.mass(step.first), story.mass(step.second)
-    r = story.radius(step.first)
+    m, other = state.mass(step.first), state.mass(step.second)
+    r = state.radius(step.first)
     assert r is not None
     phrase = f"the speed of {step.second} after event {number}"
-    share = story.unknowns.hidden(f"s_{number}", phrase, "positive")
+    share = state.unknowns.hidden(f"s_{number}", phrase, "positive")
     law = share * (m + other) * 4 * r * r - (1 + e) * m * u.dot(c)
-    story.equations.append(Equation(sp.expand(law), "Newton's experimental law", kind="law"))
+    state.equations.append(Equation(sp.expand(law), "Newton's experimental law", kind="law"))
     after = c * share
-    return story.neat(u - after * (other / m)), after, after * other
+    return state.neat(u - after * (other / m)), after, after * other

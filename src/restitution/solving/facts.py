@@ -24,7 +24,8 @@ from restitution.problem import (
 from restitution.shapes import Circle, Segment
 from restitution.solving import places
 from restitution.solving.conditions import AnyOf, Condition, Equation
-from restitution.solving.story import Happening, Story
+from restitution.solving.happenings import Happening
+from restitution.solving.story import Story
 from restitution.vector import Vector
 
 Requirement = Equation | Condition | AnyOf

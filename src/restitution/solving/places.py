@@ -7,8 +7,6 @@ happen as told (in order, on the wall, nothing struck before) becomes a conditio
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from restitution.errors import ImpossibleError
 from restitution.expression.evaluate import Scalar
 from restitution.expression.tree import Name, Place, line_and_column
@@ -17,107 +15,105 @@ from restitution.shapes import Circle, Segment
 from restitution.solving import contacts
 from restitution.solving.conditions import AnyOf, Condition, Equation
 from restitution.solving.neat import neat
+from restitution.solving.state import State
 from restitution.vector import Vector
 
-if TYPE_CHECKING:
-    from restitution.solving.story import Story
 
-
-def _lose(story: Story, number: int, *names: str) -> None:
+def _lose(state: State, number: int, *names: str) -> None:
     """After an event at an unknown time nothing more is known of where these spheres are.
 
     Where the text gives no place, the first impact alone has one: it is where places and times
     are counted from, and what follows is not held to it.
     """
     for name in names:
-        story.tracks[name].places.append((number, None, None))
+        state.tracks[name].places.append((number, None, None))
 
 
-def time_to_point(story: Story, number: int, name: str, point: Vector, step: Arrival) -> Scalar:
+def time_to_point(state: State, number: int, name: str, point: Vector, step: Arrival) -> Scalar:
     """When a sphere's centre comes to a point."""
-    known = story.place(name, number - 1)
-    velocity = story.velocity(name, number - 1)
+    known = state.place(name, number - 1)
+    velocity = state.velocity(name, number - 1)
     if known is None:
-        time = story.unknowns.hidden(f"t_{number}", f"the time of event {number}", "positive")
+        time = state.unknowns.hidden(f"t_{number}", f"the time of event {number}", "positive")
     else:
         way = point - known[0]
-        if story.still(velocity):
+        if state.still(velocity):
             raise ImpossibleError(
                 f"{name} is at rest and reaches nothing", *line_and_column(step.place)
             )
-        flight = story.rational(way.dot(velocity) / velocity.dot(velocity))
-        _off(story, way.cross(velocity), f"{name} does not pass through that point", step.place)
-        _flight(story, name, flight, number, f"{name} moves away from that point")
+        flight = state.rational(way.dot(velocity) / velocity.dot(velocity))
+        _off(state, way.cross(velocity), f"{name} does not pass through that point", step.place)
+        _flight(state, name, flight, number, f"{name} moves away from that point")
         time = known[1] + flight
-    story.tracks[name].places.append((number, point, time))
+    state.tracks[name].places.append((number, point, time))
     return time
 
 
-def _off(story: Story, value: Scalar, reason: str, place: Place | None) -> None:
-    if not story.field.is_zero(value):
-        story.equations.append(Equation(value, reason, place))
+def _off(state: State, value: Scalar, reason: str, place: Place | None) -> None:
+    if not state.field.is_zero(value):
+        state.equations.append(Equation(value, reason, place))
 
 
-def _flight(story: Story, name: str, flight: Scalar, number: int, reason: str) -> None:
+def _flight(state: State, name: str, flight: Scalar, number: int, reason: str) -> None:
     """A time of flight must be positive."""
-    story.conditions.append(Condition(flight, ">", reason, "time"))
+    state.conditions.append(Condition(flight, ">", reason, "time"))
 
 
-def time_to_wall(story: Story, number: int, name: str, wall: Wall) -> Scalar | None:
+def time_to_wall(state: State, number: int, name: str, wall: Wall) -> Scalar | None:
     """When a sphere comes to a wall; None where nothing is known of places."""
-    known = story.place(name, number - 1)
-    velocity = story.velocity(name, number - 1)
-    radius = story.radius(name)
-    if known is not None and not story.implied and _is_at(story, number, name, wall):
-        story.tracks[name].places.append((number, *known))
+    known = state.place(name, number - 1)
+    velocity = state.velocity(name, number - 1)
+    radius = state.radius(name)
+    if known is not None and not state.implied and _is_at(state, number, name, wall):
+        state.tracks[name].places.append((number, *known))
         return known[1]
     shape = wall.shape
     if isinstance(shape, Circle):
-        return _time_to_circle(story, number, name, wall, known, velocity, radius)
-    if known is None or story.implied:
-        _lose(story, number, name)
+        return _time_to_circle(state, number, name, wall, known, velocity, radius)
+    if known is None or state.implied:
+        _lose(state, number, name)
         return None
     if shape.point is None:
-        time = story.unknowns.hidden(
+        time = state.unknowns.hidden(
             f"t_{number}", f"the place of the wall {wall.name}", "positive"
         )
         where = known[0] + velocity * (time - known[1])
-        _flight(story, name, time - known[1], number, "times must be in order")
-        story.tracks[name].places.append((number, where, time))
+        _flight(state, name, time - known[1], number, "times must be in order")
+        state.tracks[name].places.append((number, where, time))
         return time
-    through = story.read_vector(shape.point, f"the place of {wall.name}")
-    along = story.wall_direction(Name(wall.name))
+    through = state.read_vector(shape.point, f"the place of {wall.name}")
+    along = state.wall_direction(Name(wall.name))
     normal = along.turned_left()
     gap = normal.dot(known[0] - through)
     speed = normal.dot(velocity)
-    if story.field.is_zero(speed):
+    if state.field.is_zero(speed):
         raise ImpossibleError(f"{name} moves parallel to {wall.name} and does not reach it")
     if radius is not None:
-        side = story.sign(gap)
+        side = state.sign(gap)
         if side in (None, 0):
-            side = -(story.sign(speed) or 1)
-        gap = gap - side * radius * story.size(normal)
-    flight = story.rational(-gap / speed)
-    _flight(story, name, flight, number, f"{name} moves away from {wall.name}")
+            side = -(state.sign(speed) or 1)
+        gap = gap - side * radius * state.size(normal)
+    flight = state.rational(-gap / speed)
+    _flight(state, name, flight, number, f"{name} moves away from {wall.name}")
     where = known[0] + velocity * flight
-    if story.field.exact:
-        where = story.neat(where)
+    if state.field.exact:
+        where = state.neat(where)
     if isinstance(shape, Segment):
-        share = story.rational((where - through).dot(along))
+        share = state.rational((where - through).dot(along))
         reason = f"{name} passes the end of {wall.name}"
-        story.conditions += [
+        state.conditions += [
             Condition(each, ">", reason, "place", end_of=wall.name)
             for each in (share, along.dot(along) - share)
         ]
-    _nothing_first(story, name, wall, known[0], velocity, flight, number)
+    _nothing_first(state, name, wall, known[0], velocity, flight, number)
     time = known[1] + flight
-    story.tracks[name].places.append((number, where, time))
+    state.tracks[name].places.append((number, where, time))
     return time
 
 
-def _is_at(story: Story, number: int, name: str, wall: Wall) -> bool:
+def _is_at(state: State, number: int, name: str, wall: Wall) -> bool:
     """Whether a sphere's latest event is that it came to this wall."""
-    left = story.latest(name, number - 1)
+    left = state.latest(name, number - 1)
     return (
         left is not None
         and isinstance(left.step, Arrival)
@@ -127,7 +123,7 @@ def _is_at(story: Story, number: int, name: str, wall: Wall) -> bool:
 
 
 def _nothing_first(
-    story: Story,
+    state: State,
     name: str,
     target: Wall | None,
     start: Vector,
@@ -137,79 +133,79 @@ def _nothing_first(
     partners: tuple[str, ...] = (),
 ) -> None:
     """No other wall or sphere whose place is known is struck before."""
-    radius = story.radius(name)
-    left = story.latest(name, number - 1)
-    _no_sphere_first(story, name, partners, flight, number)
-    for wall in story.walls.values():
+    radius = state.radius(name)
+    left = state.latest(name, number - 1)
+    _no_sphere_first(state, name, partners, flight, number)
+    for wall in state.walls.values():
         shape = wall.shape
         if wall is target or shape.point is None:
             continue
         if left is not None and wall.name in left.bodies:
             continue  # it has just left that wall
-        through = story.read_vector(shape.point, "")
-        along = story.wall_direction(Name(wall.name))
+        through = state.read_vector(shape.point, "")
+        along = state.wall_direction(Name(wall.name))
         normal = along.turned_left()
         gap, speed = normal.dot(start - through), normal.dot(velocity)
-        if story.field.is_zero(speed):
+        if state.field.is_zero(speed):
             continue
         if radius is not None:
-            side = story.sign(gap)
+            side = state.sign(gap)
             if side in (None, 0):
-                side = -(story.sign(speed) or 1)
-            gap = gap - side * radius * story.size(normal)
-        crossing = story.rational(-gap / speed)
+                side = -(state.sign(speed) or 1)
+            gap = gap - side * radius * state.size(normal)
+        crossing = state.rational(-gap / speed)
         reason = f"{name} strikes {wall.name} first"
         options = [
             Condition(-crossing, ">=", reason, "place"),
             Condition(crossing - flight, ">", reason, "place"),
         ]
         if isinstance(shape, Segment):
-            share = story.rational((start + velocity * crossing - through).dot(along))
+            share = state.rational((start + velocity * crossing - through).dot(along))
             options.append(Condition(-share, ">=", reason, "place"))
             options.append(Condition(share - along.dot(along), ">=", reason, "place"))
-        story.conditions.append(AnyOf(tuple(options), reason))
+        state.conditions.append(AnyOf(tuple(options), reason))
 
 
 def _no_sphere_first(
-    story: Story, name: str, partners: tuple[str, ...], flight: Scalar, number: int
+    state: State, name: str, partners: tuple[str, ...], flight: Scalar, number: int
 ) -> None:
     """No sphere is struck before that moves uniformly from a known place; in numbers alone."""
-    own = story.place(name, number - 1)
-    if story.field.exact or own is None:
+    own = state.place(name, number - 1)
+    if state.field.exact or own is None:
         return
-    radius = story.radius(name)
+    radius = state.radius(name)
     reach = 0 if radius is None else 2 * radius
-    left = story.latest(name, number - 1)
-    for other, track in story.tracks.items():
-        known = story.place(other, number - 1)
+    left = state.latest(name, number - 1)
+    for other, track in state.tracks.items():
+        known = state.place(other, number - 1)
         if other == name or other in partners or known is None:
             continue
         if left is not None and other in left.bodies:
             continue  # it has just left that sphere
-        latest = story.latest(other, number - 1)
+        latest = state.latest(other, number - 1)
         if track.places[-1][0] != (0 if latest is None else latest.number):
             continue  # nobody knows where it has been since
-        story.needs_numbers = True
-        v, w = story.velocity(name, number - 1), story.velocity(other, number - 1)
-        start = later(story, own[1], known[1])
+        state.needs_numbers = True
+        v, w = state.velocity(name, number - 1), state.velocity(other, number - 1)
+        start = later(state, own[1], known[1])
         gap = known[0] + w * (start - known[1]) - own[0] - v * (start - own[1])
         approach = v - w
         ga, ww = gap.dot(approach), approach.dot(approach)
-        if story.sign(ga) != 1:
+        if state.sign(ga) != 1:
             continue
         under = ga * ga - ww * (gap.dot(gap) - reach * reach)
-        side = story.sign(under)
+        side = state.sign(under)
         if side == -1 or (side == 0 and radius is not None):
             continue  # it passes by
-        touch = (ga - (story.field.sqrt(under) if side == 1 else 0)) / ww
-        if story.sign(touch) == 1:
+        touch = (ga - (state.field.sqrt(under) if side == 1 else 0)) / ww
+        if state.sign(touch) == 1:
             spare = start + touch - (own[1] + flight)
             reason = f"{name} strikes {other} first"
-            story.conditions.append(Condition(spare, ">=", reason, "place"))
+            state.conditions.append(Condition(spare, ">=", reason, "place"))
 
 
 def _time_to_circle(
-    story: Story,
+    state: State,
     number: int,
     name: str,
     wall: Wall,
@@ -217,84 +213,84 @@ def _time_to_circle(
     velocity: Vector,
     radius: Scalar | None,
 ) -> Scalar | None:
-    circle = story.circle(wall.name)
+    circle = state.circle(wall.name)
     centre, size = circle.centre, circle.radius
     if known is None:
         return None
     out = known[0] - centre
-    square = story.rational(out.dot(out))
-    inside = story.sign(square - size * size)
+    square = state.rational(out.dot(out))
+    inside = state.sign(square - size * size)
     reach = size
     if radius is not None:
         reach = size + radius if inside == 1 else size - radius
         if inside != 1:
-            story.conditions.append(
+            state.conditions.append(
                 Condition(reach, ">", f"{name} is too large to move inside {wall.name}", "place")
             )
-    excess = story.rational(square - reach * reach)
-    if radius is not None and not story.field.is_zero(excess):
+    excess = state.rational(square - reach * reach)
+    if radius is not None and not state.field.is_zero(excess):
         apart = excess if inside == 1 else -excess
         reason = f"{name} overlaps {wall.name} at the start"
-        story.conditions.append(Condition(apart, ">=", reason, "place"))
+        state.conditions.append(Condition(apart, ">=", reason, "place"))
     vv, ov = velocity.dot(velocity), out.dot(velocity)
-    if story.still(velocity):
+    if state.still(velocity):
         raise ImpossibleError(f"{name} is at rest and does not reach {wall.name}")
-    left = story.latest(name, number - 1)
+    left = state.latest(name, number - 1)
     where: Vector | None = None
-    if story.field.is_zero(excess) or (left is not None and wall.name in left.bodies):
+    if state.field.is_zero(excess) or (left is not None and wall.name in left.bodies):
         flight = -2 * ov / vv
-    elif contacts.is_sought(story, number, vv, ov, excess):
+    elif contacts.is_sought(state, number, vv, ov, excess):
         contact = contacts.with_circle(
-            story, number, name, wall.name, out, reach, inside != 1, velocity
+            state, number, name, wall.name, out, reach, inside != 1, velocity
         )
         flight, where = contact.flight, centre + contact.centres
         if contact.velocity is not None:
-            story.arriving[number, name] = velocity = contact.velocity
+            state.arriving[number, name] = velocity = contact.velocity
     else:
-        under = story.rational(ov * ov - vv * excess)
-        story.conditions.append(Condition(under, ">", f"{name} passes by {wall.name}", "place"))
-        depth = story.real_root(under, f"{name} passes by {wall.name}")
+        under = state.rational(ov * ov - vv * excess)
+        state.conditions.append(Condition(under, ">", f"{name} passes by {wall.name}", "place"))
+        depth = state.real_root(under, f"{name} passes by {wall.name}")
         flight = (-ov - depth) / vv if inside == 1 else (-ov + depth) / vv
-    flight = story.rational(flight)
-    _flight(story, name, flight, number, f"{name} moves away from {wall.name}")
+    flight = state.rational(flight)
+    _flight(state, name, flight, number, f"{name} moves away from {wall.name}")
     if where is None:
         where = known[0] + velocity * flight
-    if story.field.exact:
-        where = story.neat(where)
-    _nothing_first(story, name, wall, known[0], velocity, flight, number)
+    if state.field.exact:
+        where = state.neat(where)
+    _nothing_first(state, name, wall, known[0], velocity, flight, number)
     time = known[1] + flight
-    story.tracks[name].places.append((number, where, time))
+    state.tracks[name].places.append((number, where, time))
     return time
 
 
-def meeting_time(story: Story, number: int) -> Scalar | None:
+def meeting_time(state: State, number: int) -> Scalar | None:
     """The time of an event of bodies whose places are known; None where they are not."""
-    for track in story.tracks.values():
+    for track in state.tracks.values():
         if track.places and track.places[-1][0] == number:
             return track.places[-1][2]
     return None
 
 
 def meeting(
-    story: Story, number: int, step: Impact, approach: Vector
+    state: State, number: int, step: Impact, approach: Vector
 ) -> tuple[Scalar | None, Vector | None]:
     """When two spheres with known places meet, and the line of centres if they have size."""
-    one, other = (story.place(name, number - 1) for name in (step.first, step.second))
-    if story.implied:
-        _lose(story, number, step.first, step.second)
+    one, other = (state.place(name, number - 1) for name in (step.first, step.second))
+    if state.implied:
+        _lose(state, number, step.first, step.second)
         return None, None
     if one is None or other is None:
-        return _meeting_half_known(story, number, step, one, other), None
-    v1, v2 = (story.velocity(name, number - 1) for name in (step.first, step.second))
-    start = later(story, one[1], other[1])
+        return _meeting_half_known(state, number, step, one, other), None
+    v1, v2 = (state.velocity(name, number - 1) for name in (step.first, step.second))
+    start = later(state, one[1], other[1])
     p1, p2 = one[0] + v1 * (start - one[1]), other[0] + v2 * (start - other[1])
     gap = p2 - p1
-    if story.field.exact:
-        gap = story.neat(gap)
-    r = story.radius(step.first)
+    if state.field.exact:
+        gap = state.neat(gap)
+    r = state.radius(step.first)
     at_contact: tuple[Vector, Vector] | None = None  # where that is not worked out by the path
     ww = approach.dot(approach)
-    if story.still(approach):
+    if state.still(approach):
         raise ImpossibleError(
             f"{step.first} and {step.second} are at rest relative to each other: they keep their "
             "distance, and do not collide",
@@ -303,55 +299,55 @@ def meeting(
     if r is None:
         flight = gap.dot(approach) / ww
         _off(
-            story,
-            story.rational(gap.cross(approach)),
+            state,
+            state.rational(gap.cross(approach)),
             f"{step.first} and {step.second} do not meet",
             step.place,
         )
         c = None
     elif step.along is not None:
-        along = story.direction(step.along, number - 1)
-        length = story.size(along)
-        sign = _side(story, number, step, approach.dot(along))
+        along = state.direction(step.along, number - 1)
+        length = state.size(along)
+        sign = _side(state, number, step, approach.dot(along))
         reach = along * (sign * 2 * r / length)
         way = gap - reach
         flight = way.dot(approach) / ww
         _off(
-            story,
-            story.rational(way.cross(approach)),
+            state,
+            state.rational(way.cross(approach)),
             f"{step.first} and {step.second} do not meet on that line of centres",
             step.place,
         )
         c = None
     elif (
         step.offset is None
-        and story.still(v2)
-        and contacts.is_sought(story, number, *approach, *one[0])
+        and state.still(v2)
+        and contacts.is_sought(state, number, *approach, *one[0])
     ):
         start, p2 = one[1], other[0]
-        contact = contacts.with_sphere(story, number, step, one[0], v1, p2)
+        contact = contacts.with_sphere(state, number, step, one[0], v1, p2)
         flight, c = contact.flight, contact.centres
         if contact.velocity is not None:
-            story.arriving[number, step.first] = v1 = contact.velocity
+            state.arriving[number, step.first] = v1 = contact.velocity
         at_contact = p2 - c, p2
     else:
         ga = gap.dot(approach)
         under = ga * ga - ww * (gap.dot(gap) - 4 * r * r)
-        if story.field.exact:
+        if state.field.exact:
             under = neat(under)
-        story.conditions.append(
+        state.conditions.append(
             Condition(under, ">", f"{step.first} passes {step.second} without touching it", "place")
         )
         flight = (
-            ga - story.real_root(under, f"{step.first} passes {step.second} without touching it")
+            ga - state.real_root(under, f"{step.first} passes {step.second} without touching it")
         ) / ww
-        c = story.neat(gap - approach * flight)
-    flight = story.rational(flight)
-    if story.field.exact and flight.is_negative:
+        c = state.neat(gap - approach * flight)
+    flight = state.rational(flight)
+    if state.field.exact and flight.is_negative:
         raise ImpossibleError(f"{step.first} and {step.second} are separating")
     # Where they begin at one place, or in contact, they collide there and then.
-    together = story.field.is_zero(flight)
-    story.conditions.append(
+    together = state.field.is_zero(flight)
+    state.conditions.append(
         Condition(
             flight,
             ">=" if together else ">",
@@ -365,59 +361,59 @@ def meeting(
         if at_contact is not None:
             where = at_contact[name == step.second]
         partners = (step.first, step.second)
-        _nothing_first(story, name, None, known[0], v, time - known[1], number, partners)
-        story.tracks[name].places.append((number, story.neat(where), time))
+        _nothing_first(state, name, None, known[0], v, time - known[1], number, partners)
+        state.tracks[name].places.append((number, state.neat(where), time))
     return time, c
 
 
-def _side(story: Story, number: int, step: Impact, towards: Scalar) -> Scalar:
+def _side(state: State, number: int, step: Impact, towards: Scalar) -> Scalar:
     """On which side of the first sphere the second is, along the given line: 1 or −1.
 
     It is the sign of ``towards``; where that depends on the letters, an unknown whose square is 1.
     Which of its values goes with which letters is decided in numbers.
     """
     reason = f"{step.first} and {step.second} are separating"
-    sign = story.sign(towards)
+    sign = state.sign(towards)
     key = f"s_{number}"
-    if story.field.exact and sign is None:
-        side = story.unknowns.hidden(key, f"the order of {step.first} and {step.second}", "real")
-        story.equations.append(Equation(side * side - 1, reason))
+    if state.field.exact and sign is None:
+        side = state.unknowns.hidden(key, f"the order of {step.first} and {step.second}", "real")
+        state.equations.append(Equation(side * side - 1, reason))
         return side
-    chosen = getattr(story.unknowns, "values", {}).get(f"_{key}")
-    if chosen is not None and not story.field.exact:
-        story.needs_numbers = True
-        story.conditions.append(Condition(chosen * towards, ">", reason, "time"))
+    chosen = getattr(state.unknowns, "values", {}).get(f"_{key}")
+    if chosen is not None and not state.field.exact:
+        state.needs_numbers = True
+        state.conditions.append(Condition(chosen * towards, ">", reason, "time"))
     return sign or 1
 
 
-def later(story: Story, a: Scalar, b: Scalar) -> Scalar:
+def later(state: State, a: Scalar, b: Scalar) -> Scalar:
     """The later of two times; the first where the letters decide."""
-    sign = story.sign(a - b)
+    sign = state.sign(a - b)
     return a if sign is None or sign >= 0 else b
 
 
 def _meeting_half_known(
-    story: Story,
+    state: State,
     number: int,
     step: Impact,
     one: tuple[Vector, Scalar] | None,
     other: tuple[Vector, Scalar] | None,
 ) -> Scalar | None:
     if one is None and other is None:
-        placed = any(track.places for track in story.tracks.values())
-        fixed = any(wall.shape.is_placed for wall in story.problem.walls)
+        placed = any(track.places for track in state.tracks.values())
+        fixed = any(wall.shape.is_placed for wall in state.problem.walls)
         if number == 1 and not placed and not fixed:
-            story.implied = True
-            return story.field.zero
+            state.implied = True
+            return state.field.zero
         return None
     known = one if one is not None else other
     assert known is not None
-    time = story.unknowns.hidden(f"t_{number}", f"the time of event {number}", "positive")
+    time = state.unknowns.hidden(f"t_{number}", f"the time of event {number}", "positive")
     return time
 
 
 def place_after_meeting(
-    story: Story,
+    state: State,
     number: int,
     step: Impact,
     c: Vector,
@@ -426,28 +422,28 @@ def place_after_meeting(
     time: Scalar | None,
 ) -> None:
     """Where the other centre is, when one is known."""
-    tracks = story.tracks[step.first], story.tracks[step.second]
+    tracks = state.tracks[step.first], state.tracks[step.second]
     if time is None or any(t.places and t.places[-1][0] == number for t in tracks):
         return
-    r = story.radius(step.first)
+    r = state.radius(step.first)
     if r is None:
-        apart = Vector(story.field.zero, story.field.zero)
+        apart = Vector(state.field.zero, state.field.zero)
     else:
         oriented = c if unknown else c * closing
-        sign = story.sign(closing) if not unknown else 1
+        sign = state.sign(closing) if not unknown else 1
         if sign in (1, -1) and not unknown:
             oriented = c * sign
-        apart = oriented * (2 * r / story.size(oriented))
-        if story.field.exact:
-            apart = story.neat(apart)
-    one, other = (story.place(name, number - 1) for name in (step.first, step.second))
+        apart = oriented * (2 * r / state.size(oriented))
+        if state.field.exact:
+            apart = state.neat(apart)
+    one, other = (state.place(name, number - 1) for name in (step.first, step.second))
     if one is not None:
-        v = story.velocity(step.first, number - 1)
+        v = state.velocity(step.first, number - 1)
         where = one[0] + v * (time - one[1])
     elif other is not None:
-        v = story.velocity(step.second, number - 1)
+        v = state.velocity(step.second, number - 1)
         where = other[0] + v * (time - other[1]) - apart
     else:
-        where = Vector(story.field.zero, story.field.zero)
+        where = Vector(state.field.zero, state.field.zero)
     tracks[0].places.append((number, where, time))
     tracks[1].places.append((number, where + apart, time))

@@ -14,7 +14,8 @@ from restitution.oracle import Oracle, Proof
 from restitution.oracle.roles import Role
 from restitution.problem import Extremum, Part, Problem, Range, Show, Value
 from restitution.render.layout import Layout
-from restitution.solving.story import Story, Unknowns
+from restitution.solving.state import Unknowns
+from restitution.solving.story import Story
 
 ItemKind = Literal["value", "vector", "point", "direction", "range", "extremum", "show"]
 

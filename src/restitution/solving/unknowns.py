@@ -18,7 +18,7 @@ from restitution.solving.admission import formula_of
 from restitution.solving.conditions import AnyOf, Condition
 from restitution.solving.contacts import rests_on
 from restitution.solving.numbers import Sample, plain_sign, sample, sign_at
-from restitution.solving.story import Sign
+from restitution.solving.state import Sign
 
 SYMBOLIC = Symbolic()
 

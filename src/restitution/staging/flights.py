@@ -18,7 +18,8 @@ import numpy as np
 from restitution.expression.tree import Name
 from restitution.problem import Arrival, Impact, Kick
 from restitution.shapes import Circle, Line, Segment
-from restitution.solving.story import Happening, Story
+from restitution.solving.happenings import Happening
+from restitution.solving.story import Story
 from restitution.staging.geometry import floats, length, still, unit
 from restitution.vector import Vector
 

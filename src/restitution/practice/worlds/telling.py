@@ -20,7 +20,7 @@ from restitution.practice.worlds.arrays import (
 )
 from restitution.problem import Arrival, Event, Impact, Let, Point, Sphere, Wall
 from restitution.solving import quantities
-from restitution.solving.story import Happening
+from restitution.solving.happenings import Happening
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
