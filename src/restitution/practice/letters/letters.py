@@ -440,7 +440,10 @@ class _Search:
         score = state.score
         for option, slot, (name, line) in zip(state.options, slots, firsts, strict=True):
             since = line.number if slot.segment else 0
-            chosen = slot.options[option] if option >= 0 else self.usual(name, line.scope)
+            if option >= 0 or any(each.letter == name for each in self.declared):
+                chosen: Candidate | None = slot.options[max(option, 0)]
+            else:
+                chosen = self.usual(name, line.scope)
             if chosen is None:
                 unknown.add(name)
                 score -= _UNKNOWN if name in self.definitions else 0.0
