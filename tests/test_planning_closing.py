@@ -333,3 +333,20 @@ def test_what_has_no_shape_has_no_answer_and_a_note_that_says_why() -> None:
     )
     assert derivation.items == ()
     assert [each.kind for each in derivation.notes] == ["impossible"]
+
+
+def test_an_impulse_closes_by_the_sphere_of_known_mass() -> None:
+    _, derivation = planned(
+        "sphere A: mass 4, velocity 3i + 2j\nsphere B: mass m, velocity -2i - j\n"
+        "A hits B: along i, e = 1/2\ngiven impulse = 12\nfind m"
+    )
+    assert "12 = 4(3 - v)" in said(derivation)
+
+
+def test_a_component_that_vanishes_says_what_was_divided_by() -> None:
+    _, derivation = planned(
+        "sphere S: mass e M, velocity U at alpha\nsphere T: mass M, at rest\n"
+        "S hits T: along i\nfind direction(S)"
+    )
+    (line,) = lines(derivation, "combine")
+    assert "e >= 0" in line.premises

@@ -25,6 +25,11 @@ PARALLEL = (
     "wall AB: along i\nwall CD: along i\nsphere P: velocity v at alpha to AB\n"
     "P hits AB: e = 2/3\nP hits CD: e = 2/3\n"
 )
+HEAVIER = "sphere S: mass m, velocity U at alpha\nsphere T: mass M, at rest\nS hits T: along i\n"
+MEETING = (
+    "sphere A: mass m, velocity u at 60°\nsphere B: mass 2m, velocity u at 180° - theta\n"
+    "A hits B: along i\n"
+)
 EQUAL = "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\n"
 
 
@@ -75,6 +80,18 @@ CASES = {
     "a line of centres by the change of a velocity, in the other sense": (
         VECTORS + "given velocity(A) = i + 3j\nshow line_of_centres parallel to -i + j",
         "line_of_centres(1) parallel to -i + j",
+    ),
+    "the angle to a line of centres, of masses that are given as one heavier": (
+        HEAVIER
+        + "let beta = angle(velocity(S), line_of_centres)\ngiven m > e M\n"
+        + "show tan(beta) = (m + M) tan(alpha)/(m - e M)",
+        "tan(beta) = (m + M) tan(alpha)/(m - e M)",
+    ),
+    "a component, without the coefficient that a fact ties to an angle": (
+        MEETING
+        + "given along(velocity(B), i) = 0\n"
+        + "show along(velocity(A), i) = -1/2 u (4 cos(theta) - 1)",
+        "v = -1/2 u (4cos(theta) - 1)",
     ),
     "a coefficient by an impulse": (
         PAIR.format(velocity="2u i + u j", mass="m", motion="velocity -u i", e="")

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from restitution.explaining.algebra import NotComparableError, Quotient
+from restitution.explaining.derivation import FLIPPED, Relation
 from restitution.explaining.signs import Signs
 from restitution.explaining.step import Step
-from restitution.expression.tree import Expression
-from restitution.oracle import REAL, Oracle, Role
+from restitution.expression.tree import Expression, has_quantity
+from restitution.oracle import REAL, Formula, Oracle, Role
 from restitution.oracle import Relation as Claim
 from restitution.oracle.roles import ACUTE, POSITIVE
 
@@ -16,11 +17,11 @@ from restitution.oracle.roles import ACUTE, POSITIVE
 def oriented(step: Step, x: Quotient) -> int | None:
     """The sign of a ratio of components; None where it is open.
 
-    What letters of the statement may be need not be cited: an acute angle is named as such. A
-    component that a working names is drawn in its sense, unless a line gives it a value of which
-    that is not certain.
+    What letters of the statement may be need not be cited: an acute angle is named as such. What
+    is given of them beyond that (``m > e M``) counts where it is cited. A component that a working
+    names is drawn in its sense, unless a line gives it a value of which that is not certain.
     """
-    oracle = Oracle(drawn_roles(step))
+    oracle = Oracle(drawn_roles(step), tuple(_ranges_cited(step)))
     sign = Signs(step.world, lambda: oracle).of(x)
     if sign:
         return sign
@@ -30,6 +31,16 @@ def oriented(step: Step, x: Quotient) -> int | None:
         if oracle.proves(Claim(number * value, ">=")):
             return number
     return None
+
+
+def _ranges_cited(step: Step) -> Iterator[Formula]:
+    """The inequalities between letters that a line cites."""
+    for each in step.cited:
+        if isinstance(each.relation, Relation):
+            links = [link for links in each.relation.options for link in links]
+            sides = (side for link in links for side in (link.left, link.right))
+            if all(link.sign in FLIPPED for link in links) and not any(map(has_quantity, sides)):
+                yield step.formula(each.relation)
 
 
 def drawn_roles(step: Step) -> Mapping[str, Role]:

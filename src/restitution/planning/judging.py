@@ -181,12 +181,9 @@ class Judge:
 
     # --- bounds of letters ----------------------------------------------------------------------
 
-    def bounds(self, name: str) -> tuple[Ref, ...]:
-        """The bounds of a letter as premises say them: ``e >= 0``, ``e <= 1``, ``acute: alpha``."""
-        role = roles(self.problem).get(name)
-        if role is None:
-            return ()
-        facts: list[Ref] = [
+    def ranges_given(self, name: str) -> list[Ref]:
+        """The inequalities in force that are given of a letter."""
+        return [
             fact.id
             for fact in self.desk.facts
             if fact.kind == "range"
@@ -194,6 +191,13 @@ class Judge:
             and fact.id.startswith("given")
             and name in _letters(fact.relation)
         ]
+
+    def bounds(self, name: str) -> tuple[Ref, ...]:
+        """The bounds of a letter as premises say them: ``e >= 0``, ``e <= 1``, ``acute: alpha``."""
+        role = roles(self.problem).get(name)
+        if role is None:
+            return ()
+        facts = self.ranges_given(name)
         if role.kind == "angle":
             return (*facts, *_of_angle(name, role.low, role.high, role.closed))
         refs: list[Ref] = []

@@ -87,8 +87,12 @@ def ratio_line(
             first = Binary("/", swept(above), swept(below))
     final = in_tangents(value) if sp.sympify(value, strict=True).is_number else value
     relation = chain(ratio, (first, None), (tree_of(final), "rearrange"))
-    if sp.sympify(value, strict=True).has(sp.Abs):
-        known = background(scene, letters(relation.only[0].right))
+    names = letters(relation.only[0].right)
+    # On which side of a right angle the angle is, may rest on what is given of letters.
+    known = [ref for name in sorted(names) for ref in scene.judge.ranges_given(name)]
+    if known or sp.sympify(value, strict=True).has(sp.Abs):
+        known += background(scene, names)
+    if known:
         refs = scene.judge.enough(move, refs, relation, known) or refs
     return scene.desk.write(move, refs, relation)
 

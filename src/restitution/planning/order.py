@@ -40,6 +40,7 @@ from restitution.planning.impacts import (
 )
 from restitution.planning.pairs import close_two
 from restitution.planning.polynomials import expanded, factor_powers, one_fraction
+from restitution.planning.premises import background
 from restitution.planning.roots import senses, written_law
 from restitution.planning.routes import Candidate, Point, Routes, points
 from restitution.planning.scene import GivenEquation, Scene
@@ -313,7 +314,28 @@ class Solver:
                     frame = self.scene.model.frames[stage]
                     gap = self.scene.velocity(body, stage) - self.scene.vector(right)
                     return replace(own, residuals=(tidy(gap.dot(frame.n)),))
+            case Link(Quantity("impulse", (), int(event)), "=", right):
+                size = self._impulse_by_known_mass(event)
+                if size is not None:
+                    return replace(own, residuals=(size - self.scene.scalar(right),))
         return own
+
+    def _impulse_by_known_mass(self, event: int) -> sp.Expr | None:
+        """The size of an impulse by the change of momentum of the one sphere of known mass."""
+        frame = self.scene.model.frames.get(event)
+        spheres = self.scene.spheres(event)
+        masses = {each: self.scene.model.story.mass(each) for each in spheres}
+        known = [
+            each
+            for each in spheres
+            if f"mass {each}" in self.scene.facts and not self.scene.unknown(masses[each])
+        ]
+        if frame is None or len(spheres) != 2 or len(known) != 1:
+            return None
+        (body,) = known
+        change = self.scene.velocity(body, event) - self.scene.velocity(body, event - 1)
+        towards = 1 if body == spheres[1] else -1  # the axis leads from the first to the second
+        return expanded(towards * masses[body] * change.dot(frame.n))
 
     # --- order ----------------------------------------------------------------------------------
 
@@ -768,7 +790,11 @@ class Solver:
                 scene.desk.know(letter, put, (line,))
                 return
         move = Move("combine", eliminated=other.name)
-        line = scene.desk.write(move, lines, chain(letter, (tree_of(value), None)))
+        relation = chain(letter, (tree_of(value), None))
+        # Of what is zero no denominator says what was divided by.
+        names = {each.name for x in residuals for each in x.free_symbols} if value == 0 else set()
+        enough = scene.judge.enough(move, lines, relation, background(scene, names))
+        line = scene.desk.write(move, enough or lines, relation)
         scene.desk.know(letter, value, (line,))
 
     def _single(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:

@@ -53,8 +53,17 @@ from restitution.planning.quantities import Formula, body_and_stage, frame_after
 from restitution.planning.ranges import write_range
 from restitution.planning.refuting import write_refutation
 from restitution.planning.scene import Scene
-from restitution.planning.turning import angle_line, is_angle
-from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Range, Show
+from restitution.planning.turning import angle_line, is_angle, write_ratio
+from restitution.problem import (
+    Aligned,
+    AtRest,
+    Compare,
+    Extremum,
+    Meets,
+    Range,
+    Show,
+    trees_of_relation,
+)
 from restitution.solving.solution import ItemResult
 
 # By these a line becomes the printed form, in the order in which they are tried.
@@ -83,23 +92,48 @@ def write_show(
     if item.subject is not None:
         _of_subject(scene, solver, item, now, name)
         return
-    standing = solver.mark()
-    for free in (_printed_letters(scene, item, now), frozenset[sp.Symbol]()):
-        try:
-            with Claims(scene, solver) as claims:
-                scene.free |= free
-                own = _facts_about(scene, item, now) - solver.used if free else frozenset()
-                solver.used |= own
-                line, relation = _line(claims, item, now)
-                solver.used -= own
-            break
-        except NotPlannedError:
-            if not free:
-                raise
-            solver.back(standing)
+    line, relation = _written(scene, solver, item, now)
     _print_form(scene, line, relation)
     scene.desk.end(name, line, relation, shown=True)
     _quotable(scene, line, relation)
+
+
+def _written(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, Relation]:
+    """The lines of what is to be shown.
+
+    The letters in which it is printed stand for themselves first, though facts tie them to others;
+    then all that facts tie; and then those alone that it names, the others being put in.
+    """
+    standing = solver.mark()
+    printed = _printed_letters(scene, item, now)
+    refusal: NotPlannedError | None = None
+    for attempt in ("printed", "tied", "named") if printed else ("tied", "named"):
+        facts = frozenset[str]()
+        with Claims(scene, solver) as claims:
+            if attempt == "printed":
+                scene.free |= printed
+                facts = _facts_about(scene, item, now) - solver.used
+            if attempt == "named":
+                unnamed = {each for each in scene.free if each.name not in _names(item)}
+                if not unnamed:
+                    break
+                scene.free -= unnamed
+            solver.used |= facts
+            try:
+                line, relation = _line(claims, item, now)
+            except NotPlannedError as error:
+                refusal = refusal or error
+                solver.back(standing)
+                continue
+            solver.used -= facts
+            return line, relation
+    assert refusal is not None
+    raise refusal
+
+
+def _names(item: Show) -> frozenset[str]:
+    """The letters in what is to be shown."""
+    return frozenset(name for tree in trees_of_relation(item.relation) for name in letters(tree))
 
 
 def _print_form(scene: Scene, line: int, relation: Relation) -> None:
@@ -486,10 +520,32 @@ class _Equation:
         quantities = list(dict.fromkeys(_quantities(left, right)))
         subjects = [quantity for quantity in quantities if quantity in set(walk(left))]
         if len(quantities) == 1 and len(subjects) == 1:
-            line = self._of_one(quantities[0])
+            line = self._of_one(quantities[0]) or self._ratio_as_asked(quantities[0])
             if line is not None:
                 return line
         return self._of_several(quantities)
+
+    def _ratio_as_asked(self, angle: Quantity) -> int | None:
+        """A ratio of an angle as it is written where it is asked, then in the printed form."""
+        match self.link.left:
+            case Apply("sin" | "cos" | "tan" as function, tree) if is_angle(self.scene, tree):
+                pass
+            case _:
+                return None
+        mark = self.claims.worths.mark()
+        try:
+            self.claims.worths.determine(angle)
+            line, _ = write_ratio(self.scene, function, tree)
+        except NotPlannedError:
+            self.claims.worths.back(mark)
+            return None
+        if _says(self.scene, line, self.link):
+            return line
+        names = self._known(letters(self.scene.desk.last_link(line).right) | letters(tree))
+        printed = self._last([line, *self.claims.worths.name_of(angle), *names])
+        if printed is None:
+            self.claims.worths.back(mark)
+        return printed
 
     def _of_expression(self, letter: Letter, tree: Expression) -> int | None:
         """A letter of the statement for an expression of quantities."""
