@@ -25,7 +25,8 @@ from restitution.experiments.frames import frame_of, outlying
 from restitution.experiments.plots import MOST_DRAWN, law_plot, residual_plot, speed_plot
 from restitution.experiments.records import Table
 from restitution.experiments.report import report
-from restitution.experiments.results import Check, ClassValues, Experiment, Interval, Point
+from restitution.experiments.results import Check, ClassValues, Interval, Point
+from restitution.experiments.whole import Experiment
 
 SVG = "{http://www.w3.org/2000/svg}"
 USE, LINK = f"{SVG}use", "{http://www.w3.org/1999/xlink}href"

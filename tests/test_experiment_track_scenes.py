@@ -14,14 +14,9 @@ from restitution.drawing.labels import place
 from restitution.drawing.scene import Arc, Disc, Dot, Line, Scene, StraightWall
 from restitution.drawing.svg import to_svg
 from restitution.experiments.records import Position, Table, Track
-from restitution.experiments.results import (
-    ClassValues,
-    Experiment,
-    FittedTrack,
-    Interval,
-    StraightLine,
-)
+from restitution.experiments.results import ClassValues, FittedTrack, Interval, StraightLine
 from restitution.experiments.track_scenes import MOST_DOTS, track_scene, track_scenes
+from restitution.experiments.whole import Experiment
 from restitution.vector import Vector
 
 Pair = tuple[float, float]

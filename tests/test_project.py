@@ -115,3 +115,37 @@ def test_contributing_names_files_that_are_there():
     named = re.findall(r"`((?:src|tests|scripts|benchmarks)/[\w/.]+)`", text)
     assert len(named) > 20
     assert [each for each in named if not (ROOT / each).exists()] == []
+
+
+def imports_of(path: Path, modules: set[str]) -> set[str]:
+    """The modules that one imports, also where only type checkers or a function see it."""
+    imported = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            imported |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.module is not None:
+            inside = {f"{node.module}.{alias.name}" for alias in node.names}
+            imported |= inside & modules or {node.module}
+    return imported & modules
+
+
+def test_no_modules_import_each_other():
+    """Imports go one way between modules too, not only between packages."""
+    package = ROOT / "src" / "restitution"
+    modules = {
+        ".".join(path.relative_to(ROOT / "src").with_suffix("").parts).removesuffix(
+            ".__init__"
+        ): path
+        for path in sorted(package.rglob("*.py"))
+    }
+    # The front door names everything that it offers, for type checkers.
+    graph = {
+        name: imports_of(path, set(modules)) - {name, "restitution"}
+        for name, path in modules.items()
+        if name != "restitution"
+    }
+    while without := {name for name, imported in graph.items() if not imported & graph.keys()}:
+        graph = {name: imported for name, imported in graph.items() if name not in without}
+    while unused := graph.keys() - set().union(*graph.values()):
+        graph = {name: imported for name, imported in graph.items() if name not in unused}
+    assert sorted(graph) == [], "these import each other, or stand between such"

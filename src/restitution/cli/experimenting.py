@@ -16,7 +16,7 @@ from restitution.errors import RestitutionError, StatementError
 
 if TYPE_CHECKING:
     from restitution.experiments.records import Kind
-    from restitution.experiments.results import Experiment
+    from restitution.experiments.whole import Experiment
 
 
 class ExperimentKind(StrEnum):

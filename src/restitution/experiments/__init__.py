@@ -14,11 +14,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from restitution.experiments.records import Kind
-from restitution.experiments.results import Experiment
 from restitution.experiments.rows import Data
+from restitution.experiments.whole import Experiment
 
 if TYPE_CHECKING:
-    from restitution.experiments.planning import Plan
+    from restitution.experiments.whole import Plan
 
 
 def experiment(

@@ -18,11 +18,12 @@ from restitution.experiments.patterns import (
     decided,
 )
 from restitution.experiments.records import Fault, Table
-from restitution.experiments.results import Experiment, Interval
+from restitution.experiments.results import Interval
 from restitution.experiments.samples import LEVEL, Sample
 from restitution.experiments.spheres import Spheres
 from restitution.experiments.tracks import Tracks
 from restitution.experiments.walls import Wall
+from restitution.experiments.whole import Experiment
 
 
 def analysed(table: Table) -> Experiment:

@@ -7,7 +7,7 @@ import statistics
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from restitution.experiments.results import Experiment
+from restitution.experiments.whole import Experiment
 
 _SQUEEZED = 5.0
 """A reading so many times farther out than the middle one squeezes the others."""

@@ -8,13 +8,13 @@ from collections.abc import Iterator
 
 from restitution.counting import counted, listed
 from restitution.experiments.numbers import decimals, fixed
-from restitution.experiments.planning import Design, Plan
+from restitution.experiments.plans import Design, PlanContent
 
 _MOST_ANGLES = 24
 _LARGE = 20.0  # degrees, beyond which nobody overlooks a turn
 
 
-def written(plan: Plan, width: int) -> str:
+def written(plan: PlanContent, width: int) -> str:
     """The best angle, the designs, the trials that it takes, and why angles are spread."""
     blocks = [
         list(_wrapped(f"Plan: {_asked(plan)}", width)),
@@ -28,14 +28,14 @@ def written(plan: Plan, width: int) -> str:
     return "\n\n".join("\n".join(block) for block in blocks if block) + "\n"
 
 
-def _asked(plan: Plan) -> str:
+def _asked(plan: PlanContent) -> str:
     return (
         f"impacts with a wall, e near {plan.e:g}, angles read to ±{plan.angle_error:g}° (standard "
         f"error), {counted(plan.trials, 'trial')}"
     )
 
 
-def _best(plan: Plan) -> str:
+def _best(plan: PlanContent) -> str:
     angle = fixed(plan.best_angle, 0)
     exact = abs(plan.e * _square_of_tangent(plan.best_angle) - 1) < 1e-6
     beside = (
@@ -50,7 +50,7 @@ def _square_of_tangent(degrees: float) -> float:
     return math.tan(math.radians(degrees)) ** 2
 
 
-def _table(plan: Plan) -> Iterator[str]:
+def _table(plan: PlanContent) -> Iterator[str]:
     longest = max(len(each.title) for each in plan.designs)
     yield f"    {'angles α':<{longest}}   error of e   95% interval   turn seen"
     for each in plan.designs:
@@ -73,7 +73,7 @@ def _size(value: float, places: int) -> str:
     return f"±{fixed(value, places)}"
 
 
-def _below(plan: Plan, width: int) -> Iterator[str]:
+def _below(plan: PlanContent, width: int) -> Iterator[str]:
     design = plan.design(plan.recommended)
     yield from _wrapped(f"* recommended: {_angles(design)}", width, "  ")
     yield from _wrapped(
@@ -98,14 +98,14 @@ def _angles(design: Design) -> str:
     return "α = " + (", ".join(shown) + f" and {rest} more" if rest else listed(shown))
 
 
-def _trials(plan: Plan, width: int) -> Iterator[str]:
+def _trials(plan: PlanContent, width: int) -> Iterator[str]:
     needs = [f"{trials} for ±{target:g}" for target, trials in plan.trials_for]
     yield from _wrapped(
         f"Trials for an interval of 95%, with angles as in *: {listed(needs)}.", width
     )
 
 
-def _why(plan: Plan) -> str:
+def _why(plan: PlanContent) -> str:
     best = plan.design("best")
     if plan.recommended == "best":
         return (

@@ -19,18 +19,17 @@ with errors in both angles count by 1/Var e, so that their sum is 1/Var of the f
 from __future__ import annotations
 
 import dataclasses
-import json
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from restitution.errors import StatementError
 from restitution.experiments.curves import WALL, Array, Readings, nearest, sum_of_squares
 from restitution.experiments.patterns import FAMILY
+from restitution.experiments.plans import Design
 from restitution.experiments.samples import LEVEL
+from restitution.experiments.whole import Plan
 
 MAX_TRIALS = 200
 MAX_ERROR = 20.0
@@ -45,66 +44,6 @@ _STEP = 5  # between the angles that designs are tried at, in degrees
 _POWER = 0.8  # of the experiments in which a pattern that is told is to be seen
 _TESTS = 3  # patterns that angles with known errors are tested for: above 1, offset, scatter
 _MOST, _FEWEST, _READINGS = 400, 50, 4000  # experiments to simulate, and readings in all
-
-
-@dataclass(frozen=True)
-class Design:
-    """Angles α in degrees, one for each trial, and what comes of them.
-
-    ``standard_error`` is that of e by propagation, ``simulated_error`` the standard deviation of e
-    in simulated experiments, and ``half_width`` the mean half width of their intervals of 95%.
-    ``smallest_turn`` is the turn of the line from which angles are measured, in degrees, that the
-    check of the model sees in 80% of the experiments; None where the check is impossible.
-    """
-
-    id: str
-    title: str
-    angles: tuple[float, ...]
-    standard_error: float
-    simulated_error: float
-    half_width: float
-    smallest_turn: float | None
-
-
-@dataclass(frozen=True)
-class Plan:
-    """What is to be expected of an experiment with a wall.
-
-    ``best_angle`` is that at which one reading tells most of e, in degrees; ``recommended`` the id
-    of a design. ``trials_for`` has half widths of the interval of 95% with the trials, of the
-    recommended design, that they take.
-    """
-
-    e: float
-    angle_error: float
-    trials: int
-    seed: int
-    simulations: int
-    best_angle: float
-    designs: tuple[Design, ...]
-    recommended: str
-    trials_for: tuple[tuple[float, int], ...]
-
-    def design(self, name: str) -> Design:
-        """A design by its id. Raises KeyError where there is none of it."""
-        for each in self.designs:
-            if each.id == name:
-                return each
-        raise KeyError(name)
-
-    def text(self, width: int = 80) -> str:
-        """The plan in lines of at most ``width`` columns."""
-        from restitution.experiments.plan_text import written
-
-        return written(self, width)
-
-    def json(self) -> str:
-        """The plan as one line of JSON."""
-        fields: dict[str, Any] = dataclasses.asdict(self)
-        fields["trials_for"] = [
-            {"half_width": width, "trials": trials} for width, trials in self.trials_for
-        ]
-        return json.dumps(fields, ensure_ascii=False)
 
 
 def planned(e: float, angle_error: float, trials: int, seed: int) -> Plan:

@@ -24,7 +24,8 @@ from restitution.experiments.canvas import POINT, SMALL, Canvas, canvas, svg_of
 from restitution.experiments.frames import Frame, frame_of, outlying
 from restitution.experiments.needs import needed
 from restitution.experiments.numbers import decimals, fixed, with_error
-from restitution.experiments.results import Experiment, Point
+from restitution.experiments.results import Point
+from restitution.experiments.whole import Experiment
 from restitution.render.glyphs import Box
 from restitution.vector import Vector
 

@@ -11,9 +11,10 @@ from restitution.drawing.svg import abreast
 from restitution.experiments.formulas import ALPHA, BETA, RATIO, TAN_ALPHA, TAN_BETA, E
 from restitution.experiments.numbers import fixed, with_error
 from restitution.experiments.plots import law_plot, residual_plot, speed_plot
-from restitution.experiments.results import Check, Experiment, Point
+from restitution.experiments.results import Check, Point
 from restitution.experiments.texts import TITLES, class_words, error_sentence, interval_sentence
 from restitution.experiments.track_scenes import track_scenes
+from restitution.experiments.whole import Experiment
 from restitution.render.document import (
     Block,
     Document,

@@ -126,8 +126,8 @@ class FittedTrack:
 
 
 @dataclass(frozen=True)
-class Experiment:
-    """The coefficient of restitution from what was measured.
+class ExperimentContent:
+    """What an experiment holds: the coefficient of restitution from what was measured.
 
     ``error_source`` says where the errors of the readings are from; ``angle_error`` is the error of
     one angle in degrees where it is the same for all, else None, and ``speed_error`` that of one
@@ -162,12 +162,6 @@ class Experiment:
             if check.id == pattern:
                 return check
         raise KeyError(pattern)
-
-    def text(self, width: int = 80) -> str:
-        """What a student reads in a terminal, in lines of at most ``width`` columns."""
-        from restitution.experiments.texts import written
-
-        return written(self, width)
 
     def data(self) -> dict[str, Any]:
         """The result as JSON knows it; what is infinite is null."""

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from restitution.counting import counted
 from restitution.experiments.numbers import decimals, fixed, with_error
 from restitution.experiments.records import Kind
-from restitution.experiments.results import Experiment, Interval, Point, StraightLine
+from restitution.experiments.results import ExperimentContent, Interval, Point, StraightLine
 
 TITLES: dict[Kind, str] = {
     "wall": "Impacts with a wall",
@@ -22,7 +22,7 @@ MAX_FAULTS = 10
 MAX_NOTES = 20
 
 
-def written(experiment: Experiment, width: int) -> str:
+def written(experiment: ExperimentContent, width: int) -> str:
     """The value of e, the readings, what a class computes, and the check of the model."""
     blocks = [
         _heading(experiment),
@@ -36,11 +36,11 @@ def written(experiment: Experiment, width: int) -> str:
     return "\n\n".join("\n".join(block) for block in map(list, blocks) if block) + "\n"
 
 
-def _heading(experiment: Experiment) -> Iterator[str]:
+def _heading(experiment: ExperimentContent) -> Iterator[str]:
     yield f"{TITLES[experiment.kind]}: {counted(len(experiment.points), 'trial')}"
 
 
-def _result(experiment: Experiment, width: int) -> Iterator[str]:
+def _result(experiment: ExperimentContent, width: int) -> Iterator[str]:
     yield f"  e = {with_error(experiment.e, experiment.standard_error)}"
     yield from _wrapped(interval_sentence(experiment.interval, experiment.standard_error), width)
     yield from _wrapped(error_sentence(experiment), width)
@@ -56,7 +56,7 @@ def interval_sentence(interval: Interval, error: float) -> str:
     return f"With {level} confidence e lies from {low} to {high}."
 
 
-def error_sentence(experiment: Experiment) -> str:
+def error_sentence(experiment: ExperimentContent) -> str:
     """From where the errors of the readings are."""
     if experiment.kind == "tracks":
         return "The errors are from the scatter of the positions about straight lines."
@@ -66,7 +66,7 @@ def error_sentence(experiment: Experiment) -> str:
     return f"The errors are those that were given{size}."
 
 
-def _size_of_error(experiment: Experiment) -> str:
+def _size_of_error(experiment: ExperimentContent) -> str:
     if experiment.angle_error is not None:
         return f": {experiment.angle_error:.2g}° for an angle"
     if experiment.speed_error is not None:
@@ -78,7 +78,7 @@ def _size_of_error(experiment: Experiment) -> str:
 # --- readings ---------------------------------------------------------------------------------
 
 
-def _readings(experiment: Experiment) -> Iterator[str]:
+def _readings(experiment: ExperimentContent) -> Iterator[str]:
     points = experiment.points
     name, width = _place_column([each.label for each in points])
     unit = experiment.speed_unit
@@ -118,7 +118,7 @@ def _row(point: Point, width: int) -> str:
     return f"  {place:>{width}}  {angles}  {tangents}   {ratio:>11}   {distance}"
 
 
-def _tracks(experiment: Experiment) -> Iterator[str]:
+def _tracks(experiment: ExperimentContent) -> Iterator[str]:
     """Of each track when the impact was, and the speeds before and after."""
     tracks = experiment.tracks
     if not tracks:
@@ -154,7 +154,7 @@ def _number(value: float, places: int) -> str:
 # --- what stands beside -----------------------------------------------------------------------
 
 
-def class_words(experiment: Experiment) -> tuple[str, str, str]:
+def class_words(experiment: ExperimentContent) -> tuple[str, str, str]:
     """The mean of the ratios, the slope of the line, and e of the fit, as they are printed."""
     values = experiment.class_values
     return (
@@ -164,7 +164,7 @@ def class_words(experiment: Experiment) -> tuple[str, str, str]:
     )
 
 
-def _class(experiment: Experiment, width: int) -> Iterator[str]:
+def _class(experiment: ExperimentContent, width: int) -> Iterator[str]:
     walls = experiment.points[0].alpha is not None
     mean, slope, fit = class_words(experiment)
     ratio = "tan β / tan α" if walls else "separation / approach"
@@ -180,7 +180,7 @@ def _class(experiment: Experiment, width: int) -> Iterator[str]:
     yield from _wrapped(experiment.class_values.why, width)
 
 
-def _checks(experiment: Experiment, width: int) -> Iterator[str]:
+def _checks(experiment: ExperimentContent, width: int) -> Iterator[str]:
     yield "Check of the model"
     for check in experiment.checks:
         sign = {"seen": "!", "not seen": " ", "untested": "?"}[check.verdict]
@@ -189,7 +189,7 @@ def _checks(experiment: Experiment, width: int) -> Iterator[str]:
         yield from _wrapped(check.sentence.removeprefix("Untested: "), width, "      ")
 
 
-def _notes(experiment: Experiment, width: int) -> Iterator[str]:
+def _notes(experiment: ExperimentContent, width: int) -> Iterator[str]:
     faults = experiment.table.faults
     if faults:
         yield f"Left out: {counted(len(faults), 'row')}"

@@ -27,7 +27,8 @@ from restitution.drawing.scene import (
 )
 from restitution.experiments.numbers import fixed
 from restitution.experiments.records import Track
-from restitution.experiments.results import Experiment, FittedTrack, StraightLine
+from restitution.experiments.results import FittedTrack, StraightLine
+from restitution.experiments.whole import Experiment
 from restitution.render.layout import Degrees, Layout, Letter, Number, Phrase, Relation, Words
 from restitution.staging.geometry import direction, length
 from restitution.vector import Vector

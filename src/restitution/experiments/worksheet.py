@@ -29,7 +29,8 @@ from restitution.errors import StatementError
 from restitution.experiments import questions
 from restitution.experiments.formulas import ALPHA, BETA, TAN_ALPHA, TAN_BETA, E, U, V, mixed
 from restitution.experiments.numbers import fixed
-from restitution.experiments.planning import HIGHEST, LOWEST, Plan, planned
+from restitution.experiments.planning import HIGHEST, LOWEST, planned
+from restitution.experiments.whole import Plan
 from restitution.render.document import (
     Block,
     Document,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from textwrap import wrap
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from restitution.explaining.consequences import AlteredWorld, ChangedItem, altered_worlds
 from restitution.explaining.misconceptions import Misconception, misconception
@@ -13,27 +13,30 @@ from restitution.export.units import Units
 from restitution.render.text import NO_BREAK, width
 from restitution.solving.solution import ItemResult, Solution
 
-if TYPE_CHECKING:
-    from restitution.export.job import Writing
-
 _SHARE = 0.5
 _LABEL = "These are answers in an altered world, and not of the question."
 
 
 def written(
-    reply: dict[str, Any], solution: Solution, mistake: str, task: Writing, limit: float | None
+    reply: dict[str, Any],
+    solution: Solution,
+    mistake: str,
+    limit: float | None,
+    *,
+    part: str | None,
+    columns: int | None,
 ) -> str:
-    """The answers that a mistake, or one variant, changes: as text, or as JSON.
+    """The answers that a mistake, or one variant, changes: as JSON, or as text with ``columns``.
 
     Raises what `altered_worlds` raises.
     """
     seconds = None if limit is None else limit * _SHARE
-    worlds = altered_worlds(solution, mistake, time_limit=seconds, part=task.part)
+    worlds = altered_worlds(solution, mistake, time_limit=seconds, part=part)
     about = misconception(mistake)
-    if task.form == "json":
+    if columns is None:
         content = {**reply, "as": _object(mistake, about, solution, worlds)}
         return contract.to_json(content) + "\n"
-    return "\n".join(_lines(about, solution, worlds, task.width)) + "\n"
+    return "\n".join(_lines(about, solution, worlds, columns)) + "\n"
 
 
 def _object(

@@ -9,8 +9,8 @@ from restitution.errors import UnsupportedError
 from restitution.experiments import experiment
 from restitution.experiments.numbers import with_error
 from restitution.experiments.records import Kind
-from restitution.experiments.results import Experiment
 from restitution.experiments.texts import class_words, error_sentence, interval_sentence
+from restitution.experiments.whole import Experiment
 
 Object = dict[str, Any]
 

@@ -246,7 +246,8 @@ def serve(job: Job) -> Reply:
         case Writing(mistake=str(mistake)):
             from restitution.export.altered import written
 
-            text = written(reply, solution, mistake, job.task, job.limit)
+            columns = None if job.task.form == "json" else job.task.width
+            text = written(reply, solution, mistake, job.limit, part=job.task.part, columns=columns)
             return Reply(text, True, errors, tuple(reply["warnings"]), tired=tired)
         case Writing("json", working=False, check=False):
             return Reply(contract.to_json(reply) + "\n", answered, tired=tired)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -11,16 +10,14 @@ from restitution.explaining.derivation import FLIPPED, Link, Meaning, Move, Ref,
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import Apply, Degrees, Expression, Letter, Quantity
 from restitution.planning.angle_pairs import extents, made_of_two
+from restitution.planning.comparing import Comparing
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import ZERO, tree_of
 from restitution.planning.polynomials import expanded
 
-if TYPE_CHECKING:
-    from restitution.planning.claims import Claims
-
 
 def write_of_angles(
-    claims: Claims, quantities: Sequence[Quantity], relation: Relation
+    claims: Comparing, quantities: Sequence[Quantity], relation: Relation
 ) -> int | None:
     """An inequality between angles of the motion; None where there is no way to it."""
     if len(relation.only) != 1 or not quantities:
@@ -39,7 +36,7 @@ def write_of_angles(
     return None
 
 
-def _by_sign(claims: Claims, quantities: Sequence[Quantity], relation: Relation) -> int | None:
+def _by_sign(claims: Comparing, quantities: Sequence[Quantity], relation: Relation) -> int | None:
     """That an angle is acute, or obtuse, by the sign of its tangent."""
     (link,) = relation.only
     match link:
@@ -55,7 +52,7 @@ def _by_sign(claims: Claims, quantities: Sequence[Quantity], relation: Relation)
     return None if signed is None else claims.judge.write(_COMPARE, [signed, *extent], relation)
 
 
-def _tangent_of(claims: Claims, angle: Quantity) -> tuple[int, Expression, tuple[Ref, ...]]:
+def _tangent_of(claims: Comparing, angle: Quantity) -> tuple[int, Expression, tuple[Ref, ...]]:
     """The line of the tangent of an angle by its letter, with the letter and its range."""
     line = claims.worths.angle_by_letter(angle) or claims.worths.angle(angle)
     subject = claims.scene.desk.last_link(line).left
@@ -65,7 +62,7 @@ def _tangent_of(claims: Claims, angle: Quantity) -> tuple[int, Expression, tuple
 
 
 def _by_its_tangent(
-    claims: Claims, quantities: Sequence[Quantity], relation: Relation
+    claims: Comparing, quantities: Sequence[Quantity], relation: Relation
 ) -> int | None:
     """An angle to a line compared with one of the data, both acute, as their tangents are."""
     (link,) = relation.only
@@ -86,7 +83,9 @@ def _by_its_tangent(
     return claims.judge.write(_COMPARE, pool, relation)
 
 
-def _by_the_other(claims: Claims, quantities: Sequence[Quantity], relation: Relation) -> int | None:
+def _by_the_other(
+    claims: Comparing, quantities: Sequence[Quantity], relation: Relation
+) -> int | None:
     """An angle that is made of two, of which one is the greater, as its tangent is."""
     scene = claims.scene
     for asked in quantities:
@@ -120,7 +119,7 @@ def _by_the_other(claims: Claims, quantities: Sequence[Quantity], relation: Rela
     return None
 
 
-def _which_is_less(claims: Claims, link: Link, angle: Expression) -> Link | None:
+def _which_is_less(claims: Comparing, link: Link, angle: Expression) -> Link | None:
     """What an inequality says of an angle of the motion and one of the data: ``β <= α``."""
     left, right = (_in_two(claims, each) for each in (link.left, link.right))
     if left is None or right is None or not isinstance(angle, Letter):
@@ -136,7 +135,7 @@ def _which_is_less(claims: Claims, link: Link, angle: Expression) -> Link | None
     return Link(angle, sign, tree_of(other, angle=True))
 
 
-def _in_two(claims: Claims, tree: Expression) -> sp.Expr | None:
+def _in_two(claims: Comparing, tree: Expression) -> sp.Expr | None:
     """A side of an inequality in letters of angles, with those put in that lines make of others."""
     scene = claims.scene
     named = {let.quantity: let.letter for let in _lets(claims)}
@@ -160,7 +159,7 @@ def _in_two(claims: Claims, tree: Expression) -> sp.Expr | None:
         return None
 
 
-def _lets(claims: Claims) -> list[Meaning]:
+def _lets(claims: Comparing) -> list[Meaning]:
     """What the letters of the working stand for."""
     lines = (line.relation for line in claims.scene.desk.lines)
     return [line for line in lines if isinstance(line, Meaning)]

@@ -1,16 +1,13 @@
-"""Lines about angles: their ratios from one that is given."""
+"""Angles between a velocity and a line."""
 
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Relation
 from restitution.expression.tree import (
-    Apply,
     Binary,
     Degrees,
     Expression,
@@ -20,65 +17,10 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
-from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import tree_of
-
-if TYPE_CHECKING:
-    from restitution.planning.scene import Scene
+from restitution.planning.scene import Scene
 
 STRAIGHT, RIGHT = (Degrees(Fraction(each)) for each in (180, 90))
-
-
-def range_of(scene: Scene, name: str) -> str:
-    """What is known of the range of an angle, as a premise says it."""
-    role = scene.model.unknowns.roles[name]
-    if role.low == 0 and role.high == sp.pi / 2 and not any(role.closed):
-        return f"acute: {name}"
-    signs = ["<=" if each else "<" for each in role.closed]
-    if role.low is None or role.high is None:
-        raise NotPlannedError(f"the range of {name} is open")
-    ends = [f"{int(sp.deg(each))}°" for each in (role.low, role.high)]
-    return f"{ends[0]} {signs[0]} {name} {signs[1]} {ends[1]}"
-
-
-def write_ratios(scene: Scene, symbol: sp.Symbol) -> None:
-    """``cos α = 3/5 and sin α = 4/5`` from the ratio that is given."""
-    fact = scene.ratio_facts[symbol.name]
-    (link,) = fact.relation.only
-    assert isinstance(link.left, Apply)
-    letter = Letter(symbol.name)
-    angle = scene.model.final[symbol]
-    given = link.left.function
-    scene.desk.know(link.left, scene.scalar(link.right), (fact.id,))
-    others = {
-        each: tidy(getattr(sp, each)(angle)) for each in ("sin", "cos", "tan") if each != given
-    }
-    shown = [each for each in ("sin", "cos") if each != given]
-    links = tuple(Link(Apply(each, letter), "=", tree_of(others[each])) for each in shown)
-    number = scene.desk.write(
-        Move("triangle"), (fact.id, range_of(scene, symbol.name)), Relation((links,))
-    )
-    for each in shown:
-        scene.desk.know(Apply(each, letter), others[each], (number,))
-    if "tan" in others:
-        scene.desk.know(Apply("tan", letter), others["tan"], (fact.id, number))
-
-
-def write_other_ratio(scene: Scene, symbol: sp.Symbol, kind: str) -> None:
-    """A sine, cosine or tangent of an angle of which another is known, or the angle itself."""
-    letter = Letter(symbol.name)
-    for each in ("tan", "sin", "cos"):
-        known = scene.desk.known(Apply(each, letter))
-        if known is None or len(known.refs) != 1:
-            continue
-        kinds = [kind] if kind == "tan" else [own for own in ("sin", "cos") if own != each]
-        trees = {own: tidy(getattr(sp, own)(scene.model.final[symbol])) for own in kinds}
-        links = tuple(Link(Apply(own, letter), "=", tree_of(trees[own])) for own in kinds)
-        premises = (*known.refs, range_of(scene, symbol.name))
-        number = scene.desk.write(Move("triangle"), premises, Relation((links,)))
-        for own in kinds:
-            scene.desk.know(Apply(own, letter), trees[own], (number,))
-        return
 
 
 def angle_to_a_line(scene: Scene, body: str, line: Expression) -> Expression | None:

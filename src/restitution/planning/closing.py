@@ -24,7 +24,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.angles import write_other_ratio
+from restitution.planning.angle_ratios import write_other_ratio
 from restitution.planning.collecting import multiplied_out
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import ZERO, square, swept, total, tree_of

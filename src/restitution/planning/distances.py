@@ -10,7 +10,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref
 from restitution.expression.tree import Apply, AtTime, Expression, Name, Quantity, Unit
-from restitution.planning.angles import range_of
+from restitution.planning.angle_ratios import range_of
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import difference, product, square, swept, total, tree_of
 from restitution.planning.impacts import in_direction

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -13,14 +12,12 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import FLIPPED, Link, Move, Relation, Sign
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import Apply, Binary, Expression, Number, Quantity, walk
+from restitution.planning.comparing import Comparing
 from restitution.planning.forms import ZERO, square, tree_of
 from restitution.planning.impacts import scene_value
 from restitution.planning.scene import Scene
+from restitution.planning.worths import Worths
 from restitution.solving.letters import roles
-
-if TYPE_CHECKING:
-    from restitution.planning.claims import Claims
-    from restitution.planning.worths import Worths
 
 _TO_FORM = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
 
@@ -96,7 +93,7 @@ def _bound(link: Link, subject: Expression) -> tuple[Sign, Expression] | None:
     return None
 
 
-def write_difference(claims: Claims, line: int, relation: Relation) -> int | None:
+def write_difference(claims: Comparing, line: int, relation: Relation) -> int | None:
     """A bound by the difference to it, which is a product of factors of certain signs.
 
     Of a speed that is a root, by the difference of squares. None where there is no such product.

@@ -23,7 +23,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning import journeys, place_trees
-from restitution.planning.angles import write_other_ratio
+from restitution.planning.angle_ratios import write_other_ratio
 from restitution.planning.axes import write_axis, write_wall
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.either_side import write_sides

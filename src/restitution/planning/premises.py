@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import sympy as sp
 
 from restitution.explaining.derivation import Ref
-from restitution.planning.angles import range_of
+from restitution.planning.angle_ratios import range_of
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.polynomials import factored
 from restitution.planning.scene import Scene

@@ -4,20 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.expression.tree import Apply, Binary, Expression, Letter
+from restitution.planning.comparing import Comparing
 from restitution.planning.forms import product, square, total, tree_of
 from restitution.planning.impacts import scene_value
 from restitution.planning.scene import Scene
 from restitution.solving.letters import roles
-
-if TYPE_CHECKING:
-    from restitution.planning.claims import Claims
 
 
 @dataclass(frozen=True)
@@ -30,7 +27,7 @@ class Bound:
     right: Expression
 
 
-def write_quotient(claims: Claims, line: int, symbol: sp.Symbol, end: Link) -> Bound | None:
+def write_quotient(claims: Comparing, line: int, symbol: sp.Symbol, end: Link) -> Bound | None:
     """The greatest value of a quotient over a letter, or over the tangent of an angle.
 
     ``line`` says what the left side of ``end`` is; None where it is no such quotient.

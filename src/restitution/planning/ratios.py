@@ -11,7 +11,7 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Meaning, Move, Relation
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import Apply, Binary, Expression, Letter, letters, walk
-from restitution.planning.angles import range_of
+from restitution.planning.angle_ratios import range_of
 from restitution.planning.desk import NotPlannedError, Source, chain
 from restitution.planning.forms import (
     ONE,

@@ -25,6 +25,7 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
+from restitution.planning.angle_ratios import write_other_ratio, write_ratios
 from restitution.planning.desk import Desk, NotPlannedError, Source, together
 from restitution.planning.forms import neat, tree_of
 from restitution.planning.frames import Frame, frame_of
@@ -330,13 +331,9 @@ class Scene:
         tree = Apply(type(ratio).__name__, Letter(argument.name))
         known = self.desk.known(tree)
         if known is None and self._ratio_fact(argument) is not None:
-            from restitution.planning.angles import write_ratios
-
             write_ratios(self, argument)
             known = self.desk.known(tree)
         if known is None and self._by_an_inverse(argument):
-            from restitution.planning.angles import write_other_ratio
-
             write_other_ratio(self, argument, type(ratio).__name__)
             known = self.desk.known(tree)
         return known

@@ -29,7 +29,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.angles import write_other_ratio
+from restitution.planning.angle_ratios import write_other_ratio
 from restitution.planning.claims import Claims
 from restitution.planning.comparisons import Comparison
 from restitution.planning.conditions import has_quantity_in

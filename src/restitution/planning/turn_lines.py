@@ -20,7 +20,8 @@ from restitution.expression.tree import (
     Quantity,
     letters,
 )
-from restitution.planning.angles import RIGHT, range_of, write_other_ratio
+from restitution.planning.angle_ratios import range_of, write_other_ratio
+from restitution.planning.angles import RIGHT
 from restitution.planning.desk import chain, together
 from restitution.planning.forms import ONE, difference, product, swept, total, tree_of
 from restitution.planning.named_angles import letter_of, tangent_line

@@ -3,24 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Relation
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Name, Quantity
+from restitution.planning.comparing import Comparing
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.forms import tree_of
 from restitution.planning.named_angles import tangent_line
 from restitution.planning.quantities import formula
 from restitution.planning.wall_turns import angle_of_approach, data_of_approach
 
-if TYPE_CHECKING:
-    from restitution.planning.claims import Claims
 
-
-def write_turn(claims: Claims, quantities: Sequence[Quantity], relation: Relation) -> int | None:
+def write_turn(claims: Comparing, quantities: Sequence[Quantity], relation: Relation) -> int | None:
     """A deflection at a wall compared; None where it is not that, or leads nowhere."""
     mark = claims.worths.mark()
     try:
@@ -32,7 +29,7 @@ def write_turn(claims: Claims, quantities: Sequence[Quantity], relation: Relatio
     return line
 
 
-def _turn(claims: Claims, quantities: Sequence[Quantity], relation: Relation) -> int | None:
+def _turn(claims: Comparing, quantities: Sequence[Quantity], relation: Relation) -> int | None:
     scene = claims.scene
     match quantities:
         case [Quantity("deflection", (Name(body),), int(event)) as turned]:
@@ -79,7 +76,7 @@ def _turn(claims: Claims, quantities: Sequence[Quantity], relation: Relation) ->
 
 
 def _less(
-    claims: Claims, side: Expression, turned: Quantity, before: sp.Expr, letter: str
+    claims: Comparing, side: Expression, turned: Quantity, before: sp.Expr, letter: str
 ) -> Expression:
     """A side of an inequality of the deflection without the angle before."""
     if side == turned:
@@ -88,7 +85,7 @@ def _less(
     return tree_of(tidy(value - before), angle=True)
 
 
-def _ratio(claims: Claims, side: Expression) -> Expression | None:
+def _ratio(claims: Comparing, side: Expression) -> Expression | None:
     if isinstance(side, Letter):
         return Apply("tan", side)
     value = tangent_of(sp.sympify(claims.scene.scalar(side), strict=True))

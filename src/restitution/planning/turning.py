@@ -24,7 +24,8 @@ from restitution.expression.tree import (
     Unit,
     letters,
 )
-from restitution.planning.angles import angle_to_a_line, range_of
+from restitution.planning.angle_ratios import range_of
+from restitution.planning.angles import angle_to_a_line
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.either_side import angle_of_centres
 from restitution.planning.forms import difference, in_tangents, total, tree_of

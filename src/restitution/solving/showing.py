@@ -7,7 +7,7 @@ said to be undecided.
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import sympy as sp
 
@@ -30,6 +30,8 @@ from restitution.problem import (
     Compare,
     Extremum,
     Impact,
+    Item,
+    Problem,
     Range,
     Show,
     trees,
@@ -44,24 +46,40 @@ from restitution.solving.coefficients import without_impossible
 from restitution.solving.conditions import Equation
 from restitution.solving.facts import requirements
 from restitution.solving.neat import neat
-from restitution.solving.part import Outcome
+from restitution.solving.part import Desk, Outcome
 from restitution.solving.solution import Branch, ItemResult
 from restitution.solving.unknowns import SYMBOLIC, Letters
-
-if TYPE_CHECKING:
-    from restitution.solving.worker import Worker
 
 # What is longer than this is not factorised to see which letters matter.
 LONG = 400
 UNDECIDED = Verdict("undecided", "undecided")
 
 
-def show(worker: Worker, step: Show, now: int) -> ItemResult:
+class Results(Protocol):
+    """The results of one part so far, by which a claim is decided."""
+
+    desk: Desk
+
+    @property
+    def problem(self) -> Problem: ...
+
+    def solved(
+        self, in_terms_of: tuple[str, ...] | None, claim: Show | None = None
+    ) -> tuple[Outcome, list[Branch]]: ...
+
+    def item_result(
+        self, item: Item, now: int, in_terms_of: tuple[str, ...] | None
+    ) -> ItemResult: ...
+
+    def warn(self, text: str) -> None: ...
+
+
+def show(results: Results, step: Show, now: int) -> ItemResult:
     """Whether a claim follows from the facts, for all admissible values of its letters."""
     line = None if step.place is None else step.place.line
     if step.subject is not None:
-        return _show_set_or_extremum(worker, step, now, line)
-    outcome, branches = worker.solved(step.in_terms_of, step)
+        return _show_set_or_extremum(results, step, now, line)
+    outcome, branches = results.solved(step.in_terms_of, step)
     if not outcome.accepted:
         trees_ = list(trees_of_relation(step.relation))
         branches = without_impossible(branches, outcome.setting, trees_, now)
@@ -69,10 +87,10 @@ def show(worker: Worker, step: Show, now: int) -> ItemResult:
     for branch in branches:
         verdict, claim = _verdict(outcome, branch, step, now)
         if verdict.answer == "refuted":
-            values = _counterexample(worker, outcome, branch, verdict.witness or {}, claim, step)
+            values = _counterexample(results, outcome, branch, verdict.witness or {}, claim, step)
             signed = _if_positive(outcome, branch, verdict.witness or {}, claim)
             if signed:
-                worker.warn(_of_any_sign(step, signed))
+                results.warn(_of_any_sign(step, signed))
             return ItemResult(
                 step,
                 line,
@@ -188,7 +206,7 @@ def _exponent(size: Fraction) -> int:
 
 
 def _counterexample(
-    worker: Worker,
+    results: Results,
     outcome: Outcome,
     branch: Branch,
     witness: Point,
@@ -206,7 +224,7 @@ def _counterexample(
             there = value.xreplace({s: put[s.name] for s in value.free_symbols if s.name in put})
             shown[name] = exact.tidy_angle(there) if there.has(sp.atan) else exact.tidy(there)
             matters |= {s.name for s in value.free_symbols} if name in matters else set()
-    used = _used(worker, outcome) & matters
+    used = _used(results, outcome) & matters
     return {name: exact.sympy_text(shown[name]) for name in sorted(shown) if name in used}
 
 
@@ -255,12 +273,12 @@ def _deciding(value: sp.Expr) -> set[str]:
     }
 
 
-def _used(worker: Worker, outcome: Outcome) -> set[str]:
+def _used(results: Results, outcome: Outcome) -> set[str]:
     """The letters of the statement."""
     used: set[str] = set()
-    for tree in trees(worker.problem):
+    for tree in trees(results.problem):
         used |= letters(tree)
-    if any(isinstance(s, Impact) and s.e is None for _, s in worker.problem.steps()):
+    if any(isinstance(s, Impact) and s.e is None for _, s in results.problem.steps()):
         used.add("e")
     return used - set(outcome.setting.lets)
 
@@ -275,15 +293,15 @@ def _leading(tree: Any) -> Fraction:
     return Fraction(int(coefficient.p), int(coefficient.q))
 
 
-def _show_set_or_extremum(worker: Worker, step: Show, now: int, line: int | None) -> ItemResult:
+def _show_set_or_extremum(results: Results, step: Show, now: int, line: int | None) -> ItemResult:
     """``show range of e: …`` and ``show maximum of Q over X = …``."""
     subject = step.subject
     assert subject is not None
     assert isinstance(step.relation, Compare)
-    result = worker.item_result(subject, now, step.in_terms_of)
+    result = results.item_result(subject, now, step.in_terms_of)
     if result.error is not None:
         raise result.error
-    roles = worker.desk.settle(step.in_terms_of, subject).roles
+    roles = results.desk.settle(step.in_terms_of, subject).roles
     letters_ = Letters(roles)
     evaluator = Evaluator(SYMBOLIC, letters_.letter)
     if isinstance(subject, Extremum):

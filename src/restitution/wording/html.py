@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from html import escape
-from typing import TYPE_CHECKING
 
 from restitution.render.mathml import to_mathml
 from restitution.render.page import page
-from restitution.wording.structure import Block, Listing, Named, QuestionPart, Words
+from restitution.wording.structure import (
+    Block,
+    Listing,
+    Named,
+    QuestionContent,
+    QuestionPart,
+    Words,
+)
 from restitution.wording.words import count_of_marks
-
-if TYPE_CHECKING:
-    from restitution.wording.whole import Question
 
 STYLE = """
 .question { color: #1b1b1f; background: #fff; max-width: 42rem; margin: 0 auto; padding: 1rem;
@@ -39,17 +42,17 @@ STYLE = """
 """
 
 
-def to_html(question: Question) -> str:
+def to_html(question: QuestionContent) -> str:
     """A whole page."""
     return page(question.title or "Question", "body { margin: 0 }", to_fragment(question))
 
 
-def to_fragment(question: Question) -> str:
+def to_fragment(question: QuestionContent) -> str:
     """What stands in a page (or in a notebook), with its style."""
     return f"<style>{STYLE}</style>\n{to_body(question)}"
 
 
-def to_body(question: Question) -> str:
+def to_body(question: QuestionContent) -> str:
     """A question without its style, for a page that has it already."""
     out = ['<article class="question">']
     if question.title:
@@ -58,7 +61,7 @@ def to_body(question: Question) -> str:
     return "\n".join(out)
 
 
-def opening(question: Question) -> list[str]:
+def opening(question: QuestionContent) -> list[str]:
     """The paragraphs before anything is asked."""
     return [_paragraph(*question.intro)] if question.intro else []
 

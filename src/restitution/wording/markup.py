@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from restitution.render.latex import to_latex
 from restitution.render.markdown import escape
@@ -12,16 +11,14 @@ from restitution.wording.structure import (
     Listing,
     Named,
     Piece,
+    QuestionContent,
     QuestionPart,
     Words,
 )
 from restitution.wording.words import count_of_marks
 
-if TYPE_CHECKING:
-    from restitution.wording.whole import Question
 
-
-def to_markdown(question: Question) -> str:
+def to_markdown(question: QuestionContent) -> str:
     """The question as Markdown; no text of a user comes through as markup."""
     blocks: list[str] = []
     if question.title:

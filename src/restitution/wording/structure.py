@@ -74,3 +74,12 @@ class QuestionPart:
                     continue
             out.append(block)
         return tuple(out)
+
+
+@dataclass(frozen=True)
+class QuestionContent:
+    """What a whole question holds: a title, what comes before anything is asked, and parts."""
+
+    title: str | None
+    intro: tuple[Sentence, ...]
+    parts: tuple[QuestionPart, ...]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from restitution.render.text import NO_BREAK, width, wrapped
 from restitution.render.text import to_text as one_line
@@ -12,18 +11,16 @@ from restitution.wording.structure import (
     Listing,
     Named,
     Piece,
+    QuestionContent,
     QuestionPart,
     Words,
 )
 from restitution.wording.words import count_of_marks
 
-if TYPE_CHECKING:
-    from restitution.wording.whole import Question
-
 _INDENT = 5
 
 
-def to_text(question: Question, columns: int = 80) -> str:
+def to_text(question: QuestionContent, columns: int = 80) -> str:
     """The whole question, at most so many columns wide where that can be."""
     blocks: list[list[str]] = []
     if question.title:

@@ -2,24 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from restitution.wording.html import to_fragment
 from restitution.wording.markup import to_markdown
-from restitution.wording.structure import QuestionPart, Sentence
+from restitution.wording.structure import QuestionContent
 from restitution.wording.text import to_text
 
 
-@dataclass(frozen=True)
-class Question:
+class Question(QuestionContent):
     """A whole question. It shows itself in a terminal and in Jupyter.
 
     ``intro`` is what is told before anything is asked.
     """
-
-    title: str | None
-    intro: tuple[Sentence, ...]
-    parts: tuple[QuestionPart, ...]
 
     def __str__(self) -> str:
         return to_text(self)

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import permutations
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 
@@ -40,9 +40,6 @@ from restitution.practice.worlds.agreement import agrees, difference, numbers_of
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Given, Problem
 from restitution.vector import Vector
-
-if TYPE_CHECKING:
-    from restitution.practice.judging.verdicts import Judge
 
 # A sign that is turned undoes these, and so is no slip beside them.
 _OF_SIGNS = frozenset(
@@ -91,6 +88,28 @@ class Explained:
     near: tuple[Use, ...] = ()
 
 
+class JudgedSoFar(Protocol):
+    """What is known of a script by the lines that are judged."""
+
+    entries: list[Entry]
+
+    @property
+    def base(self) -> World:
+        """The solution in which most lines are true."""
+
+    def students(self) -> tuple[World, ...]:
+        """The worlds in which the lines so far hold, as far as they can hold together."""
+
+    def altered(self, variant: VariantAt) -> World | None:
+        """The world of an altered law, all else being right."""
+
+    def stated(self) -> Stated:
+        """The laws that a line above states rightly, each with its event."""
+
+    def uses_of_entry(self, entry: Entry) -> tuple[Use, ...]:
+        """The laws that a line uses."""
+
+
 class Names:
     """Names the mistakes in the lines of one problem."""
 
@@ -101,7 +120,7 @@ class Names:
         self.variants = tuple(each for event in events for each in variants_at(event, events))
         self._familiar: dict[int, tuple[float, ...]] = {}
 
-    def explained(self, entry: Entry, judge: Judge) -> Explained:
+    def explained(self, entry: Entry, judge: JudgedSoFar) -> Explained:
         """What explains a claim that is false."""
         mended = tuple(_mending(entry, judge))
         at = text_of(mended[0].part) if mended else None
@@ -138,7 +157,7 @@ class Names:
     # --- misconceptions -----------------------------------------------------------------------
 
     def _explaining(
-        self, entry: Entry, judge: Judge, mended: Sequence[Correction]
+        self, entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction]
     ) -> tuple[VariantAt, ...]:
         """The altered laws that explain a claim where no slip does."""
         if entry.claim.sign != "=" or entry.claim.others:
@@ -181,7 +200,7 @@ class Names:
             if isinstance(one, Quantity)
         )
 
-    def _results(self, entry: Entry, judge: Judge) -> Iterator[VariantAt]:
+    def _results(self, entry: Entry, judge: JudgedSoFar) -> Iterator[VariantAt]:
         """By a result: the claim gives a quantity the value that an altered definition gives it."""
         forms = (entry, *self._with_given(entry))
         for variant in self.variants:
@@ -197,7 +216,7 @@ class Names:
                 if one == value:
                     yield replace(entry, claim=replace(entry.claim, left=quantity, right=other))
 
-    def _worlds(self, entry: Entry, judge: Judge) -> Iterator[VariantAt]:
+    def _worlds(self, entry: Entry, judge: JudgedSoFar) -> Iterator[VariantAt]:
         """By altered worlds: the claim holds where one law is altered, and all else is right."""
         energetic = _is_energetic(entry)
         fitting = _OF_ENERGY - {"speed"} if _is_of_energy(entry) else _OF_ENERGY
@@ -215,7 +234,7 @@ class Names:
             if world is not None and _holds(entry, world):
                 yield variant
 
-    def _is_familiar(self, correction: Correction, entry: Entry, judge: Judge) -> bool:
+    def _is_familiar(self, correction: Correction, entry: Entry, judge: JudgedSoFar) -> bool:
         """Whether a correction changes a figure of a number that the story itself has."""
         if correction.change not in ("figure", "factor"):
             return False
@@ -227,7 +246,7 @@ class Names:
             return True
         return any(abs(value - each) <= 0.005 * abs(each) for each in self._values(judge))
 
-    def _values(self, judge: Judge) -> tuple[float, ...]:
+    def _values(self, judge: JudgedSoFar) -> tuple[float, ...]:
         """The numbers of the story: those of the statement, and its quantities."""
         world = judge.base
         if world.solution not in self._familiar:
@@ -281,7 +300,7 @@ def _contradicts(variant: VariantAt, stated: Stated) -> bool:
     return any((law.law, variant.event.number) in stated for law in variant.laws)
 
 
-def _near(entry: Entry, judge: Judge, mended: Sequence[Correction]) -> tuple[Use, ...]:
+def _near(entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction]) -> tuple[Use, ...]:
     """The laws of a claim with the first correction that makes it an instance of one."""
     near: tuple[Use, ...] = ()
     for correction in mended[:_TRIED]:
@@ -292,7 +311,7 @@ def _near(entry: Entry, judge: Judge, mended: Sequence[Correction]) -> tuple[Use
     return near
 
 
-def _is_law(correction: Correction, entry: Entry, judge: Judge) -> bool:
+def _is_law(correction: Correction, entry: Entry, judge: JudgedSoFar) -> bool:
     """Whether a corrected claim is an instance of a law, and not true by its numbers alone."""
     whole = correction.part in (entry.claim.left, entry.claim.right)
     if correction.change != "sign" or whole:
@@ -407,7 +426,7 @@ def _gives(entry: Entry, value: Expression, world: World) -> bool:
 # --- slips ------------------------------------------------------------------------------------
 
 
-def _mending(entry: Entry, judge: Judge) -> Iterator[Correction]:
+def _mending(entry: Entry, judge: JudgedSoFar) -> Iterator[Correction]:
     """The corrections at one place with which a claim is true, or follows."""
     if entry.claim.others:
         return
@@ -427,7 +446,7 @@ def _is_near(entry: Entry, world: World) -> bool:
     return entry.claim.sign != "=" or bool(np.all(np.abs(apart) <= _CLOSE * size + _TINY))
 
 
-def _slip(entry: Entry, judge: Judge, mended: Sequence[Correction]) -> str | None:
+def _slip(entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction]) -> str | None:
     """The slip that a false claim is, where only one kind of slip explains it."""
     changes = {each.change for each in mended}
     claim = entry.claim

@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import replace
 
 from restitution.errors import RestitutionError, StatementError
 from restitution.explaining.consequences import altered_world
 from restitution.explaining.misconceptions import alteration
 from restitution.expression.tree import Expression
 from restitution.expression.writing import write_expression
-from restitution.practice.judgement import JudgedLine, Judgement, Meaning
+from restitution.practice.judgement import Judgement
 from restitution.practice.judging.judging import bench_of, judge
 from restitution.practice.letters.declaring import letters_from_mapping
 from restitution.practice.letters.letters_box import letters_box
-from restitution.practice.marking.answers import AnswerMark, answers_of
-from restitution.practice.marking.messages import LEVELS, Message, messages_of
-from restitution.practice.marking.points import Marks, PointMark, marked
+from restitution.practice.marking.answers import answers_of
+from restitution.practice.marking.content import Ask, MarkingContent
+from restitution.practice.marking.messages import LEVELS, messages_of
+from restitution.practice.marking.points import marked
 from restitution.practice.marking.scheme import schemes
+from restitution.practice.marking.showing import to_html, to_text
 from restitution.practice.marking.values import Values
 from restitution.practice.reading.working import read_working
 from restitution.practice.script import Script
@@ -26,7 +27,6 @@ from restitution.problem import Problem
 from restitution.solving.solution import Solution
 from restitution.solving.solver import solve
 
-Object = dict[str, Any]
 Meant = str | Expression | tuple[Expression, ...]
 """A meaning: a quantity as text, a phrase, or trees that it may be."""
 
@@ -34,82 +34,19 @@ _PROPOSALS = 6
 _CONSEQUENCE = 1.0  # seconds for the world of a mistake; without it only this is left out
 
 
-@dataclass(frozen=True)
-class Ask:
-    """A letter of which the meaning has to be known, with meanings that would do."""
-
-    letter: str
-    text: str
-    proposals: tuple[tuple[str, str], ...]
-
-
-@dataclass(frozen=True, repr=False)
-class Marking:
+class Marking(MarkingContent):
     """A working of one part, marked.
 
     ``lines`` have their verdicts, ``letters`` are their meanings, ``answers`` the values given for
     what is asked, ``marks`` the points. It shows itself in a terminal and in Jupyter.
     """
 
-    part: str | None
-    lines: tuple[JudgedLine, ...]
-    letters: tuple[Meaning, ...]
-    answers: tuple[AnswerMark, ...]
-    marks: Marks
-    messages: tuple[Message, ...]
-    asks: tuple[Ask, ...] = ()
-    error: str | None = None
-
-    @property
-    def mistakes(self) -> tuple[str, ...]:
-        """The names of the mistakes that begin in its lines, in their order."""
-        names = (line.mistake.id for line in self.lines if line.mistake is not None)
-        return tuple(name for name in names if name is not None)
-
-    def json(self) -> Object:
-        """The marking as plain data; every line has all its keys."""
-        return {
-            "part": self.part,
-            "letters": [
-                {
-                    "letter": each.letter,
-                    "meaning": write_expression(each.quantity),
-                    "words": each.words,
-                    "by": each.by,
-                }
-                for each in self.letters
-            ],
-            "lines": [_line(each) for each in self.lines],
-            "answers": [each.json() for each in self.answers],
-            "marks": {
-                "earned": self.marks.earned,
-                "lost": self.marks.lost,
-                "open": self.marks.open,
-                "of": self.marks.of,
-                "points": [_point(each) for each in self.marks.points],
-            },
-            "messages": [vars(each) for each in self.messages],
-            "asks": [
-                {
-                    "letter": each.letter,
-                    "text": each.text,
-                    "proposals": [{"meaning": m, "words": w} for m, w in each.proposals],
-                }
-                for each in self.asks
-            ],
-            "error": self.error,
-        }
-
     def __str__(self) -> str:
-        from restitution.practice.marking.showing import to_text
-
         return to_text(self)
 
     __repr__ = __str__
 
     def _repr_html_(self) -> str:
-        from restitution.practice.marking.showing import to_html
-
         return to_html(self)
 
 
@@ -256,41 +193,3 @@ def _asks(judgement: Judgement, solution: Solution, part: str | None) -> list[As
 
 
 # --- plain data -----------------------------------------------------------------------------------
-
-
-def _line(line: JudgedLine) -> Object:
-    use = next(iter(line.uses), None)
-    mistake = line.mistake
-    return {
-        "n": line.line.number,
-        "text": line.line.text,
-        "read_as": line.read_as,
-        "verdict": line.verdict,
-        "accuracy": line.accuracy,
-        "principle": None if use is None else use.principle,
-        "event": None if use is None else use.event,
-        "link": line.link,
-        "from": list(line.sources),
-        "mistake": None
-        if mistake is None
-        else {
-            "id": mistake.id,
-            "variants": list(mistake.variants),
-            "also": list(mistake.also),
-            "kind": mistake.kind,
-            "at": mistake.at,
-            "sure": mistake.sure,
-            "leads_to": dict(mistake.leads_to or {}),
-        },
-    }
-
-
-def _point(mark: PointMark) -> Object:
-    return {
-        "id": mark.point.id,
-        "kind": mark.point.kind,
-        "for": mark.point.purpose,
-        "state": mark.state,
-        "line": mark.line,
-        "why": mark.why,
-    }

@@ -5,14 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from html import escape
 from textwrap import wrap
-from typing import TYPE_CHECKING
 
 from restitution.explaining.misconceptions import MISCONCEPTIONS
-
-if TYPE_CHECKING:
-    from restitution.practice.marking.answers import AnswerMark
-    from restitution.practice.marking.marking import Marking
-    from restitution.practice.marking.points import Marks
+from restitution.practice.marking.answers import AnswerMark
+from restitution.practice.marking.content import MarkingContent
+from restitution.practice.marking.points import Marks
 
 SIGNS: Mapping[str, str] = {
     "true": "✓",
@@ -29,7 +26,7 @@ _STATES = {"earned": "✓", "lost": "✗", "open": "?"}
 _WIDTH = 80
 
 
-def to_text(marking: Marking, width: int = _WIDTH) -> str:
+def to_text(marking: MarkingContent, width: int = _WIDTH) -> str:
     """A marking for a terminal, ``width`` characters wide."""
     rows: list[str] = [] if marking.part is None else [f"({marking.part})"]
     texts: dict[int | None, list[str]] = {}
@@ -70,7 +67,7 @@ def _wrapped(text: str, start: str, width: int) -> list[str]:
     ]
 
 
-def to_html(marking: Marking) -> str:
+def to_html(marking: MarkingContent) -> str:
     """A marking as a fragment of HTML."""
     texts: dict[int | None, list[str]] = {}
     for message in marking.messages:
@@ -97,7 +94,7 @@ def to_html(marking: Marking) -> str:
     )
 
 
-def document(markings: Sequence[Marking]) -> str:
+def document(markings: Sequence[MarkingContent]) -> str:
     """Markings as a page of HTML."""
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>Marking</title>'

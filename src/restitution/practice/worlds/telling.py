@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
@@ -18,13 +18,13 @@ from restitution.practice.worlds.arrays import (
     UnvaluedError,
     angle,
 )
-from restitution.problem import Arrival, Event, Impact, Let, Point, Sphere, Wall
+from restitution.practice.worlds.motion import Motion, Stop
+from restitution.problem import Arrival, Event, Impact, Let
 from restitution.solving import quantities
 from restitution.solving.happenings import Happening
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
-    from restitution.practice.worlds.world import World
     from restitution.solving.story import Story
 
 Meanings = Mapping[str, Expression]
@@ -34,43 +34,8 @@ NO_VALUES: Mapping[str, Value] = {}
 
 
 @dataclass(frozen=True)
-class Stop:
-    """A place that the story knows of a sphere: after which event, where, and how it is reached.
-
-    ``where`` is None where it is no longer known. ``jump`` is what the place differs by from the
-    one to which the sphere has moved since its last stop; None at the first of them.
-    """
-
-    event: int
-    where: Vector | None
-    jump: Vector | None = None
-
-
-@dataclass(frozen=True)
 class _Track:
     places: Sequence[tuple[int, Vector | None, Array]]
-
-
-@dataclass(frozen=True, eq=False)
-class Plot:
-    """Parts of a story that no number changes: events, names in force, bodies by their names.
-
-    ``known`` keeps what has been worked out of these alone.
-    """
-
-    events: tuple[Event, ...]
-    lets: Mapping[str, tuple[Let, int]]
-    spheres: Mapping[str, Sphere]
-    walls: Mapping[str, Wall]
-    points: Mapping[str, Point]
-    open_times: frozenset[str]
-    known: dict[str, Any] = field(default_factory=dict, repr=False)
-
-    @classmethod
-    def of(cls, story: Story) -> Plot:
-        """The plot of a story that has been told."""
-        steps = tuple(happening.step for happening in story.happenings)
-        return cls(steps, story.lets, story.spheres, story.walls, story.points, story.open_times)
 
 
 class Telling:
@@ -80,7 +45,7 @@ class Telling:
 
     def __init__(
         self,
-        world: World,
+        world: Motion,
         meanings: Meanings = NO_MEANINGS,
         degrees: bool = True,
         values: Mapping[str, Value] = NO_VALUES,

@@ -4,21 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, TypeVar, cast
 
 import numpy as np
 
 from restitution.expression.tree import Expression, letters
+from restitution.practice.worlds.motion import Motion
 from restitution.practice.worlds.telling import Telling
 from restitution.problem import Impact, Wall
 from restitution.shapes import Line, Segment
 from restitution.vector import Vector
 
-if TYPE_CHECKING:
-    from restitution.practice.worlds.world import World
+AnyMotion = TypeVar("AnyMotion", bound=Motion)
 
 
-def turned(world: World, changed: frozenset[str], fixed: frozenset[int]) -> World:
+def turned(world: AnyMotion, changed: frozenset[str], fixed: frozenset[int]) -> AnyMotion:
     """The world with starts, walls and lines of centres by its letters, some of them changed."""
     telling = Telling(world, degrees=False)
     with np.errstate(all="ignore"):
@@ -49,7 +49,7 @@ def _speaks_of(tree: Any, names: frozenset[str]) -> bool:
     return isinstance(tree, Expression) and not letters(tree).isdisjoint(names)
 
 
-def _wall_by_letters(world: World, wall: Wall, changed: frozenset[str]) -> Vector | None:
+def _wall_by_letters(world: Motion, wall: Wall, changed: frozenset[str]) -> Vector | None:
     telling = Telling(world, degrees=False)
     match wall.shape:
         case Line(along) if _speaks_of(along, changed):
@@ -62,7 +62,7 @@ def _wall_by_letters(world: World, wall: Wall, changed: frozenset[str]) -> Vecto
 
 
 def _line_by_letters(
-    world: World,
+    world: Motion,
     number: int,
     step: Impact,
     changed: frozenset[str],

@@ -8,7 +8,7 @@ velocity, a coefficient or a line of centres is replaced is a world too, whateve
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -19,17 +19,16 @@ from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import Expression, Name
 from restitution.practice.script import ANYWHERE, Scope
 from restitution.practice.worlds.arrays import Array, UnvaluedError
+from restitution.practice.worlds.motion import Motion, Plot, Stage, Stop
 from restitution.practice.worlds.telling import (
     NO_MEANINGS,
     NO_NUMBERS,
     NO_VALUES,
     Meanings,
-    Plot,
-    Stop,
     Telling,
 )
 from restitution.practice.worlds.turning import turned, unit
-from restitution.problem import Event, Let, Part, Problem
+from restitution.problem import Part
 from restitution.shapes import Circle
 from restitution.solving.story import Story
 from restitution.vector import Vector
@@ -43,11 +42,10 @@ _REFUSALS = (
     ValueError,
     AttributeError,
 )
-Stage = tuple[int, str]
 
 
 @dataclass(frozen=True, eq=False)
-class World:
+class World(Motion):
     """The story up to and with ``part`` at ``samples`` samples.
 
     Scalars are arrays of shape (samples,), or single numbers. ``letters`` holds the letters of the
@@ -57,32 +55,6 @@ class World:
     the second, or into the wall. ``times`` are None where nothing is known of places. The facts of
     the statement give the letters ``determined`` their values.
     """
-
-    problem: Problem
-    part: Part
-    solution: int
-    samples: int
-    letters: Mapping[str, Array]
-    angles: frozenset[str]
-    start: Mapping[str, Vector]
-    after: Mapping[Stage, Vector]
-    lines: Mapping[int, Vector]
-    walls: Mapping[str, Vector]
-    times: Mapping[int, Array | None]
-    stops: Mapping[str, tuple[Stop, ...]]
-    plot: Plot
-    determined: frozenset[str] = frozenset()
-    _known: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
-
-    @property
-    def events(self) -> tuple[Event, ...]:
-        """The events of the story, in order."""
-        return self.plot.events
-
-    @property
-    def lets(self) -> Mapping[str, tuple[Let, int]]:
-        """The names in force, each with the number of events told before its line."""
-        return self.plot.lets
 
     @cached_property
     def _asked_after(self) -> int:
@@ -139,12 +111,6 @@ class World:
             raise UnvaluedError("a vector stands where a number is needed")
         number = value.measure() if isinstance(value, Angle) else value
         return self.spread(number)
-
-    def spread(self, x: Array) -> Array:
-        """A number for all samples as an array of shape (samples,)."""
-        if isinstance(x, np.ndarray) and x.shape == (self.samples,):
-            return x
-        return np.full(self.samples, x, dtype=float)
 
     # --- other worlds -------------------------------------------------------------------------
 

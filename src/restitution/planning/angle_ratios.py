@@ -1,0 +1,79 @@
+"""Ratios of an angle from one that is given, and the range of an angle."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Protocol
+
+import sympy as sp
+
+from restitution.components import Model
+from restitution.exact import tidy
+from restitution.explaining.derivation import Fact, Link, Move, Relation
+from restitution.expression.tree import Apply, Expression, Letter
+from restitution.planning.desk import Desk, NotPlannedError
+from restitution.planning.forms import tree_of
+
+
+class Angles(Protocol):
+    """What a scene knows of its angles."""
+
+    model: Model
+    desk: Desk
+
+    @property
+    def ratio_facts(self) -> Mapping[str, Fact]: ...
+
+    def scalar(self, tree: Expression) -> sp.Expr: ...
+
+
+def range_of(scene: Angles, name: str) -> str:
+    """What is known of the range of an angle, as a premise says it."""
+    role = scene.model.unknowns.roles[name]
+    if role.low == 0 and role.high == sp.pi / 2 and not any(role.closed):
+        return f"acute: {name}"
+    signs = ["<=" if each else "<" for each in role.closed]
+    if role.low is None or role.high is None:
+        raise NotPlannedError(f"the range of {name} is open")
+    ends = [f"{int(sp.deg(each))}°" for each in (role.low, role.high)]
+    return f"{ends[0]} {signs[0]} {name} {signs[1]} {ends[1]}"
+
+
+def write_ratios(scene: Angles, symbol: sp.Symbol) -> None:
+    """``cos α = 3/5 and sin α = 4/5`` from the ratio that is given."""
+    fact = scene.ratio_facts[symbol.name]
+    (link,) = fact.relation.only
+    assert isinstance(link.left, Apply)
+    letter = Letter(symbol.name)
+    angle = scene.model.final[symbol]
+    given = link.left.function
+    scene.desk.know(link.left, scene.scalar(link.right), (fact.id,))
+    others = {
+        each: tidy(getattr(sp, each)(angle)) for each in ("sin", "cos", "tan") if each != given
+    }
+    shown = [each for each in ("sin", "cos") if each != given]
+    links = tuple(Link(Apply(each, letter), "=", tree_of(others[each])) for each in shown)
+    number = scene.desk.write(
+        Move("triangle"), (fact.id, range_of(scene, symbol.name)), Relation((links,))
+    )
+    for each in shown:
+        scene.desk.know(Apply(each, letter), others[each], (number,))
+    if "tan" in others:
+        scene.desk.know(Apply("tan", letter), others["tan"], (fact.id, number))
+
+
+def write_other_ratio(scene: Angles, symbol: sp.Symbol, kind: str) -> None:
+    """A sine, cosine or tangent of an angle of which another is known, or the angle itself."""
+    letter = Letter(symbol.name)
+    for each in ("tan", "sin", "cos"):
+        known = scene.desk.known(Apply(each, letter))
+        if known is None or len(known.refs) != 1:
+            continue
+        kinds = [kind] if kind == "tan" else [own for own in ("sin", "cos") if own != each]
+        trees = {own: tidy(getattr(sp, own)(scene.model.final[symbol])) for own in kinds}
+        links = tuple(Link(Apply(own, letter), "=", tree_of(trees[own])) for own in kinds)
+        premises = (*known.refs, range_of(scene, symbol.name))
+        number = scene.desk.write(Move("triangle"), premises, Relation((links,)))
+        for own in kinds:
+            scene.desk.know(Apply(own, letter), trees[own], (number,))
+        return

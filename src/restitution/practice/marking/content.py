@@ -1,0 +1,119 @@
+"""What a marked working holds, as values and as plain data."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from restitution.expression.writing import write_expression
+from restitution.practice.judgement import JudgedLine, Meaning
+from restitution.practice.marking.answers import AnswerMark
+from restitution.practice.marking.messages import Message
+from restitution.practice.marking.points import Marks, PointMark
+
+Object = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Ask:
+    """A letter of which the meaning has to be known, with meanings that would do."""
+
+    letter: str
+    text: str
+    proposals: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True, repr=False)
+class MarkingContent:
+    """What a marked working of one part holds.
+
+    ``lines`` have their verdicts, ``letters`` are their meanings, ``answers`` the values given for
+    what is asked, ``marks`` the points.
+    """
+
+    part: str | None
+    lines: tuple[JudgedLine, ...]
+    letters: tuple[Meaning, ...]
+    answers: tuple[AnswerMark, ...]
+    marks: Marks
+    messages: tuple[Message, ...]
+    asks: tuple[Ask, ...] = ()
+    error: str | None = None
+
+    @property
+    def mistakes(self) -> tuple[str, ...]:
+        """The names of the mistakes that begin in its lines, in their order."""
+        names = (line.mistake.id for line in self.lines if line.mistake is not None)
+        return tuple(name for name in names if name is not None)
+
+    def json(self) -> Object:
+        """The marking as plain data; every line has all its keys."""
+        return {
+            "part": self.part,
+            "letters": [
+                {
+                    "letter": each.letter,
+                    "meaning": write_expression(each.quantity),
+                    "words": each.words,
+                    "by": each.by,
+                }
+                for each in self.letters
+            ],
+            "lines": [_line(each) for each in self.lines],
+            "answers": [each.json() for each in self.answers],
+            "marks": {
+                "earned": self.marks.earned,
+                "lost": self.marks.lost,
+                "open": self.marks.open,
+                "of": self.marks.of,
+                "points": [_point(each) for each in self.marks.points],
+            },
+            "messages": [vars(each) for each in self.messages],
+            "asks": [
+                {
+                    "letter": each.letter,
+                    "text": each.text,
+                    "proposals": [{"meaning": m, "words": w} for m, w in each.proposals],
+                }
+                for each in self.asks
+            ],
+            "error": self.error,
+        }
+
+
+def _line(line: JudgedLine) -> Object:
+    use = next(iter(line.uses), None)
+    mistake = line.mistake
+    return {
+        "n": line.line.number,
+        "text": line.line.text,
+        "read_as": line.read_as,
+        "verdict": line.verdict,
+        "accuracy": line.accuracy,
+        "principle": None if use is None else use.principle,
+        "event": None if use is None else use.event,
+        "link": line.link,
+        "from": list(line.sources),
+        "mistake": None
+        if mistake is None
+        else {
+            "id": mistake.id,
+            "variants": list(mistake.variants),
+            "also": list(mistake.also),
+            "kind": mistake.kind,
+            "at": mistake.at,
+            "sure": mistake.sure,
+            "leads_to": dict(mistake.leads_to or {}),
+        },
+    }
+
+
+def _point(mark: PointMark) -> Object:
+    return {
+        "id": mark.point.id,
+        "kind": mark.point.kind,
+        "for": mark.point.purpose,
+        "state": mark.state,
+        "line": mark.line,
+        "why": mark.why,
+    }
