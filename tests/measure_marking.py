@@ -234,7 +234,8 @@ def _compare_mistake(
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("folder", nargs="*", type=Path, default=[SCRIPTS, SCRIPTS / "unseen"])
+    sets = [SCRIPTS, *sorted(each for each in SCRIPTS.iterdir() if each.is_dir())]
+    parser.add_argument("folder", nargs="*", type=Path, default=sets)
     parser.add_argument("--letters", choices=["declared", "inferred"], help="only these")
     parser.add_argument("--only", help="scripts whose names match this regular expression")
     parser.add_argument("--quiet", action="store_true", help="the table without the lines")

@@ -296,11 +296,7 @@ class _Sitting:
                 worlds = true_worlds(solution, solution.parts[label])
             except RestitutionError:
                 continue
-            table = {
-                line.number: self.meanings.best.trees(line.number) for line in self.script.lines
-            }
-            judge_ = Judge(worlds, table, self.bench.names, self.bench.question, names=False)
-            if worlds and judge_.is_true(self.script):
+            if worlds and self._judge(self.meanings.best, worlds).is_true(self.script):
                 return True
         return False
 

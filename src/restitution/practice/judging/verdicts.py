@@ -159,6 +159,8 @@ class Judge:
         self._meant: dict[str, Expression] = {}
         self._phrases: dict[tuple[str, int | None], tuple[Expression, ...]] = {}
         self._own_numbers = OwnNumbers()
+        self._roots: list[Entry] = []
+        self._rooted: tuple[tuple[int, int], list[World]] = ((-1, -1), [])
         self._known_uses: dict[tuple[Claim, int, bool], tuple[Use, ...]] = {}
 
     # --- a script -----------------------------------------------------------------------------
@@ -285,6 +287,8 @@ class Judge:
             self._root(line, link)
             or self._relabelled(line, link, self.worlds, "true")
             or self._of_unnamed_angle(line, link, self.worlds, "true")
+            or self._of_other_root(line, link)
+            or self._nearly(line, link)
             or self._following(line, link)
             or self._refused(line, link)
         )
@@ -458,7 +462,43 @@ class Judge:
                     if right or any(
                         same_left(e.claim, claim) and e.right and e.is_value for e in entries
                     ):
+                        for each in single:
+                            other = replace(self._entry_of(line, link, each), right=False)
+                            if not any(self.accuracy(each, w, line, link) for w in self.worlds):
+                                self._roots.append(other)
                         return JudgedLink("true", claim, "exact", remark=OTHER_ROOT)
+        return None
+
+    def _of_other_root(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """What another root of the student's own equation leads to: it is tried, and rejected."""
+        if not self._roots:
+            return None
+        known = len(self.entries), len(self._roots)
+        if self._rooted[0] != known:
+            tried = [
+                student_world(self._base, [*self.entries, root], self.question.unknown)
+                for root in self._roots
+            ]
+            self._rooted = known, [world for world in tried if world is not None]
+        for claim in link.readings:
+            for world in self._rooted[1]:
+                grade = self.accuracy(claim, world, line, link)
+                if grade is not None:
+                    return JudgedLink("true", claim, grade, remark=OTHER_ROOT)
+        return None
+
+    def _nearly(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A line that is true but for what the student's own rounding may have moved."""
+        above = any(entry.decimals for entry in self.entries)
+        beside = any(each.decimals for each in line.links if each is not link)
+        if self.wrong or not link.decimals or not (above or beside):
+            return None
+        for claim in link.readings:
+            if is_numeric(claim.left):
+                continue
+            for world in self.worlds:
+                if self._loosely(claim, world, line, link) is not None:
+                    return JudgedLink("true", claim, "coarse", remark=COARSE)
         return None
 
     def _valid(self, claim: Claim, entry: Entry) -> bool:

@@ -124,9 +124,17 @@ class State:
 
 
 def slot_of(
-    letter: str, candidates: Iterable[Candidate], tester: Tester, segment: int = 0
+    letter: str,
+    candidates: Iterable[Candidate],
+    tester: Tester,
+    segment: int = 0,
+    *,
+    may_vanish: bool = False,
 ) -> Slot | None:
-    """A slot with the values of its candidates; None where none of them has any."""
+    """A slot with the values of its candidates; None where none of them has any.
+
+    ``may_vanish`` tells that the script says of the letter that it is zero.
+    """
     options: list[Candidate] = []
     roots: list[Any] = []
     turns: list[int] = []
@@ -138,7 +146,7 @@ def slot_of(
         if value is None or key is None or (same := (candidate.body, candidate.event, key)) in seen:
             continue
         seen.add(same)
-        if _makes_idle(value, tester):
+        if not may_vanish and _makes_idle(value, tester):
             candidate = replace(candidate, cost=candidate.cost + _IDLE)
         for sense in (1, -1) if candidate.sensed else (1,):
             chosen = candidate if sense > 0 else candidate.turned()

@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Negate,
+    Number,
     Quantity,
     letters,
     walk,
@@ -273,8 +274,13 @@ class _Search:
             first = self._slot(name, line, 0)
             self.slots[key] = None if first is None else replace(first, segment=segment)
         elif key not in self.slots:
+            _, tree = self.definitions.get(name, (0, None))
             self.slots[key] = slot_of(
-                name, self._options(name, line, segment), self.around.tester, segment
+                name,
+                self._options(name, line, segment),
+                self.around.tester,
+                segment,
+                may_vanish=tree == Number(Fraction(0)),
             )
         return self.slots[key]
 

@@ -202,7 +202,7 @@ class _Examiner:
                 why = "does not follow from the lines above"
                 if last is None or last.state != "earned":
                     last = PointMark(point, "lost", line.line.number, why)
-        if last is None and self.values.is_velocity(point):
+        if last is None and (self.values.is_velocity(point) or self.values.is_direction(point)):
             seen = next((each for each in self.lines if self.values.shows(point, each)), None)
             last = None if seen is None else self._earned(point, seen, "")
         if last is None and point.shown and point.principle == "inequality":

@@ -331,9 +331,10 @@ def _purpose(
 def _link(line: Line, derivation: Derivation) -> Link | None:
     """What a line says from its first side to its last, in quantities."""
     relation = line.relation
-    if not isinstance(relation, Relation) or len(relation.options) != 1:
+    if not isinstance(relation, Relation) or not relation.options:
         return None
-    first, last = relation.only[0], relation.only[-1]
+    links = relation.options[0]
+    first, last = links[0], links[-1]
     return Link(_settled(first.left, derivation), first.sign, _settled(last.right, derivation))
 
 

@@ -80,7 +80,8 @@ class Values:
             whole = line.verdict == "true" and self._gives_whole(point.link.left, line)
             return self._match(line) if whole else None
         if not point.shown and not self._gives(point.link.left, line):
-            computed = point.letter == "A" and self._computes(point.link.left, line)
+            energetic = point.principle == "energy"
+            computed = (energetic or point.letter == "A") and self._computes(point.link.left, line)
             if not computed and not self._gives_whole(point.link.left, line):
                 return None
         return self._match(line)
@@ -125,11 +126,31 @@ class Values:
     def shows(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether the value of a velocity stands in a remark: ``so both 0.6i + j``."""
         link = point.link
-        return (
-            link is not None
-            and line.verdict == "remark"
-            and any(self._is_worth(value, link.left, line) for value in line.line.values)
+        if link is None:
+            return False
+        if self.is_direction(point):
+            return line.verdict in ("true", "remark") and any(
+                self._is_angle(value, link.left, line) for value in line.line.values
+            )
+        return line.verdict == "remark" and any(
+            self._is_worth(value, link.left, line) for value in line.line.values
         )
+
+    def is_direction(self, point: MarkPoint) -> bool:
+        """Whether a point is for a direction."""
+        left = point.link.left if point.link is not None else None
+        return isinstance(left, Quantity) and left.kind == "direction" and not point.shown
+
+    def _is_angle(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
+        """Whether a number, in degrees, is the size of an angle to three figures."""
+        try:
+            own = self._base.value(side, self._meanings(line), line.line.scope)
+            asked = self._base.value(quantity)
+        except UnvaluedError:
+            return False
+        if isinstance(own, Vector) or not isinstance(asked, Angle):
+            return False
+        return _is_rounded(self._base, own, asked)
 
     def has_coefficient(self, line: JudgedLine) -> bool:
         """Whether a coefficient of restitution stands in a line, by its letter or its value."""
@@ -170,7 +191,8 @@ class Values:
         velocity = next((each for each in _within(link.left) if each.kind == "velocity"), None)
         if line.verdict not in ("true", "follows") or velocity is None:
             return False
-        if own and self.value_of(replace(velocity, kind="speed"), line) is not None:
+        kinds = ("speed", "energy") if own else ()
+        if any(self.value_of(replace(velocity, kind=kind), line) is not None for kind in kinds):
             return True
         vector = self.value_of(velocity, line)
         if vector is None:

@@ -150,6 +150,7 @@ class _Reader:
                 yield from self.deflection(event)
             elif "angle" in heads:
                 yield from self.angle(event)
+                yield from self.asked("angle")
             elif heads & {"energy", "loss", "gain"}:
                 yield from self.energy(event)
             elif "impulse" in heads:

@@ -176,6 +176,8 @@ class _Reader:
             self.declares = True
         elif words & {"so", "hence", "therefore", "=>", ";", "then"}:
             self.declares = False
+        elif ":" in words and self.declared.declarations:
+            self.declares = False  # let x = 6/M: 17 = 25 - 10x
         if words & _CONDITIONS:
             self.supposes = True
         elif words & _ENDING:
