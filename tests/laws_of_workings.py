@@ -10,7 +10,8 @@ from derivations import disagreement, oracle_of
 from numbers_of_workings import BeyondError, Judge
 from plain_physics import ImpossibleWorldError, World
 
-from restitution.components import model, protected_letters
+from restitution.components.letters import protected_letters
+from restitution.components.telling import model
 from restitution.explaining.awarding import awarded, marks_of
 from restitution.explaining.derivation import Derivation, Fact, Line, Link, Meaning, Relation
 from restitution.explaining.facts import staged

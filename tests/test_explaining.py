@@ -11,7 +11,7 @@ import pytest
 from derivations import FOLDER, derivation_of, oracle_of, read_derivation
 
 from restitution.errors import StatementError
-from restitution.explaining.algebra import NotComparableError, World
+from restitution.explaining.algebra import World
 from restitution.explaining.definitions import WORKED_OUT
 from restitution.explaining.derivation import (
     Derivation,
@@ -31,6 +31,7 @@ from restitution.explaining.notation import (
     write_relation,
 )
 from restitution.explaining.principles import RECORDS
+from restitution.explaining.quotients import NotComparableError
 from restitution.explaining.sentences import SENTENCES
 from restitution.explaining.storing import from_json, to_json
 from restitution.explaining.tracing import Tracer, explain_line

@@ -6,9 +6,10 @@ import pytest
 from derivations import derivation_of, names_of, oracle_of
 
 from restitution.errors import StatementError
-from restitution.explaining.algebra import NotComparableError, World
+from restitution.explaining.algebra import World
 from restitution.explaining.follower import follow
 from restitution.explaining.notation import read_relation, read_tree
+from restitution.explaining.quotients import NotComparableError
 from restitution.explaining.storing import from_json, to_json
 from restitution.explaining.tracing import Tracer
 from restitution.language.reading import parse

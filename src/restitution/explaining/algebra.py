@@ -13,14 +13,27 @@ import itertools
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cache
 from math import isqrt, lcm, prod
 from typing import Any, Literal
 
 import sympy as sp
 from sympy.polys.domains import QQ
-from sympy.polys.rings import PolyElement, PolyRing
+from sympy.polys.rings import PolyElement
 
+from restitution.explaining.quotients import (
+    CONSTANT,
+    MOST_GENERATORS,
+    MOST_POWER,
+    MOST_TERMS,
+    NotComparableError,
+    Plane,
+    Quotient,
+    factors_of,
+    lean,
+    primes,
+    quotient_ring,
+    square_part,
+)
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -41,124 +54,21 @@ from restitution.oracle.roles import REAL, Role
 
 Identity = Literal["pythagoras", "double-angle", "half-angle", "sum", "complement"]
 
-_GENERATORS = 48
-_MOST_TERMS = 4000
-_MOST_POWER = 16
-_MOST_BITS = 4096
-_MOST_FACTOR = 10_000
+
 _TRIGONOMETRIC = frozenset({"sin", "cos", "tan", "cot", "sec", "cosec"})
+
+
 _INVERSE = frozenset({"arcsin", "arccos", "arctan"})
+
+
 _ANGLES = frozenset({"angle", "deflection", "direction"})
+
+
 _VECTORS = frozenset({"velocity", "momentum", "line_of_centres", "position"})
-
-
-class NotComparableError(Exception):
-    """A tree that cannot be made a quotient of polynomials: of more than is worth comparing."""
 
 
 def _is_line_of_centres(tree: Expression) -> bool:
     return isinstance(tree, Quantity) and tree.kind == "line_of_centres"
-
-
-@cache
-def _ring() -> PolyRing:
-    return PolyRing([f"g{n}" for n in range(_GENERATORS)], QQ)
-
-
-@dataclass(frozen=True)
-class Quotient:
-    """A polynomial over another one, which is not zero."""
-
-    above: PolyElement
-    below: PolyElement
-
-    def __add__(self, other: Quotient) -> Quotient:
-        if self.below == other.below:
-            return _lean(self.above + other.above, self.below)
-        return _lean(self.above * other.below + other.above * self.below, self.below * other.below)
-
-    def __neg__(self) -> Quotient:
-        return Quotient(-self.above, self.below)
-
-    def __sub__(self, other: Quotient) -> Quotient:
-        return self + -other
-
-    def __mul__(self, other: Quotient) -> Quotient:
-        return _lean(self.above * other.above, self.below * other.below)
-
-    def __truediv__(self, other: Quotient) -> Quotient:
-        if not other.above:
-            raise NotComparableError("a line divides by zero")
-        return _lean(self.above * other.below, self.below * other.above)
-
-    def __pow__(self, power: int) -> Quotient:
-        if abs(power) > _MOST_POWER:
-            raise NotComparableError(f"the power {power}")
-        if power < 0:
-            return CONSTANT(1) / self**-power
-        if not power:
-            return CONSTANT(1)  # SymPy has no zero to the power of zero
-        if any(len(each) ** power > _MOST_TERMS**2 for each in (self.above, self.below)):
-            raise NotComparableError("a line of too many terms")
-        return _lean(self.above**power, self.below**power)
-
-    @property
-    def vanishes(self) -> bool:
-        """Whether it is zero whatever the generators are."""
-        return not self.above
-
-
-def CONSTANT(value: Fraction | int) -> Quotient:
-    """A number as a quotient."""
-    value = Fraction(value)
-    ring = _ring()
-    return Quotient(ring.ground_new(QQ(int(value.numerator), int(value.denominator))), ring.one)
-
-
-def _bits(polynomial: PolyElement) -> int:
-    """The length of the longest number in the terms of a polynomial."""
-    return max(
-        (
-            max(int(x.numerator).bit_length(), int(x.denominator).bit_length())
-            for x in polynomial.values()
-        ),
-        default=0,
-    )
-
-
-def _lean(above: PolyElement, below: PolyElement) -> Quotient:
-    """The quotient without common powers of single generators, and a number below."""
-    if len(above) > _MOST_TERMS or len(below) > _MOST_TERMS:
-        raise NotComparableError("a line of too many terms")
-    if _bits(above) > _MOST_BITS or _bits(below) > _MOST_BITS:
-        raise NotComparableError("a line of too long numbers")
-    if not above:
-        return Quotient(above, _ring().one)
-    if below.is_ground:
-        number = below.LC
-        return Quotient(above if number == 1 else above.quo_ground(number), _ring().one)
-    common = tuple(map(min, zip(*above, *below, strict=True)))
-    if any(common):
-        above, below = (
-            _ring().from_dict(
-                {
-                    tuple(a - b for a, b in zip(powers, common, strict=True)): value
-                    for powers, value in each.items()
-                }
-            )
-            for each in (above, below)
-        )
-        if below.is_ground:
-            return _lean(above, below)
-    return Quotient(above, below)
-
-
-@dataclass(frozen=True)
-class Plane:
-    """A vector by its components in the directions of **i** and **j**."""
-
-    x: Quotient
-    y: Quotient
 
 
 Value = Quotient | Plane
@@ -222,10 +132,10 @@ class World:
     def generator(self, key: Any) -> Quotient:
         """The generator of a letter, a quantity, a root or a cosine."""
         if key not in self._keys:
-            if len(self._keys) == _GENERATORS:
+            if len(self._keys) == MOST_GENERATORS:
                 raise NotComparableError("lines of too many letters")
             self._keys[key] = len(self._keys)
-        return Quotient(_ring().gens[self._keys[key]], _ring().one)
+        return Quotient(quotient_ring().gens[self._keys[key]], quotient_ring().one)
 
     def keys_by_number(self) -> dict[int, Any]:
         """All generators, by number."""
@@ -449,7 +359,7 @@ class World:
     def _is_at_angle(self, tree: Expression) -> bool:
         """Whether a direction is told by its angle, so that its vector is a unit vector."""
         seen = 0
-        while tree in self.directions and seen < _GENERATORS:
+        while tree in self.directions and seen < MOST_GENERATORS:
             tree, seen = self.directions[tree], seen + 1
         return self.is_angle(tree)
 
@@ -526,7 +436,7 @@ class World:
         total = CONSTANT(abs(ratio))
         for factor, times in factors:
             odd = self._positive(factor) if times % 2 else CONSTANT(1)
-            total = total * odd * Quotient(factor, _ring().one) ** (times - times % 2)
+            total = total * odd * Quotient(factor, quotient_ring().one) ** (times - times % 2)
         return total
 
     def put_in_order(self, less: Value, greater: Value) -> None:
@@ -540,7 +450,7 @@ class World:
 
     def _root(self, inside: PolyElement) -> Quotient:
         number, factors = factors_of(inside)
-        outside, rest = CONSTANT(1), _ring().one
+        outside, rest = CONSTANT(1), quotient_ring().one
         for factor, times in factors:
             if times // 2:
                 outside = outside * self._positive(factor) ** (times // 2)
@@ -552,7 +462,7 @@ class World:
         ratio = _fraction(number)
         if rest == 1:
             return outside * self._root_of_number(ratio)
-        square, free = _square_part(ratio.numerator * ratio.denominator)
+        square, free = square_part(ratio.numerator * ratio.denominator)
         outside = outside * CONSTANT(Fraction(square, ratio.denominator))
         if free < 0:
             rest, free = -rest, -free
@@ -592,12 +502,12 @@ class World:
         return a, b, prod(map(_fraction, radicands), start=Fraction(1))
 
     def _root_of_number(self, ratio: Fraction) -> Quotient:
-        square, free = _square_part(ratio.numerator * ratio.denominator)
+        square, free = square_part(ratio.numerator * ratio.denominator)
         total = CONSTANT(Fraction(square, ratio.denominator))
         if free < 0:
             raise NotComparableError("the root of a negative number")
-        for prime in _primes(free):
-            total = total * self._root_generator(_ring().ground_new(QQ(prime)))
+        for prime in primes(free):
+            total = total * self._root_generator(quotient_ring().ground_new(QQ(prime)))
         return total
 
     def _root_generator(self, inside: PolyElement) -> Quotient:
@@ -608,15 +518,15 @@ class World:
     def _positive(self, factor: PolyElement) -> Quotient:
         """The size of a factor: itself where it is made of positive generators."""
         if self._is_plainly_positive(factor):
-            return Quotient(factor, _ring().one)
+            return Quotient(factor, quotient_ring().one)
         for each in (factor, -factor):
             if each in self.ordered or self._is_positive_between_ends(each):
-                return Quotient(each, _ring().one)
+                return Quotient(each, quotient_ring().one)
         surd = self._surd(factor)
         if surd is not None:
             a, b, c = surd
             leading = a if a * a > b * b * c else b  # the larger of the two has the sign
-            return Quotient(factor if leading > 0 else -factor, _ring().one)
+            return Quotient(factor if leading > 0 else -factor, quotient_ring().one)
         own = self.generator(("size", factor))
         self.squares[self._keys["size", factor]] = factor**2
         return own
@@ -629,7 +539,7 @@ class World:
 
     def _is_positive_between_ends(self, factor: PolyElement) -> bool:
         """Whether a factor is linear in letters from 0 to 1, and not negative at their ends."""
-        one = _ring().one
+        one = quotient_ring().one
         bounded = [
             number
             for number, key in self.keys(factor).items()
@@ -640,12 +550,12 @@ class World:
         if not bounded or any(powers[n] > 1 for powers in factor for n in bounded):
             return False
         for ends in itertools.product((0, 1), repeat=len(bounded)):
-            there = _ring().zero
+            there = quotient_ring().zero
             low = [number for number, end in zip(bounded, ends, strict=True) if not end]
             for powers, value in factor.items():
                 if not any(powers[n] for n in low):
                     kept = tuple(0 if n in bounded else each for n, each in enumerate(powers))
-                    there = there + _ring().from_dict({kept: value})
+                    there = there + quotient_ring().from_dict({kept: value})
             if not self._is_plainly_positive(there):
                 return False
         return True
@@ -666,7 +576,7 @@ class World:
         """The quotient with squares of roots (and of sines, where Pythagoras is named) put in."""
         if not self.squares:
             return x
-        return _lean(self._reduced(x.above), self._reduced(x.below))
+        return lean(self._reduced(x.above), self._reduced(x.below))
 
     def reduced_value(self, x: Value) -> Value:
         """A scalar or a vector with squares of roots put in."""
@@ -678,15 +588,15 @@ class World:
         for number in sorted(self.squares, reverse=True):
             square = self.squares[number]
             while any(powers[number] > 1 for powers in polynomial):
-                total = _ring().zero
+                total = quotient_ring().zero
                 for powers, value in polynomial.items():
                     half, odd = divmod(powers[number], 2)
                     rest = (*powers[:number], odd, *powers[number + 1 :])
-                    total = total + _ring().from_dict({rest: value}) * (
-                        square**half if half else _ring().one
+                    total = total + quotient_ring().from_dict({rest: value}) * (
+                        square**half if half else quotient_ring().one
                     )
                 polynomial = total
-                if len(polynomial) > _MOST_TERMS:
+                if len(polynomial) > MOST_TERMS:
                     raise NotComparableError("a line of too many terms")
         return polynomial
 
@@ -808,7 +718,7 @@ class World:
         """The cosine and the sine of a multiple of an angle, in those of its smallest part."""
         divisor = lcm(count.denominator, self._divisors.get(atom, 1))
         times = count * divisor
-        if times.denominator != 1 or abs(times) > _MOST_POWER:
+        if times.denominator != 1 or abs(times) > MOST_POWER:
             raise NotComparableError("a part of an angle")
         c, s = self._stranger(Turn(((atom, Fraction(1, divisor)),)))
         cosine, sine = CONSTANT(1), CONSTANT(0)
@@ -975,75 +885,3 @@ def _arguments(tree: Expression) -> Iterable[Expression]:
 
 def _fraction(number: Any) -> Fraction:
     return Fraction(int(number.numerator), int(number.denominator))
-
-
-def _square_part(number: int) -> tuple[int, int]:
-    """The whole numbers a, b of number = a² b, with b free of squares."""
-    sign, number = (-1, -number) if number < 0 else (1, number)
-    root = isqrt(number)
-    if root * root == number:
-        return root, sign
-    square, free = 1, 1
-    for prime, times in _primes(number).items():
-        square *= prime ** (times // 2)
-        free *= prime ** (times % 2)
-    return square, sign * free
-
-
-def _primes(number: int) -> dict[int, int]:
-    """The factors of a number and their powers; what has no small factor stays as it is."""
-    factors: dict[int, int] = sp.factorint(number, limit=_MOST_FACTOR, use_rho=False, use_pm1=False)
-    powers: dict[int, int] = {}
-    for factor, times in factors.items():
-        root = isqrt(factor)
-        if root * root == factor and factor > 1:
-            powers[root] = powers.get(root, 0) + 2 * times
-        else:
-            powers[factor] = powers.get(factor, 0) + times
-    return powers
-
-
-def small(*polynomials: PolyElement) -> tuple[tuple[int, ...], tuple[PolyElement, ...]]:
-    """Polynomials in a ring of their own generators only, and which of all these are."""
-    used = sorted({n for each in polynomials for m in each for n, power in enumerate(m) if power})
-    ring = _small_ring(max(len(used), 1))
-    return tuple(used), tuple(
-        ring.from_dict(
-            {tuple(m[n] for n in used) or (0,): value for m, value in polynomial.items()},
-        )
-        for polynomial in polynomials
-    )
-
-
-@cache
-def _small_ring(count: int) -> PolyRing:
-    return PolyRing([f"g{n}" for n in range(count)], QQ)
-
-
-def large(used: tuple[int, ...], polynomial: PolyElement) -> PolyElement:
-    """A polynomial of a small ring among all generators again."""
-    result = {}
-    for powers, value in polynomial.items():
-        monomial = [0] * _GENERATORS
-        for n, power in zip(used, powers, strict=False):
-            monomial[n] = power
-        result[tuple(monomial)] = value
-    return _ring().from_dict(result)
-
-
-def factors_of(polynomial: PolyElement) -> tuple[Any, list[tuple[PolyElement, int]]]:
-    """A number and irreducible factors with their powers."""
-    used, (own,) = small(polynomial)
-    if not used:
-        return polynomial.LC, []
-    number, factors = own.factor_list()
-    return number, [(large(used, factor), times) for factor, times in factors]
-
-
-def without_common(a: PolyElement, b: PolyElement) -> tuple[PolyElement, PolyElement]:
-    """Two polynomials divided by what they have in common."""
-    used, (own_a, own_b) = small(a, b)
-    if not used or not own_a or not own_b:
-        return a, b
-    _, rest_a, rest_b = own_a.cofactors(own_b)
-    return large(used, rest_a), large(used, rest_b)

@@ -7,8 +7,8 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from restitution.explaining.algebra import Plane
 from restitution.explaining.derivation import FLIPPED, Event, Link, Relation, Sign, whole_of
+from restitution.explaining.quotients import Plane
 from restitution.explaining.step import Step
 from restitution.explaining.trees import settled
 from restitution.explaining.turnings import turnings

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from restitution.explaining.algebra import NotComparableError, Plane
 from restitution.explaining.derivation import Link, Meaning, Note, Relation
+from restitution.explaining.quotients import NotComparableError, Plane
 from restitution.explaining.step import Cited, Step
 from restitution.explaining.trees import of_relation
 from restitution.expression.tree import Quantity, walk

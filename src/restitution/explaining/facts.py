@@ -379,7 +379,7 @@ class _Facts:
 
     def _sign(self, tree: Expression) -> int | None:
         """The sign of an expression in letters, where it is plain."""
-        from restitution.explaining.algebra import NotComparableError
+        from restitution.explaining.quotients import NotComparableError
         from restitution.oracle import Oracle, compared
 
         world = _world_of(self.problem)
@@ -584,7 +584,7 @@ class _Facts:
 
     def _leads_away(self, body: str, number: int, normal: Expression) -> bool:
         """Whether a velocity before an event, where it is plain, is against a direction."""
-        from restitution.explaining.algebra import NotComparableError
+        from restitution.explaining.quotients import NotComparableError
         from restitution.oracle import Oracle, compared
 
         if number > _PLAIN:
@@ -611,7 +611,7 @@ class _Facts:
 
         None where another sphere, or a blow, comes in between.
         """
-        from restitution.explaining.algebra import CONSTANT, Plane
+        from restitution.explaining.quotients import CONSTANT, Plane
 
         given = next(sphere.velocity for sphere in self.problem.spheres if sphere.name == body)
         value = world.value(given) if isinstance(given, Expression) else None

@@ -13,7 +13,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
-from restitution.explaining.algebra import NotComparableError, Plane
 from restitution.explaining.derivation import (
     Derivation,
     ItemEnd,
@@ -28,6 +27,7 @@ from restitution.explaining.derivation import (
     scopes_of,
 )
 from restitution.explaining.excluding import excludes
+from restitution.explaining.quotients import NotComparableError, Plane
 from restitution.explaining.signs import Signs
 from restitution.explaining.step import Cited, Setting, Step
 from restitution.explaining.trees import settled, statement_of, trees_of

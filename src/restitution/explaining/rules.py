@@ -7,14 +7,8 @@ from typing import Any
 
 from sympy.polys.rings import PolyElement
 
-from restitution.explaining.algebra import (
-    CONSTANT,
-    NotComparableError,
-    Plane,
-    Quotient,
-    Value,
-    World,
-)
+from restitution.explaining.algebra import Value, World
+from restitution.explaining.quotients import CONSTANT, NotComparableError, Plane, Quotient
 from restitution.expression.tree import Expression, Quantity
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from restitution.explaining.algebra import NotComparableError, Quotient
 from restitution.explaining.derivation import FLIPPED, Relation
+from restitution.explaining.quotients import NotComparableError, Quotient
 from restitution.explaining.signs import Signs
 from restitution.explaining.step import Step
 from restitution.expression.tree import Expression, has_quantity

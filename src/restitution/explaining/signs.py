@@ -9,7 +9,8 @@ from typing import Any, Literal
 from sympy import Rational, pi
 from sympy.polys.rings import PolyElement
 
-from restitution.explaining.algebra import Quotient, World, factors_of, without_common
+from restitution.explaining.algebra import World
+from restitution.explaining.quotients import Quotient, factors_of, without_common
 from restitution.oracle import Oracle, Relation, joined, letters_of
 from restitution.oracle.roles import REAL
 

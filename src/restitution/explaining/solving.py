@@ -11,8 +11,8 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from restitution.explaining.algebra import NotComparableError, Plane
 from restitution.explaining.derivation import Link, Relation, whole_of
+from restitution.explaining.quotients import NotComparableError, Plane
 from restitution.explaining.step import Step
 from restitution.expression.tree import Expression, Letter
 from restitution.oracle import REAL, BeyondError, Oracle

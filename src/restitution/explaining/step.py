@@ -10,16 +10,10 @@ from typing import Any, TypeGuard
 
 import sympy as sp
 
-from restitution.explaining.algebra import (
-    CONSTANT,
-    NotComparableError,
-    Plane,
-    Quotient,
-    Value,
-    World,
-)
+from restitution.explaining.algebra import Value, World
 from restitution.explaining.derivation import Event, Link, Meaning, Move, Relation, whole_of
 from restitution.explaining.notation import read_tree
+from restitution.explaining.quotients import CONSTANT, NotComparableError, Plane, Quotient
 from restitution.explaining.rules import Rules
 from restitution.explaining.signs import Signs, ratio
 from restitution.explaining.trees import settled

@@ -15,14 +15,7 @@ from dataclasses import dataclass, replace
 from itertools import combinations, islice, pairwise, permutations, product
 from typing import Any, Literal
 
-from restitution.explaining.algebra import (
-    CONSTANT,
-    NotComparableError,
-    Plane,
-    Quotient,
-    World,
-    without_common,
-)
+from restitution.explaining.algebra import World
 from restitution.explaining.derivation import (
     Derivation,
     Link,
@@ -35,6 +28,13 @@ from restitution.explaining.derivation import (
 from restitution.explaining.follower import settled_derivation
 from restitution.explaining.moves import MOST_COMPARED, follows, records_of
 from restitution.explaining.principles import RECORDS, Record
+from restitution.explaining.quotients import (
+    CONSTANT,
+    NotComparableError,
+    Plane,
+    Quotient,
+    without_common,
+)
 from restitution.explaining.rules import Rules
 from restitution.explaining.step import Cited, Known, Step, is_direction
 from restitution.explaining.trees import trees_of

@@ -11,7 +11,6 @@ from typing import Any
 import sympy as sp
 
 from restitution.errors import StatementError
-from restitution.explaining.algebra import NotComparableError
 from restitution.explaining.derivation import (
     Derivation,
     Link,
@@ -23,6 +22,7 @@ from restitution.explaining.derivation import (
 )
 from restitution.explaining.moves import follows, is_certain
 from restitution.explaining.notation import read_relation, read_tree
+from restitution.explaining.quotients import NotComparableError
 from restitution.explaining.step import Cited, Known, Setting, Step
 from restitution.explaining.trees import trees_of
 from restitution.expression.tree import (

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from restitution.explaining.algebra import Plane, Quotient
 from restitution.explaining.derivation import Event, Link
+from restitution.explaining.quotients import Plane, Quotient
 from restitution.explaining.senses import oriented
 from restitution.explaining.step import Step
 from restitution.explaining.trees import settled

@@ -7,7 +7,7 @@ from typing import Protocol
 
 import sympy as sp
 
-from restitution.components import Model
+from restitution.components.models import Model
 from restitution.exact import tidy
 from restitution.explaining.derivation import Fact, Link, Move, Relation
 from restitution.expression.tree import Apply, Expression, Letter

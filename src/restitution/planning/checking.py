@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from fractions import Fraction
 from typing import Any
 
-from restitution.components import Model
+from restitution.components.models import Model
 from restitution.errors import RestitutionError
 from restitution.explaining.derivation import Fact, Line, Link, Meaning, Relation
 from restitution.expression.enclosed import UndefinedError

@@ -11,7 +11,7 @@ from dataclasses import fields
 
 import sympy as sp
 
-from restitution.components import proved_sign
+from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.explaining.trees import rebuilt, statement_of

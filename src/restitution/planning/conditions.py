@@ -7,7 +7,7 @@ from typing import Literal
 
 import sympy as sp
 
-from restitution.components import proved_sign
+from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import FLIPPED, Fact, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import (

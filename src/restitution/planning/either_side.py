@@ -10,8 +10,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from restitution.components import Frame as Resolved
-from restitution.components import Model, model, protected_letters
+from restitution.components.frames import Frame as Resolved
+from restitution.components.letters import protected_letters
+from restitution.components.models import Model
+from restitution.components.telling import model
 from restitution.explaining.derivation import Derivation, Fact, Link, Meaning, Move, Ref, Relation
 from restitution.explaining.trials import on_either_side
 from restitution.expression.tree import (

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from restitution.components import Model
+from restitution.components.models import Model
 from restitution.exact import tidy
 from restitution.explaining.derivation import Fact, Ref
 from restitution.expression.tree import Expression, Name, Negate, Quantity, Unit

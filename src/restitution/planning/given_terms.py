@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from restitution.components import Model
+from restitution.components.models import Model
 from restitution.exact import tidy
 from restitution.planning.polynomials import expanded, factored, one_fraction
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.components import proved_sign
+from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import FLIPPED, Link, Relation, Sign
 from restitution.expression.tree import (

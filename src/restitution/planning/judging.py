@@ -8,10 +8,10 @@ from typing import Literal
 
 import sympy as sp
 
-from restitution.explaining.algebra import NotComparableError
 from restitution.explaining.derivation import Derivation, Line, Meaning, Move, Note, Ref, Relation
 from restitution.explaining.excluding import excludes
 from restitution.explaining.moves import MOST_COMPARED
+from restitution.explaining.quotients import NotComparableError
 from restitution.explaining.step import Known
 from restitution.explaining.trials import Trial, known_of_letters, setting_of
 from restitution.expression.tree import letters

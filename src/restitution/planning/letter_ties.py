@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import sympy as sp
 
-from restitution.components import proved_sign
+from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import (

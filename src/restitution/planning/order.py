@@ -13,7 +13,7 @@ from itertools import combinations
 
 import sympy as sp
 
-from restitution.components import Model
+from restitution.components.models import Model
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Meaning, Move, Route
 from restitution.expression.tree import Letter, Name, Quantity, walk

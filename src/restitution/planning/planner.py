@@ -7,7 +7,8 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.components import model, protected_letters
+from restitution.components.letters import protected_letters
+from restitution.components.telling import model
 from restitution.errors import MissingError
 from restitution.explaining.derivation import (
     Derivation,

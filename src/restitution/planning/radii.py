@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from restitution.components import Frame as Told
+from restitution.components.frames import Frame as Told
 from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import Quantity, walk
 from restitution.planning.aims import struck, write_centres

@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.components import Model
+from restitution.components.models import Model
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import Expression, Letter, Name, Quantity, walk

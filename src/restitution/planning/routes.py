@@ -15,7 +15,7 @@ from itertools import combinations
 
 import sympy as sp
 
-from restitution.components import Model
+from restitution.components.models import Model
 from restitution.expression.enclosed import UndefinedError
 from restitution.solving.numbers import at, number_of
 

@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 import sympy as sp
 
-from restitution.components import Model
+from restitution.components.models import Model
 from restitution.explaining.derivation import Fact, Link, Meaning, Move, Ref, Relation
 from restitution.explaining.facts import staged
 from restitution.explaining.trees import rebuilt

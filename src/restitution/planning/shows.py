@@ -10,7 +10,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.components import proved_sign
+from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Meaning, Move, MoveId, Ref, Relation
 from restitution.explaining.facts import links_of, staged

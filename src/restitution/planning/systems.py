@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from restitution.components import Model
+from restitution.components.models import Model
 from restitution.explaining.derivation import Link, Move, Relation
 from restitution.expression.tree import Letter
 from restitution.planning.closing import with_known

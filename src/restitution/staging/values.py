@@ -14,7 +14,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Literal
 
-from restitution.components import Model, model, protected_letters
+from restitution.components.letters import protected_letters
+from restitution.components.models import Model
+from restitution.components.telling import model
 from restitution.errors import RestitutionError
 from restitution.expression.enclosed import UndefinedError
 from restitution.oracle.roles import Role

@@ -6,7 +6,9 @@ from collections.abc import Collection, Sequence
 
 import sympy as sp
 
-from restitution.components import Model, model, protected_letters
+from restitution.components.letters import protected_letters
+from restitution.components.models import Model
+from restitution.components.telling import model
 from restitution.explaining.derivation import Derivation, Meaning
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.tree import Letter

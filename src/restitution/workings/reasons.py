@@ -8,9 +8,9 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.algebra import NotComparableError, Quotient
 from restitution.explaining.derivation import Derivation, Line, Link, Move, Ref, Relation
 from restitution.explaining.notation import read_relation, read_tree
+from restitution.explaining.quotients import NotComparableError, Quotient
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.step import Setting, Step
 from restitution.explaining.trees import rebuilt

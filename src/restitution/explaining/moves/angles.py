@@ -7,10 +7,10 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.explaining.algebra import NotComparableError, Plane
 from restitution.explaining.derivation import Link, Relation
 from restitution.explaining.moves.bases import base_of, flat
 from restitution.explaining.moves.inequalities import by_oracle
+from restitution.explaining.quotients import NotComparableError, Plane
 from restitution.explaining.step import Step
 from restitution.expression.tree import (
     Apply,

@@ -8,8 +8,9 @@ from typing import Any
 import sympy as sp
 
 from restitution.explaining import derivation
-from restitution.explaining.algebra import CONSTANT, NotComparableError, Plane, Quotient, Value
+from restitution.explaining.algebra import Value
 from restitution.explaining.derivation import Link, Meaning, Relation, Sign, whole_of
+from restitution.explaining.quotients import CONSTANT, NotComparableError, Plane, Quotient
 from restitution.explaining.rules import Rules
 from restitution.explaining.step import Cited, Step
 from restitution.expression.tree import (

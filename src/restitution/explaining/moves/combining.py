@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from restitution.explaining.algebra import CONSTANT, Plane, Quotient
 from restitution.explaining.derivation import Link
 from restitution.explaining.moves.bases import matches, multiplied, pair_cited, plus
+from restitution.explaining.quotients import CONSTANT, Plane, Quotient
 from restitution.explaining.step import Step
 
 

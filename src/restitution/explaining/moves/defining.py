@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from restitution.explaining.algebra import CONSTANT, Plane, Quotient
 from restitution.explaining.definitions import (
     ZERO,
     tie_of,
@@ -13,6 +12,7 @@ from restitution.explaining.definitions import (
 from restitution.explaining.derivation import Event, Link, Meaning
 from restitution.explaining.moves.bases import FLIPPED
 from restitution.explaining.moves.laws import is_law, is_tie
+from restitution.explaining.quotients import CONSTANT, Plane, Quotient
 from restitution.explaining.step import Step, alike
 from restitution.expression.tree import (
     Apply,

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 
-from restitution.explaining.algebra import NotComparableError, Plane, Quotient
 from restitution.explaining.derivation import Link, MoveId, Relation, whole_of
 from restitution.explaining.moves.angles import in_radians, is_inverse, is_triangle
 from restitution.explaining.moves.bases import IDENTITIES, base_of, bases_of, condition, with_base
@@ -20,6 +19,7 @@ from restitution.explaining.moves.limits import at_place
 from restitution.explaining.moves.putting import is_put, is_rearrangement
 from restitution.explaining.moves.roots import are_roots, is_rejection
 from restitution.explaining.moves.values import is_attained, is_decimal
+from restitution.explaining.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.solving import solves
 from restitution.explaining.step import Cited, Step
 from restitution.expression.tree import (

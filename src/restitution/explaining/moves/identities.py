@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from restitution.explaining.algebra import NotComparableError, Quotient
 from restitution.explaining.derivation import Link
 from restitution.explaining.moves.angles import RATIOS
 from restitution.explaining.moves.bases import (
@@ -15,6 +14,7 @@ from restitution.explaining.moves.bases import (
     others_cited,
 )
 from restitution.explaining.moves.putting import by_values, matches_with
+from restitution.explaining.quotients import NotComparableError, Quotient
 from restitution.explaining.rules import Rules
 from restitution.explaining.step import Step
 from restitution.explaining.trees import rebuilt

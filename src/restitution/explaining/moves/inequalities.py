@@ -6,9 +6,9 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.explaining.algebra import NotComparableError, Plane, Quotient
 from restitution.explaining.derivation import Link, Relation
 from restitution.explaining.moves.bases import FLIPPED, equal_in
+from restitution.explaining.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.step import Cited, Step
 from restitution.expression.tree import (
     Apply,

@@ -8,7 +8,6 @@ from fractions import Fraction
 
 import sympy as sp
 
-from restitution.explaining.algebra import NotComparableError, Plane, Quotient
 from restitution.explaining.definitions import (
     WORKED_OUT,
     ZERO,
@@ -22,6 +21,7 @@ from restitution.explaining.derivation import Event, Link
 from restitution.explaining.moves.bases import expected_residual, matches
 from restitution.explaining.moves.putting import matches_with, points_along
 from restitution.explaining.principles import RECORDS, Record
+from restitution.explaining.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.rules import Rules
 from restitution.explaining.senses import oriented
 from restitution.explaining.step import Step

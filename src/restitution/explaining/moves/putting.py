@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from restitution.explaining.algebra import CONSTANT, NotComparableError, Plane, Quotient, Value
+from restitution.explaining.algebra import Value
 from restitution.explaining.derivation import Link, Relation, Sign
 from restitution.explaining.moves.bases import (
     FLIPPED,
@@ -16,6 +16,7 @@ from restitution.explaining.moves.bases import (
     others_cited,
     without_angles,
 )
+from restitution.explaining.quotients import CONSTANT, NotComparableError, Plane, Quotient
 from restitution.explaining.rules import Rules
 from restitution.explaining.step import Step
 from restitution.expression.tree import (

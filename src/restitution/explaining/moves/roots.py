@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import sympy as sp
 
-from restitution.explaining.algebra import CONSTANT, Plane, Quotient, Value
+from restitution.explaining.algebra import Value
 from restitution.explaining.derivation import Relation
 from restitution.explaining.moves.bases import base_of, ends_of, expected_residual, others_cited
 from restitution.explaining.moves.inequalities import is_contradicted, is_of_vectors, same_option
+from restitution.explaining.quotients import CONSTANT, Plane, Quotient
 from restitution.explaining.step import Step
 from restitution.expression.tree import (
     Binary,

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from restitution.components import Frame, Model, model
+from restitution.components.frames import Frame
+from restitution.components.models import Model
+from restitution.components.telling import model
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Expression, Name, Negate, Polar, Quantity, Unit, walk
 from restitution.expression.writing import write_expression

@@ -1,0 +1,251 @@
+"""A part told in components: each impact gets its frame, its letters and its principles."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import sympy as sp
+
+from restitution.components.frames import Component, Frame, Law, component
+from restitution.components.hidden import NamedUnknowns
+from restitution.components.letters import allocated_letters, letters_in_use
+from restitution.components.models import Model
+from restitution.exact import tidy, tidy_angle
+from restitution.expression.enclosed import UndefinedError
+from restitution.expression.evaluate import Symbolic
+from restitution.oracle.roles import ACUTE, DIRECTION, Role
+from restitution.problem import Impact, Part, Problem
+from restitution.shapes import Circle
+from restitution.solving.happenings import Happening, Standing
+from restitution.solving.numbers import at
+from restitution.solving.solution import Branch
+from restitution.solving.story import Story, lets_of
+from restitution.vector import Vector
+
+
+def model(
+    problem: Problem,
+    part: Part,
+    branch: Branch,
+    roles: Mapping[str, Role],
+    protected: frozenset[str] = frozenset(),
+    turned: frozenset[int] = frozenset(),
+    acute: bool = False,
+) -> Model:
+    """Tells a part in components, by the values of one branch.
+
+    In the impacts ``turned`` the direction of the line of centres is an unknown angle, which is
+    ``acute`` where that is known.
+    Raises what the telling of a story raises.
+    """
+    sample = dict(branch.sample)
+    taken = letters_in_use(problem)
+    names = allocated_letters(problem, taken)
+    final: dict[sp.Symbol, sp.Expr] = {}
+    unknowns = NamedUnknowns(roles, branch, sample, final, set(taken) | set(names.values()))
+    lets = {k: v for k, v in lets_of(problem, part).items() if k not in protected}
+    built = Model(problem, part, branch, unknowns, {}, {}, [], final, sample)
+    _letter_values(built)
+    frames = _Frames(built, names, turned, ACUTE if acute else DIRECTION)
+    built.story = Story(problem, part, Symbolic(), unknowns, lets, frames)
+    return built
+
+
+@dataclass(frozen=True)
+class _Frames:
+    """The frames of a model, by which its story is told."""
+
+    model: Model
+    names: Mapping[tuple[int, str], str]
+    turned: frozenset[int]
+    angle: Role = DIRECTION
+
+    def standing(self, story: Story, number: int, step: Impact) -> Mapping[str, Standing]:
+        self.model.story = story  # it is asked while it is being told
+        return _by_values(self.model, number, step)
+
+    def resolved(self, story: Story, happening: Happening) -> Happening:
+        self.model.story = story
+        return _in_letters(self.model, happening, self.names, self.turned, self.angle)
+
+
+def _by_values(model: Model, number: int, step: Impact) -> dict[str, Standing]:
+    """Values for letters where a place on a circle is to be found: roots of roots else."""
+    story = model.story
+    wall = story.walls.get(step.second)
+    bodies = [b for b in (step.first, step.second) if b in story.spheres]
+    if wall is not None:
+        if not isinstance(wall.shape, Circle):
+            return {}
+    elif step.along is not None or not all(story.tracks[b].places for b in bodies):
+        return {}
+    final = model.branch.story
+    if all(_in_asked_letters(model, body) for body in bodies):
+        return {}  # the place itself is sought
+    return {
+        body: Standing(
+            _tidied(final.velocity(body, number - 1)),
+            None if known is None else (_tidied(known[0]), tidy(known[1])),
+        )
+        for body in bodies
+        for known in (final.place(body, number - 1),)
+    }
+
+
+def _tidied(v: Vector) -> Vector:
+    return Vector(tidy(v.x), tidy(v.y))
+
+
+def _in_asked_letters(model: Model, body: str) -> bool:
+    """Whether a sphere is still on its first path, with a length to be found in its place."""
+    track = model.story.tracks[body]
+    if len(track.velocities) > 1 or not track.places:
+        return False
+    letters = {model.unknowns.letter(name) for name in model.unknowns.roles}
+    _, where, _ = track.places[-1]
+    inside = {s for x in where for s in sp.sympify(x, strict=True).free_symbols}
+    return inside <= letters and bool(inside & set(model.final))
+
+
+def _letter_values(model: Model) -> None:
+    """What the solution says of the letters."""
+    for name, value in model.branch.values.items():
+        if not name.startswith("_"):
+            model.final[model.unknowns.letter(name)] = tidy(sp.sympify(value, strict=True))
+
+
+def _in_letters(
+    model: Model,
+    happening: Happening,
+    names: Mapping[tuple[int, str], str],
+    turned: frozenset[int],
+    angle: Role,
+) -> Happening:
+    """An impact with letters for the components after it that it changes."""
+    story, put = model.story, model.final
+    number, step = happening.number, happening.step
+    assert isinstance(step, Impact)
+    frame = _frame(model, number, step, happening, put)
+    if number in turned and frame.axis is None:
+        frame = _at_an_angle(model, frame, angle)
+    model.frames[number] = frame
+    after: dict[str, Vector] = {}
+    for body in (step.first, step.second):
+        if body not in story.spheres:
+            continue
+        symbol = sp.Symbol(names[number, body], real=True)
+        final = model.branch.story.velocity(body, number)
+        direction = Vector(frame.n.x.xreplace(put), frame.n.y.xreplace(put))
+        value = model.presentable(tidy(component(final, direction)))
+        model.components[number, body] = Component(symbol, body, number, value)
+        model.final[symbol] = value
+        with contextlib.suppress(UndefinedError, KeyError, ArithmeticError):
+            model.sample[symbol.name] = at(value, model.sample)
+        across = model.before(number, body)[1]
+        if story.problem.altered_at(number) is not None:
+            across = model.altered_across(number, body)
+        after[body] = Vector(
+            component(Vector(symbol, across), Vector(frame.n.x, frame.t.x)),
+            component(Vector(symbol, across), Vector(frame.n.y, frame.t.y)),
+        )
+    e = sp.sympify(happening.e, strict=True)
+    u1 = model.before(number, step.first)[0]
+    v = model.components[number, step.first].symbol
+    from_values = frame.by_values or frame.angle is not None
+    if from_values and frame.wall is not None and story.has_derived_normal(frame.wall):
+        # A wall at an angle has the direction by which that angle is measured.
+        normal = frame.n if frame.angle is None else -frame.t.turned_left()
+        story.turn_wall(frame.wall, normal)
+    if step.second in story.walls:
+        model.laws.append(Law("restitution", number, v + e * u1))
+        push = -(frame.n * (v - u1))
+        mass: str | None = step.first
+        oriented = -frame.n
+    else:
+        u2 = tidy(component(happening.before[step.second], frame.n))
+        w = model.components[number, step.second].symbol
+        m1, m2 = story.mass(step.first), story.mass(step.second)
+        model.laws.append(Law("momentum", number, m1 * u1 + m2 * u2 - m1 * v - m2 * w))
+        model.laws.append(Law("restitution", number, w - v - e * (u1 - u2)))
+        push = frame.n * (m2 * (w - u2))
+        mass = None
+        oriented = frame.n if model.sign(u1 - u2) >= 0 else -frame.n
+    return replace(
+        happening,
+        after=after,
+        centres=oriented,
+        closing=sp.Integer(1),
+        impulse=push,
+        impulse_mass=mass,
+        unknown_line=True,  # energies and impulses are then those of the components
+    )
+
+
+def _frame(
+    model: Model, number: int, step: Impact, happening: Happening, put: Mapping[sp.Symbol, sp.Expr]
+) -> Frame:
+    wall = step.second if step.second in model.story.walls else None
+    c = happening.centres
+    assert c is not None
+    letters = {model.unknowns.letter(name) for name in model.unknowns.roles}
+    by_values = False
+    final = model.branch.story.happenings[number - 1]
+    if (
+        not (sp.sympify(c.x, strict=True).free_symbols | sp.sympify(c.y, strict=True).free_symbols)
+        <= letters
+    ):
+        assert final.centres is not None
+        c, by_values = final.centres, True
+    if sp.sympify(c.y, strict=True).is_zero or sp.sympify(tidy(c.y), strict=True) == 0:
+        axis: Literal["i", "j"] | None = "i"
+    elif sp.sympify(c.x, strict=True).is_zero or sp.sympify(tidy(c.x), strict=True) == 0:
+        axis = "j"
+    else:
+        axis = None
+    one, zero = sp.Integer(1), sp.Integer(0)
+    if axis == "i":
+        n, t = Vector(one, zero), Vector(zero, one)
+    elif axis == "j":
+        n, t = Vector(zero, one), Vector(one, zero)
+    else:
+        size = tidy(sp.sqrt(tidy(sp.expand(c.dot(c)))))
+        n = Vector(tidy(c.x / size), tidy(c.y / size))
+        t = Vector(-n.y, n.x)
+    u = happening.before[step.first]
+    if wall is not None:
+        if model.sign(u.dot(n)) > 0:
+            n = -n
+        if model.sign(u.dot(t)) < 0 and not _of_either_sign(tidy(u.dot(t))):
+            t = -t
+    elif axis is None and model.sign((u - happening.before[step.second]).dot(n)) < 0:
+        n, t = -n, -t
+    return Frame(number, wall, n, t, axis, by_values)
+
+
+def _at_an_angle(model: Model, frame: Frame, role: Role) -> Frame:
+    """The same frame with a letter for the angle between its line, or the wall, and **i**."""
+    unknowns = model.unknowns
+    name = next(n for n in ("theta", "phi", "psi", "delta", "beta") if n not in unknowns.roles)
+    unknowns.roles = {**unknowns.roles, name: role}
+    theta = role.symbol(name)
+    line = frame.n if frame.wall is None else frame.t
+    value = sp.atan(tidy(line.y / line.x))
+    if model.sign(line.x) < 0:
+        value += sp.pi if model.sign(line.y) >= 0 else -sp.pi
+    model.final[theta] = tidy_angle(value)
+    model.sample[name] = model.number(value)
+    along = Vector(sp.cos(theta), sp.sin(theta))
+    across = Vector(-along.y, along.x)
+    if frame.wall is None:
+        return replace(frame, n=along, t=across, by_values=False, angle=theta)
+    side = model.sign(frame.n.dot(Vector(-line.y, line.x)))
+    n = across if side > 0 else -across
+    return replace(frame, n=n, t=along, by_values=False, angle=theta)
+
+
+def _of_either_sign(component: sp.Expr) -> bool:
+    """Whether a component is a letter that may be negative: then no case is to be made of it."""
+    return component.is_Symbol and component.is_positive is None

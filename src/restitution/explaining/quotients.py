@@ -1,0 +1,205 @@
+"""Quotients of polynomials over ℚ within bounds, vectors of them, and their factors."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from math import isqrt
+from typing import Any
+
+import sympy as sp
+from sympy.polys.domains import QQ
+from sympy.polys.rings import PolyElement, PolyRing
+
+MOST_GENERATORS = 48
+
+
+MOST_TERMS = 4000
+
+
+MOST_POWER = 16
+
+
+_MOST_BITS = 4096
+
+
+_MOST_FACTOR = 10_000
+
+
+class NotComparableError(Exception):
+    """A tree that cannot be made a quotient of polynomials: of more than is worth comparing."""
+
+
+@cache
+def quotient_ring() -> PolyRing:
+    """The ring over ℚ in all generators that a comparison may have."""
+    return PolyRing([f"g{n}" for n in range(MOST_GENERATORS)], QQ)
+
+
+@dataclass(frozen=True)
+class Quotient:
+    """A polynomial over another one, which is not zero."""
+
+    above: PolyElement
+    below: PolyElement
+
+    def __add__(self, other: Quotient) -> Quotient:
+        if self.below == other.below:
+            return lean(self.above + other.above, self.below)
+        return lean(self.above * other.below + other.above * self.below, self.below * other.below)
+
+    def __neg__(self) -> Quotient:
+        return Quotient(-self.above, self.below)
+
+    def __sub__(self, other: Quotient) -> Quotient:
+        return self + -other
+
+    def __mul__(self, other: Quotient) -> Quotient:
+        return lean(self.above * other.above, self.below * other.below)
+
+    def __truediv__(self, other: Quotient) -> Quotient:
+        if not other.above:
+            raise NotComparableError("a line divides by zero")
+        return lean(self.above * other.below, self.below * other.above)
+
+    def __pow__(self, power: int) -> Quotient:
+        if abs(power) > MOST_POWER:
+            raise NotComparableError(f"the power {power}")
+        if power < 0:
+            return CONSTANT(1) / self**-power
+        if not power:
+            return CONSTANT(1)  # SymPy has no zero to the power of zero
+        if any(len(each) ** power > MOST_TERMS**2 for each in (self.above, self.below)):
+            raise NotComparableError("a line of too many terms")
+        return lean(self.above**power, self.below**power)
+
+    @property
+    def vanishes(self) -> bool:
+        """Whether it is zero whatever the generators are."""
+        return not self.above
+
+
+def CONSTANT(value: Fraction | int) -> Quotient:
+    """A number as a quotient."""
+    value = Fraction(value)
+    ring = quotient_ring()
+    return Quotient(ring.ground_new(QQ(int(value.numerator), int(value.denominator))), ring.one)
+
+
+def _bits(polynomial: PolyElement) -> int:
+    """The length of the longest number in the terms of a polynomial."""
+    return max(
+        (
+            max(int(x.numerator).bit_length(), int(x.denominator).bit_length())
+            for x in polynomial.values()
+        ),
+        default=0,
+    )
+
+
+def lean(above: PolyElement, below: PolyElement) -> Quotient:
+    """The quotient without common powers of single generators, and a number below."""
+    if len(above) > MOST_TERMS or len(below) > MOST_TERMS:
+        raise NotComparableError("a line of too many terms")
+    if _bits(above) > _MOST_BITS or _bits(below) > _MOST_BITS:
+        raise NotComparableError("a line of too long numbers")
+    if not above:
+        return Quotient(above, quotient_ring().one)
+    if below.is_ground:
+        number = below.LC
+        return Quotient(above if number == 1 else above.quo_ground(number), quotient_ring().one)
+    common = tuple(map(min, zip(*above, *below, strict=True)))
+    if any(common):
+        above, below = (
+            quotient_ring().from_dict(
+                {
+                    tuple(a - b for a, b in zip(powers, common, strict=True)): value
+                    for powers, value in each.items()
+                }
+            )
+            for each in (above, below)
+        )
+        if below.is_ground:
+            return lean(above, below)
+    return Quotient(above, below)
+
+
+@dataclass(frozen=True)
+class Plane:
+    """A vector by its components in the directions of **i** and **j**."""
+
+    x: Quotient
+    y: Quotient
+
+
+def square_part(number: int) -> tuple[int, int]:
+    """The whole numbers a, b of number = a² b, with b free of squares."""
+    sign, number = (-1, -number) if number < 0 else (1, number)
+    root = isqrt(number)
+    if root * root == number:
+        return root, sign
+    square, free = 1, 1
+    for prime, times in primes(number).items():
+        square *= prime ** (times // 2)
+        free *= prime ** (times % 2)
+    return square, sign * free
+
+
+def primes(number: int) -> dict[int, int]:
+    """The factors of a number and their powers; what has no small factor stays as it is."""
+    factors: dict[int, int] = sp.factorint(number, limit=_MOST_FACTOR, use_rho=False, use_pm1=False)
+    powers: dict[int, int] = {}
+    for factor, times in factors.items():
+        root = isqrt(factor)
+        if root * root == factor and factor > 1:
+            powers[root] = powers.get(root, 0) + 2 * times
+        else:
+            powers[factor] = powers.get(factor, 0) + times
+    return powers
+
+
+def small(*polynomials: PolyElement) -> tuple[tuple[int, ...], tuple[PolyElement, ...]]:
+    """Polynomials in a ring of their own generators only, and which of all these are."""
+    used = sorted({n for each in polynomials for m in each for n, power in enumerate(m) if power})
+    ring = _small_ring(max(len(used), 1))
+    return tuple(used), tuple(
+        ring.from_dict(
+            {tuple(m[n] for n in used) or (0,): value for m, value in polynomial.items()},
+        )
+        for polynomial in polynomials
+    )
+
+
+@cache
+def _small_ring(count: int) -> PolyRing:
+    return PolyRing([f"g{n}" for n in range(count)], QQ)
+
+
+def large(used: tuple[int, ...], polynomial: PolyElement) -> PolyElement:
+    """A polynomial of a small ring among all generators again."""
+    result = {}
+    for powers, value in polynomial.items():
+        monomial = [0] * MOST_GENERATORS
+        for n, power in zip(used, powers, strict=False):
+            monomial[n] = power
+        result[tuple(monomial)] = value
+    return quotient_ring().from_dict(result)
+
+
+def factors_of(polynomial: PolyElement) -> tuple[Any, list[tuple[PolyElement, int]]]:
+    """A number and irreducible factors with their powers."""
+    used, (own,) = small(polynomial)
+    if not used:
+        return polynomial.LC, []
+    number, factors = own.factor_list()
+    return number, [(large(used, factor), times) for factor, times in factors]
+
+
+def without_common(a: PolyElement, b: PolyElement) -> tuple[PolyElement, PolyElement]:
+    """Two polynomials divided by what they have in common."""
+    used, (own_a, own_b) = small(a, b)
+    if not used or not own_a or not own_b:
+        return a, b
+    _, rest_a, rest_b = own_a.cofactors(own_b)
+    return large(used, rest_a), large(used, rest_b)
