@@ -11,9 +11,10 @@ from pathlib import Path
 import pytest
 from derivations import FOLDER, derivation_of, oracle_of, read_derivation
 
-from restitution.explaining.awarding import RULES, awarded, marks_of, rule_of
+from restitution.explaining.awarding import awarded, marks_of, rule_of
 from restitution.explaining.derivation import MOVES, Derivation
 from restitution.explaining.follower import follow
+from restitution.explaining.mark_rules import RULES
 from restitution.explaining.marks import STYLES, Style, written
 from restitution.explaining.principles import RECORDS
 from restitution.explaining.storing import from_json

@@ -22,7 +22,7 @@ from restitution.planning.desk import NotPlannedError, Source, chain
 from restitution.planning.forms import swept, tree_of
 from restitution.planning.impacts import by_scalar_product
 from restitution.planning.polynomials import cancelled, factored
-from restitution.planning.quantities import frame_after
+from restitution.planning.velocity_formulas import frame_after
 from restitution.solving.letters import roles
 from restitution.vector import Vector
 

@@ -26,13 +26,13 @@ from restitution.planning.forms import ZERO, swept, tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.inequalities import solve_linear, turned, without_signs
 from restitution.planning.polynomials import expanded, factored, one_fraction
-from restitution.planning.quantities import body_and_stage, frame_after
 from restitution.planning.squares import (
     solve_quadratic,
     square_and_solve,
     without_roots,
     write_speeds,
 )
+from restitution.planning.velocity_formulas import body_and_stage, frame_after
 from restitution.planning.wall_ends import write_between
 from restitution.planning.worths import Worths
 from restitution.problem import Given, Meets

@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     is_zero,
     letters,
 )
+from restitution.planning.angle_formulas import cosine
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.forms import (
     ZERO,
@@ -31,11 +32,11 @@ from restitution.planning.forms import (
     total,
     tree_of,
 )
+from restitution.planning.formulas import Formula
 from restitution.planning.frames import Frame
 from restitution.planning.given_turns import given_turn
 from restitution.planning.impacts import in_direction
 from restitution.planning.premises import background
-from restitution.planning.quantities import Formula, cosine
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.wall_turns import given_at_a_wall
 

@@ -22,19 +22,17 @@ from restitution.expression.tree import (
 )
 from restitution.planning import distances, journeys
 from restitution.planning.desk import NotPlannedError, Source, chain, together
+from restitution.planning.energy_formulas import energy_change
 from restitution.planning.forms import square, swept, total, tree_of
+from restitution.planning.formulas import write_formula
 from restitution.planning.named_angles import letter_of
 from restitution.planning.place_trees import is_duration
 from restitution.planning.polynomials import expanded
-from restitution.planning.quantities import (
-    energy_change,
-    formula,
-    velocity_source,
-    write_formula,
-)
+from restitution.planning.quantities import formula
 from restitution.planning.scene import Scene
 from restitution.planning.separations import relative_speed
 from restitution.planning.turning import angle_line, write_decimal
+from restitution.planning.velocity_formulas import velocity_source
 from restitution.vector import Vector
 
 _ANGLES = ("angle", "deflection", "direction")

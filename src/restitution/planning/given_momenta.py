@@ -15,9 +15,9 @@ from restitution.planning.forms import difference, product, square, swept, total
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import before, closing_at_wall, in_direction
 from restitution.planning.pairs import close_two
-from restitution.planning.quantities import velocity_source
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.vectors import velocity_given
+from restitution.planning.velocity_formulas import velocity_source
 from restitution.vector import Vector
 
 

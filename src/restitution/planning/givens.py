@@ -41,9 +41,11 @@ from restitution.planning.forms import (
     total,
     tree_of,
 )
+from restitution.planning.formulas import Formula
 from restitution.planning.given_momenta import write_impulse
 from restitution.planning.given_turns import given_turn
 from restitution.planning.impacts import scene_value
+from restitution.planning.impulse_formulas import impulse_on
 from restitution.planning.lines_between import (
     angle_of_lines,
     has_angle,
@@ -53,11 +55,12 @@ from restitution.planning.lines_between import (
 )
 from restitution.planning.named_angles import tangent_line
 from restitution.planning.premises import background
-from restitution.planning.quantities import Formula, formula, impulse_on, squares
+from restitution.planning.quantities import formula
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.separations import relative_speed
 from restitution.planning.ties import write_tie
+from restitution.planning.velocity_formulas import squares
 from restitution.planning.wall_turns import doubled_at_a_wall
 from restitution.solving.letters import roles
 from restitution.vector import Vector

@@ -29,9 +29,10 @@ from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.either_side import write_sides
 from restitution.planning.expressions import outermost, write_expression
 from restitution.planning.forms import ONE, difference, product, square, tree_of
+from restitution.planning.formulas import write_formula
 from restitution.planning.momenta import write_by_momentum
 from restitution.planning.order import Solver
-from restitution.planning.quantities import formula, write_formula
+from restitution.planning.quantities import formula
 from restitution.planning.ratios import inverse
 from restitution.planning.scene import Scene
 from restitution.planning.separations import event_of_relative

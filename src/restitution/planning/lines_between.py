@@ -21,20 +21,16 @@ from restitution.expression.tree import (
     Quantity,
     walk,
 )
+from restitution.planning.angle_formulas import cosine
 from restitution.planning.axes import write_wall
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import product, square, swept, total, tree_of
+from restitution.planning.formulas import Formula, write_formula
 from restitution.planning.impacts import whole_direction
 from restitution.planning.polynomials import expanded
-from restitution.planning.quantities import (
-    Formula,
-    body_and_stage,
-    cosine,
-    formula,
-    velocity_source,
-    write_formula,
-)
+from restitution.planning.quantities import formula
 from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.velocity_formulas import body_and_stage, velocity_source
 from restitution.vector import Vector
 
 

@@ -8,8 +8,8 @@ from restitution.expression.tree import Letter, Name, Polar, Quantity, walk
 from restitution.planning.axes import take_impulse
 from restitution.planning.desk import Source, chain, together
 from restitution.planning.forms import product, swept, total, tree_of
-from restitution.planning.quantities import body_and_stage
 from restitution.planning.scene import Scene
+from restitution.planning.velocity_formulas import body_and_stage
 from restitution.vector import Vector
 
 

@@ -18,8 +18,8 @@ from restitution.expression.tree import (
 )
 from restitution.planning.desk import chain, together
 from restitution.planning.forms import in_tangents, swept, tree_of
+from restitution.planning.formulas import Formula
 from restitution.planning.premises import background
-from restitution.planning.quantities import Formula
 from restitution.planning.scene import Scene
 
 ANGLES = {

@@ -12,11 +12,12 @@ from restitution.expression.tree import Apply, Binary, Expression, Letter, Name,
 from restitution.expression.writing import write_expression
 from restitution.planning.desk import Source, chain, together
 from restitution.planning.forms import product, swept, total, tree_of
+from restitution.planning.formulas import write_formula
 from restitution.planning.impacts import in_direction
 from restitution.planning.lines_between import whole_velocity
 from restitution.planning.named_angles import letter_of
 from restitution.planning.premises import background
-from restitution.planning.quantities import formula, write_formula
+from restitution.planning.quantities import formula
 from restitution.planning.scene import Scene
 from restitution.planning.turns import Moving, impact_of, velocities_of
 

@@ -46,14 +46,15 @@ from restitution.planning.forms import (
     swept,
     tree_of,
 )
+from restitution.planning.formulas import Formula
 from restitution.planning.items import in_a_frame, is_named
 from restitution.planning.order import Solver
 from restitution.planning.polynomials import expanded
-from restitution.planning.quantities import Formula, body_and_stage, frame_after
 from restitution.planning.ranges import write_range
 from restitution.planning.refuting import write_refutation
 from restitution.planning.scene import Scene
 from restitution.planning.turning import angle_line, is_angle, write_ratio
+from restitution.planning.velocity_formulas import body_and_stage, frame_after
 from restitution.problem import (
     Aligned,
     AtRest,

@@ -29,6 +29,7 @@ from restitution.planning.angles import angle_to_a_line
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.either_side import angle_of_centres
 from restitution.planning.forms import difference, in_tangents, total, tree_of
+from restitution.planning.formulas import Formula
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import in_direction
 from restitution.planning.lines_between import (
@@ -47,19 +48,18 @@ from restitution.planning.named_angles import (
 )
 from restitution.planning.polynomials import expanded
 from restitution.planning.premises import background, nonzero, sign_known
-from restitution.planning.quantities import (
-    Formula,
+from restitution.planning.quantities import formula
+from restitution.planning.scalar_angles import is_long, write_cosine, write_right_angle
+from restitution.planning.scene import Scene
+from restitution.planning.turn_lines import inverse_of_data, write_turn, write_turn_tangent
+from restitution.planning.turns import turns_of, velocities_of
+from restitution.planning.velocity_formulas import (
     body_and_stage,
-    formula,
     in_the_plane,
     known_speed,
     known_vector,
     velocity_source,
 )
-from restitution.planning.scalar_angles import is_long, write_cosine, write_right_angle
-from restitution.planning.scene import Scene
-from restitution.planning.turn_lines import inverse_of_data, write_turn, write_turn_tangent
-from restitution.planning.turns import turns_of, velocities_of
 from restitution.planning.wall_turns import tangent_at_a_wall
 from restitution.vector import Vector
 

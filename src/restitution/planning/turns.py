@@ -30,8 +30,8 @@ from restitution.planning.desk import Source, together
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import in_direction
-from restitution.planning.quantities import body_and_stage
 from restitution.planning.scene import Scene
+from restitution.planning.velocity_formulas import body_and_stage
 
 _I = Unit("i")
 NONE = Degrees(Fraction(0))

@@ -12,7 +12,8 @@ from restitution.expression.tree import Apply, Letter, Name, Quantity
 from restitution.planning.closing import close
 from restitution.planning.desk import NotPlannedError, chain, link, together
 from restitution.planning.forms import square, swept, total, tree_of
-from restitution.planning.quantities import formula, write_formula
+from restitution.planning.formulas import write_formula
+from restitution.planning.quantities import formula
 from restitution.planning.ratios import inverse
 from restitution.planning.scene import Scene
 from restitution.vector import Vector

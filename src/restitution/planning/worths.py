@@ -29,14 +29,16 @@ from restitution.planning import journeys, place_trees
 from restitution.planning.desk import NotPlannedError, Source, together
 from restitution.planning.expressions import write_expression
 from restitution.planning.forms import square, swept, tree_of
+from restitution.planning.formulas import Formula
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import in_direction, scene_value
 from restitution.planning.named_angles import letter_of
 from restitution.planning.order import Solver, Standing
-from restitution.planning.quantities import Formula, body_and_stage, formula, frame_after
+from restitution.planning.quantities import formula
 from restitution.planning.scene import Scene
 from restitution.planning.turn_lines import write_turn_tangent
 from restitution.planning.turns import turns_of, velocities_of
+from restitution.planning.velocity_formulas import body_and_stage, frame_after
 from restitution.planning.wall_turns import tangent_at_a_wall
 from restitution.solving.letters import roles
 from restitution.vector import Vector

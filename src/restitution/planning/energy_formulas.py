@@ -1,0 +1,236 @@
+"""Kinetic energies, what is lost of them, and momenta, by their definitions."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, Ref
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Name,
+    Negate,
+    Polar,
+    Quantity,
+    Unit,
+    has_quantity,
+    is_zero,
+)
+from restitution.planning.angle_formulas import velocity_as_a_line
+from restitution.planning.desk import Source, together
+from restitution.planning.forms import (
+    difference,
+    number,
+    product,
+    square,
+    total,
+    tree_of,
+)
+from restitution.planning.formulas import Formula, itself, write_formula
+from restitution.planning.impacts import in_direction
+from restitution.planning.polynomials import expanded
+from restitution.planning.scene import Scene
+from restitution.planning.velocity_formulas import squares, velocity_source
+from restitution.vector import Vector
+
+
+def _half(mass: Expression, squares: Expression) -> Expression:
+    """Half of a mass times squares of speeds, in this order: ½ × 2(3² − 1²)."""
+    if is_zero(squares):
+        return squares
+    if isinstance(squares, Negate):
+        return Negate(_half(mass, squares.operand))
+    factor: Expression = Binary("/", number(1), number(2))
+    if mass != number(1):
+        factor = Binary("*", factor, mass)
+    return Binary("*", factor, squares)
+
+
+def energy_formula(scene: Scene, quantity: Quantity) -> Formula:
+    """A kinetic energy, ½mv²."""
+    assert isinstance(quantity.stage, int)
+    names = [argument.name for argument in quantity.arguments if isinstance(argument, Name)]
+    bodies = names or list(scene.model.story.spheres)
+    terms, values, refs = [], [], []
+    for body in bodies:
+        stage = scene.last_event(body, quantity.stage)
+        tree, value, own = squares(scene, body, stage, known=len(bodies) == 1)
+        if stage and stage != quantity.stage:
+            own = together(own, scene.frame(stage).unit_free)
+        mass = scene.mass(body)
+        terms.append(_half(tree_of(mass.value), tree))
+        values.append(mass.value * value / 2)
+        refs += [*(() if value == 0 else mass.refs), *own]
+    move = Move("define", "energy" if names else "total", quantity.stage or None, tuple(names))
+    return Formula(
+        move, itself, quantity, total(terms), tidy(expanded(sum(values))), together(refs)
+    )
+
+
+def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
+    """Components across the line do not change, so that they cancel."""
+    event = quantity.stage
+    assert isinstance(event, int)
+    by_speeds = _lost_by_given_speeds(scene, quantity, event)
+    if by_speeds is not None:
+        return by_speeds
+    frame = scene.frame(event)
+    terms: list[Expression] = []
+    values: list[Any] = []
+    refs: list[Any] = [*frame.names_axis("along")]
+    for body in scene.spheres(event):
+        early, late = (in_direction(scene, "along", body, k, frame) for k in (event - 1, event))
+        mass = scene.mass(body)
+        squared = [square(tree_of(each.value)) for each in (early, late)]
+        change = difference(*squared)
+        terms.append(_half(tree_of(mass.value), change))
+        values.append(mass.value * (early.value**2 - late.value**2) / 2)
+        own = () if values[-1] == 0 else mass.refs
+        refs += [*own, *early.whole, *late.whole]
+    return Formula(
+        Move("define", "energy-lost", event, scene.spheres(event)),
+        itself,
+        quantity,
+        total(terms),
+        tidy(expanded(sum(values))),
+        together(refs),
+    )
+
+
+def energy_change(scene: Scene, asked: Expression) -> Formula | None:
+    """The change of the energy of one body at an impact, by the component that changes.
+
+    None of another difference, and where one of the two energies is a line, or is asked too.
+    """
+    match asked:
+        case Binary(
+            "-",
+            Quantity("energy", (Name(body),), int(late)) as first,
+            Quantity("energy", (Name(other),), int(early)) as second,
+        ) if body == other:
+            pass
+        case _:
+            return None
+    event = scene.last_event(body, max(late, early))
+    frame = scene.frame(event) if event in scene.model.frames else None
+    if frame is None or scene.last_event(body, event - 1) != scene.last_event(
+        body, min(late, early)
+    ):
+        return None
+    if any(
+        scene.desk.known(each) is not None or each in scene.asked_alone for each in (first, second)
+    ):
+        return None
+    ends = [in_direction(scene, "along", body, k, frame) for k in (event, event - 1)]
+    ends = ends if late > early else ends[::-1]
+    mass = scene.mass(body)
+    squared = difference(*(square(tree_of(end.value)) for end in ends))
+    value = mass.value * (ends[0].value ** 2 - ends[1].value ** 2) / 2
+    refs = together(frame.names_axis("along"), mass.refs, *(end.whole for end in ends))
+    move = Move("define", "energy-change", event, (body,))
+    right = _half(tree_of(mass.value), squared)
+    return Formula(move, itself, asked, right, tidy(expanded(value)), refs)
+
+
+def _lost_by_given_speeds(scene: Scene, quantity: Quantity, event: int) -> Formula | None:
+    """Where every speed is given, before and after: ½mu² − ½mv²; None otherwise."""
+    terms: list[Expression] = []
+    values: list[Any] = []
+    refs: list[Any] = []
+    for body in scene.spheres(event):
+        mass = scene.mass(body)
+        early, late = (_given_speed(scene, body, k) for k in (event - 1, event))
+        if early is None or late is None:
+            return None
+        halves = [_half(tree_of(mass.value), square(tree_of(e.value))) for e in (early, late)]
+        terms.append(difference(*halves))
+        values.append(mass.value * (early.value**2 - late.value**2) / 2)
+        refs += [*mass.refs, *early.refs, *late.refs]
+    move = Move("define", "energy-lost", event, scene.spheres(event))
+    value = tidy(expanded(sum(values)))
+    return Formula(move, itself, quantity, total(terms), value, together(refs))
+
+
+def _given_speed(scene: Scene, body: str, stage: int) -> Source | None:
+    """A speed that the data give, with a direction at an angle or as a fact about the motion."""
+    last = scene.last_event(body, stage)
+    size: Any = None
+    refs: tuple[Ref, ...] = ()
+    if not last and (fact := scene.facts.get(f"velocity {body}")) is not None:
+        match fact.relation.only[0].right:
+            case Polar(size) if not isinstance(size, Unit):
+                refs = (fact.id,)
+    for each in scene.given if last else ():
+        if each.link.left == Quantity("speed", (Name(body),), last) and each.link.sign == "=":
+            size, refs = each.link.right, each.refs
+    if size is None or has_quantity(size):
+        return None
+    value, more = scene.put(scene.scalar(size))
+    return None if scene.unknown(value) else Source(value, together(refs, more))
+
+
+def total_energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
+    """The energy of all spheres at the start, less that after an event: each a line before it."""
+    assert isinstance(quantity.stage, int)
+    if quantity.stage == 1 and 1 in scene.model.frames:
+        own = energy_lost_formula(scene, Quantity("energy_lost", (), 1))
+        return replace(own, quantity=quantity, move=Move("define", "total-lost", 1))
+    terms, values, refs = [], [], []
+    for stage in (0, quantity.stage):
+        own = energy_formula(scene, Quantity("energy", (), stage))
+        number = write_formula(scene, own)
+        terms.append(tree_of(own.value))
+        values.append(own.value)
+        refs.append(number)
+    return Formula(
+        Move("define", "total-lost", quantity.stage),
+        itself,
+        quantity,
+        difference(*terms),
+        tidy(expanded(values[0] - values[1])),
+        together(refs),
+    )
+
+
+def momentum_formula(scene: Scene, quantity: Quantity) -> Formula:
+    """The momentum of a sphere, by its velocity as a vector."""
+    if not quantity.arguments:
+        return _momentum_of_all(scene, quantity)
+    (name,) = quantity.arguments
+    assert isinstance(name, Name)
+    assert isinstance(quantity.stage, int)
+    velocity = velocity_source(scene, name.name, quantity.stage)
+    mass = scene.mass(name.name)
+    return Formula(
+        Move("define", "momentum-of", quantity.stage or None, (name.name,)),
+        itself,
+        quantity,
+        product(tree_of(mass.value), tree_of(velocity.value)),
+        Vector(*(tidy(mass.value * each) for each in velocity.value)),
+        together(mass.refs, velocity.refs),
+    )
+
+
+def _momentum_of_all(scene: Scene, quantity: Quantity) -> Formula:
+    """The momentum of all spheres, by their velocities as vectors."""
+    stage = quantity.stage
+    assert isinstance(stage, int)
+    terms: list[Expression] = []
+    refs: list[Ref] = []
+    x = y = sp.Integer(0)
+    for body in scene.model.story.spheres:
+        velocity = velocity_as_a_line(scene, body, scene.last_event(body, stage))
+        refs += velocity.refs
+        if all(each == 0 for each in velocity.value):
+            continue
+        mass = scene.mass(body)
+        refs += mass.refs
+        terms.append(product(tree_of(mass.value), tree_of(velocity.value)))
+        x, y = (a + mass.value * b for a, b in zip((x, y), velocity.value, strict=True))
+    whole = Vector(*(tidy(expanded(each)) for each in (x, y)))
+    move = Move("define", "momentum-of", stage or None, ())
+    return Formula(move, itself, quantity, total(terms), whole, together(refs))

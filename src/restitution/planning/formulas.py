@@ -1,0 +1,162 @@
+"""A quantity by its definition, as data, and the lines that write it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from restitution.errors import StatementError
+from restitution.explaining.derivation import Move, MoveId, Ref
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Quantity,
+    children,
+    letters,
+    walk,
+)
+from restitution.planning.desk import NotPlannedError, chain, together
+from restitution.planning.forms import (
+    swept,
+    tree_of,
+)
+from restitution.planning.polynomials import expanded, one_fraction
+from restitution.planning.premises import background, not_negative, sign_known
+from restitution.planning.scene import Scene
+from restitution.vector import Vector
+
+
+@dataclass(frozen=True)
+class Formula:
+    """A definition with values put in: ``left`` is the quantity, a power or a ratio of it.
+
+    ``value`` is what the right side is worth; ``of`` makes the left side of any tree that stands
+    for the quantity.
+    """
+
+    move: Move
+    of: Callable[[Expression], Expression]
+    quantity: Expression
+    right: Expression
+    value: Any
+    refs: tuple[Ref, ...]
+
+    @property
+    def left(self) -> Expression:
+        """The left side, of the quantity itself."""
+        return self.of(self.quantity)
+
+
+def itself(tree: Expression) -> Expression:
+    """The left side that is the quantity itself."""
+    return tree
+
+
+def formula_of_line(scene: Scene, quantity: Quantity, number_: int, value: Any) -> Formula:
+    """What a line says that stands, as a definition."""
+    line = scene.desk.line(number_)
+    right = scene.desk.relation(number_).only[0].right
+    return Formula(line.move, itself, quantity, right, value, line.premises)
+
+
+# A speed from components with roots is a line that people write; deeper roots are not.
+_MOST_ROOTS = 2
+
+
+def write_formula(scene: Scene, own: Formula) -> int:
+    """A quantity by its definition, and what that comes to."""
+    final = tree_of(own.value)
+    right = swept(own.right)
+    if _depth_of_roots(right) > _MOST_ROOTS:
+        raise NotPlannedError("a root of sums of roots")
+    if isinstance(own.value, Vector):
+        number = scene.desk.write(own.move, own.refs, chain(own.left, (right, None)))
+        if right != final:
+            link = chain(own.left, (final, None))
+            move = Move("rearrange")
+            pythagoras = Move("identity", "pythagoras")
+            ratios = any(sp.sympify(each, strict=True).atoms(sp.sin, sp.cos) for each in own.value)
+            if ratios and not scene.judge.follows(move, (number,), link):
+                move = pythagoras if scene.judge.follows(pythagoras, (number,), link) else move
+            number = scene.desk.write(move, (number,), link)
+    else:
+        refs = own.refs
+        if isinstance(right, Apply) and right.function == "sqrt":
+            refs = together(
+                refs, not_negative(scene, own.value), sign_known(scene, _before_root(own.value))
+            )
+        if _trivial(own.right, final):
+            right = final
+        elif _is_figure(own.value) and isinstance(right, Apply):
+            final = right  # what follows is its decimal: no other form of it is plainer
+        by: MoveId = "identity" if _by_pythagoras(scene, own) else "rearrange"
+        relation = chain(own.left, (right, None), (final, by))
+        if _has_roots_of_letters(own.right):
+            known = background(scene, letters(right))
+            refs = scene.judge.enough(own.move, refs, relation, known) or refs
+        number = scene.desk.write(own.move, refs, relation)
+    scene.desk.know(own.quantity, own.value, (number,))
+    return number
+
+
+def _has_roots_of_letters(tree: Expression) -> bool:
+    """Whether a root of letters stands in it, below the root of the whole if it is one."""
+    inside = tree.argument if isinstance(tree, Apply) else tree
+    return any(
+        isinstance(node, Apply) and node.function == "sqrt" and letters(node.argument)
+        for node in walk(inside)
+    )
+
+
+def _is_figure(value: Any) -> bool:
+    """Whether a number is made of sines and cosines of degrees that have no exact values."""
+    own = sp.sympify(value, strict=True)
+    return bool(own.is_number and own.atoms(sp.sin, sp.cos, sp.tan))
+
+
+def _trivial(right: Expression, final: Expression) -> bool:
+    """Whether a root is that of one square."""
+    match right:
+        case Apply("sqrt", Binary("^", base, _)):
+            return base == final
+    return False
+
+
+def _before_root(value: sp.Expr) -> sp.Expr:
+    """The factors of a value that are not roots."""
+    return sp.Mul(
+        *(
+            factor
+            for factor in sp.Mul.make_args(value)
+            if not (factor.is_Pow and factor.exp.is_Rational and factor.exp.q == 2)
+        )
+    )
+
+
+def _by_pythagoras(scene: Scene, own: Formula) -> bool:
+    """Whether a value comes of its formula by sin² + cos² = 1 alone."""
+    value = sp.sympify(own.value, strict=True)
+    try:
+        right = scene.scalar(own.right)
+    except StatementError:
+        return False
+    ratios = right.atoms(sp.sin, sp.cos) | value.atoms(sp.sin, sp.cos, sp.tan)
+    angles = {ratio.args[0] for ratio in ratios}
+    if len(ratios) == len(angles):
+        return False
+    put: dict[sp.Basic, sp.Expr] = {}
+    for angle in angles:
+        s, c = sp.Dummy("s", positive=True), sp.Dummy("c", positive=True)
+        put |= {sp.sin(angle): s, sp.cos(angle): c, sp.tan(angle): s / c}
+    gap = right.xreplace(put) ** 2 - value.xreplace(put) ** 2
+    return bool(expanded(sp.fraction(one_fraction(expanded(gap)))[0]) != 0)
+
+
+def _depth_of_roots(tree: Expression) -> int:
+    """How many roots stand in one another in a tree."""
+    below = max(map(_depth_of_roots, children(tree)), default=0)
+    return below + (isinstance(tree, Apply) and tree.function == "sqrt")

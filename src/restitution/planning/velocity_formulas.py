@@ -1,0 +1,354 @@
+"""Velocities, speeds and components, by their definitions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, Ref
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Name,
+    Polar,
+    Quantity,
+    Unit,
+    has_quantity,
+    walk,
+)
+from restitution.planning.desk import NotPlannedError, Source, chain, together
+from restitution.planning.forms import (
+    product,
+    square,
+    total,
+    tree_of,
+    vector,
+)
+from restitution.planning.formulas import Formula, itself, write_formula
+from restitution.planning.frames import Frame
+from restitution.planning.impacts import blown, in_direction, whole_direction
+from restitution.planning.polynomials import expanded
+from restitution.planning.scene import Scene
+from restitution.planning.vectors import velocity_given
+from restitution.vector import Vector
+
+
+def known_vector(scene: Scene, body: str, stage: int) -> Source | None:
+    """A velocity that is known as a vector: after a blow, or by a line, in a slanting frame."""
+    velocity = Quantity("velocity", (Name(body),), stage)
+    if not stage:
+        return None
+    if stage in scene.model.frames:
+        if not scene.frame(stage).is_slanted:
+            return None
+        both = {sphere: _source_of(scene, sphere, stage) for sphere in scene.spheres(stage)}
+        # By momentum as vectors the second velocity has no components: then both are vectors.
+        vectors = [own for own in both.values() if own and not _by_components(scene, own)]
+        return both[body] if vectors else None
+    known = blown(scene, body, stage)
+    value, refs = scene.put(known.value)
+    if (
+        len(known.refs) != 1
+        or not isinstance(known.refs[0], int)
+        or not refs
+        or scene.unknown(value)
+    ):
+        return known
+    relation = chain(velocity, (tree_of(Vector(*map(tidy, value))), None))
+    line = scene.desk.write(Move("put"), (*known.refs, *refs), relation)
+    return scene.desk.know(velocity, value, (line,))
+
+
+def _source_of(scene: Scene, body: str, stage: int) -> Source | None:
+    return scene.desk.known(Quantity("velocity", (Name(body),), stage))
+
+
+def _by_components(scene: Scene, source: Source) -> bool:
+    """Whether the line of a velocity puts it together of its components along a slanting line."""
+    below: list[Ref] = [*source.refs]
+    while below:
+        ref = below.pop()
+        if isinstance(ref, int):
+            own = scene.desk.line(ref)
+            if own.move.record == "assemble" and len(own.premises) > 2:
+                return True
+            if own.move.id in ("rearrange", "put"):
+                below += own.premises[:1]
+    return False
+
+
+def body_and_stage(scene: Scene, velocity: Expression) -> tuple[str, int]:
+    """The body of a velocity, and the last event that changed it."""
+    match velocity:
+        case Quantity("velocity" | "speed" | "direction", (Name(body),), int(stage)):
+            return body, scene.last_event(body, stage)
+    raise NotPlannedError(f"{velocity} is no velocity of a body")
+
+
+def frame_after(scene: Scene, body: str, stage: int) -> Frame:
+    """The frame in which a velocity is known: of its impact, or of the next of an initial one."""
+    if stage in scene.model.frames:
+        return scene.frame(stage)
+    for event in range(stage + 1, scene.events + 1):
+        if body in scene.bodies(event) and event in scene.model.frames:
+            return scene.frame(event)
+    # Who meets nothing is told by **i** and **j**.
+    return scene.frame(stage)
+
+
+def parts(scene: Scene, body: str, stage: int, frame: Frame | None = None) -> list[Source]:
+    """The components of a velocity, along and across, with all known values put in."""
+    own = frame or frame_after(scene, body, stage)
+    return [in_direction(scene, kind, body, stage, own) for kind in ("along", "across")]
+
+
+def _velocity_at_the_start(scene: Scene, quantity: Quantity, body: str) -> Formula:
+    """The velocity of the data, with the letters put in that have been found."""
+    source = scene.initial(body)
+    value, refs = scene.put(source.value)
+    if not refs:
+        raise NotPlannedError("a velocity that is given")
+    whole = Vector(*(tidy(each) for each in value))
+    own = Quantity(quantity.kind, quantity.arguments, 0)
+    is_given = f"velocity {body}" in scene.facts
+    move = Move("put") if is_given else Move("define", "assemble", None, (body,))
+    return Formula(move, itself, own, tree_of(whole), whole, together(source.refs, refs))
+
+
+def _once_more(scene: Scene, quantity: Quantity, body: str, stage: int, known: Source) -> Formula:
+    """A velocity that is a line already, perhaps in letters that are known by now."""
+    value, refs = scene.put(known.value)
+    own = Quantity(quantity.kind, quantity.arguments, stage)
+    whole = Vector(*(tidy(each) for each in value))
+    move = Move("put") if refs else Move("rearrange")
+    return Formula(move, itself, own, tree_of(whole), whole, together(known.refs, refs))
+
+
+def velocity_formula(scene: Scene, quantity: Quantity) -> Formula:
+    """A velocity as a vector, of its components."""
+    body, stage = body_and_stage(scene, quantity)
+    if not stage:
+        return _velocity_at_the_start(scene, quantity, body)
+    known = scene.desk.known(Quantity("velocity", (Name(body),), stage))
+    if stage not in scene.model.frames and known is None:
+        known = blown(scene, body, stage)
+    if known is not None:
+        return _once_more(scene, quantity, body, stage, known)
+    frame = frame_after(scene, body, stage)
+    along, across = parts(scene, body, stage, frame)
+    value = frame.n * along.value + frame.t * across.value
+    refs = together(along.refs, across.refs, frame.unit_free if stage else ())
+    aligned = frame.across is not None or frame.n in (Vector(1, 0), Vector(0, 1))
+    if aligned:
+        right = vector(tree_of(value.x), tree_of(value.y))
+    else:
+        right = total(
+            product(tree_of(own.value), _unit_tree(direction))
+            for own, direction in ((along, frame.n), (across, frame.t))
+        )
+    move = Move("define", "assemble", stage or None, (body,))
+    return Formula(move, itself, quantity, right, Vector(*map(tidy, value)), refs)
+
+
+def _unit_tree(direction: Vector) -> Expression:
+    """A unit vector as a whole number of **i** and **j** over its length."""
+    whole, length = whole_direction(direction)
+    tree = vector(*map(tree_of, whole))
+    return tree if length == 1 else Binary("/", tree, tree_of(length))
+
+
+def squares(
+    scene: Scene, body: str, stage: int, *, known: bool = False
+) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
+    """The square of a speed by its components: as a tree, as a value, and what it rests on.
+
+    With ``known`` a speed that is given, or a line, is taken.
+    """
+    if not stage:
+        return _initial_square(scene, body)
+    struck = known_vector(scene, body, stage)
+    if struck is not None:
+        value, more = scene.put(struck.value)
+        tree = total(square(tree_of(each)) for each in value if each != 0)
+        return tree, sum(each**2 for each in value), together(struck.refs, more)
+    frame = frame_after(scene, body, stage)
+    own = parts(scene, body, stage, frame)
+    known = known and not any(scene.unknown(each.value) for each in own)
+    speed = known_speed(scene, body, stage) if known else None
+    if speed is not None:
+        return square(tree_of(speed.value)), speed.value**2, speed.refs
+    refs = together(*(each.refs for each in own), _bridge(frame, own))
+    tree = total(square(tree_of(each.value)) for each in own if each.value != 0)
+    return tree, sum(each.value**2 for each in own), refs
+
+
+def known_speed(scene: Scene, body: str, stage: int) -> Source | None:
+    """A speed that is given, or a line already; None where it is neither."""
+    quantity = Quantity("speed", (Name(body),), stage)
+    known = scene.desk.known(quantity)
+    if known is not None:
+        value, refs = scene.put(known.value)
+        return Source(value, together(known.refs, refs))
+    for each in scene.given:
+        if each.link.sign == "=" and each.link.left == quantity:
+            if has_quantity(each.link.right):
+                continue
+            value, refs = scene.put(scene.scalar(each.link.right))
+            return Source(value, together((each.fact.id,), refs))
+    return None
+
+
+def _bridge(frame: Frame, components: Iterable[Source]) -> tuple[Ref, ...]:
+    """The axis, where one component is named by it and the other by **i** or **j**."""
+    mixed = isinstance(frame.along, Quantity) and frame.across is not None
+    return frame.refs if mixed and not any(component.axis for component in components) else ()
+
+
+def _initial_square(scene: Scene, body: str) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
+    """The square of the speed at the start, by its size or by its components."""
+    fact = f"velocity {body}"
+    initial = scene.initial(body)
+    if fact not in scene.facts:
+        value, refs = scene.put(initial.value)
+        tree = total(square(tree_of(each)) for each in value if each != 0)
+        return tree, sum(each**2 for each in value), together(initial.refs, refs)
+    (link,) = scene.facts[fact].relation.only
+    if isinstance(link.right, Polar):
+        size, refs = scene.put(scene.scalar(link.right.size))
+        return square(tree_of(size)), size**2, together((fact,), refs)
+    value, refs = scene.put(initial.value)
+    tree = total(square(tree_of(each)) for each in value if each != 0)
+    return tree, sum(each**2 for each in value), together((fact,), refs)
+
+
+def speed_formula(scene: Scene, quantity: Quantity) -> Formula:
+    """A speed, by Pythagoras."""
+    body, stage = body_and_stage(scene, quantity)
+    tree, value, refs = squares(scene, body, stage)
+    move = Move("define", "speed", stage or None, (body,))
+    size = tidy(sp.sqrt(tidy(expanded(value))))
+    if len({atom.args for atom in value.atoms(sp.sin, sp.cos)}) > 1:
+        # Products of ratios of several angles are longer multiplied out.
+        size = min(size, _with_factor_outside(value), key=lambda each: each.count_ops())
+    return Formula(move, itself, quantity, Apply("sqrt", tree), size, refs)
+
+
+def _with_factor_outside(square_: sp.Expr) -> sp.Expr:
+    """The root of a sum of squares, with the positive letters outside that all of them have."""
+    terms = sp.Add.make_args(square_)
+    powers = [sp.Mul(*sp.Mul.make_args(term)).as_powers_dict() for term in terms]
+    common = [s for s in powers[0] if s.is_Symbol and s.is_positive]
+    shared = sp.Mul(*(s ** (min(power[s] for power in powers) // 2) for s in common))
+    return shared * sp.sqrt(sp.Add(*(term / shared**2 for term in terms)))
+
+
+def component_formula(scene: Scene, quantity: Quantity) -> Formula:
+    """A component of a velocity along a line, or across it."""
+    velocity, direction = quantity.arguments
+    body, stage = body_and_stage(scene, velocity)
+    frame = frame_after(scene, body, stage)
+    wanted = scene.model.story.direction(direction, scene.events)
+    if quantity.kind == "across":
+        wanted = wanted.turned_left()
+    size = scene.model.story.size(wanted)
+    unit = Vector(tidy(wanted.x / size), tidy(wanted.y / size))
+    own = parts(scene, body, stage, frame)
+    shares = [tidy(each.dot(unit)) for each in (frame.n, frame.t)]
+    axis: tuple[Ref, ...] = ()
+    if isinstance(direction, Quantity) and direction.kind == "line_of_centres" and -1 in shares:
+        axis = _as_in_the_statement(scene, direction, wanted)
+    elif isinstance(direction, Quantity) and isinstance(frame.along, Unit):
+        axis = frame.refs
+    used = [(a, b) for a, b in zip(own, shares, strict=True) if b != 0]
+    right = total(product(tree_of(a.value), tree_of(b)) for a, b in used)
+    value = tidy(sum(a.value * b for a, b in used))
+    walls = (
+        f"wall {node.name}"
+        for node in walk(direction)
+        if isinstance(node, Name) and f"wall {node.name}" in scene.facts
+    )
+    refs = together(*(a.refs for a, _ in used), frame.unit_free, walls, axis)
+    return Formula(
+        Move("define", "component", stage or None, (body,)), itself, quantity, right, value, refs
+    )
+
+
+def _as_in_the_statement(scene: Scene, centres: Quantity, wanted: Vector) -> tuple[Ref, ...]:
+    """The fact that gives a line of centres, from the first sphere to the second.
+
+    Raises NotPlannedError where it has the other sense, as it was typed.
+    """
+    name = f"axis {centres.stage}"
+    fact = scene.facts.get(name)
+    direction = (
+        None if fact is None else scene.model.story.direction(fact.relation.only[0].right, 0)
+    )
+    if direction is None or scene.model.sign(direction.dot(wanted)) <= 0:
+        raise NotPlannedError("a component against the line of centres")
+    return (name,)
+
+
+def in_the_plane(scene: Scene, body: str, stage: int) -> tuple[Source, Source]:
+    """The components of a velocity in the directions of **i** and **j**."""
+    if stage and stage not in scene.model.frames:
+        struck = velocity_source(scene, body, stage)
+        return Source(struck.value.x, struck.refs), Source(struck.value.y, struck.refs)
+    frame = frame_after(scene, body, stage)
+    if frame.across is None and frame.n.x != 0 and frame.n.y != 0:
+        vector = scene.desk.known(Quantity("velocity", (Name(body),), stage))
+        if vector is not None and scene.desk.known(frame.component("across", body, stage)) is None:
+            own, refs = scene.put(vector.value)
+            return Source(own.x, together(vector.refs, refs)), Source(
+                own.y, together(vector.refs, refs)
+            )
+        along, across = parts(scene, body, stage, frame)
+        whole = (
+            Source(
+                Vector(*map(tidy, frame.n * along.value)),
+                together(along.refs, across.refs, frame.unit_free),
+            )
+            if across.value == 0
+            else velocity_source(scene, body, stage)
+        )
+        return Source(whole.value.x, whole.refs), Source(whole.value.y, whole.refs)
+    along, across = parts(scene, body, stage, frame)
+    first, second = (along, across) if frame.n.x != 0 else (across, along)
+    signs = (frame.n.x + frame.t.x, frame.n.y + frame.t.y)
+    # A component that is named by the line of centres needs it; one of a vector does not.
+    plane = {id(along): isinstance(frame.along, Quantity), id(across): frame.across is None}
+    x, y = (
+        Source(
+            tidy(sign * each.value),
+            each.refs,
+            frame.refs if plane[id(each)] and not each.axis else (),
+        )
+        for sign, each in zip(signs, (first, second), strict=True)
+    )
+    return x, y
+
+
+def velocity_source(scene: Scene, body: str, stage: int) -> Source:
+    """A velocity as a vector, from the data or from a line."""
+    last = scene.last_event(body, stage)
+    quantity = Quantity("velocity", (Name(body),), last)
+    known = scene.desk.known(quantity)
+    if known is not None:
+        value, more = scene.put(known.value)
+        return Source(value, together(known.refs, more))
+    if last == 0:
+        source = scene.initial(body)
+        value, refs = scene.put(source.value)
+        return Source(value, together(source.refs, refs))
+    given = velocity_given(scene, body, last)
+    if given is not None:
+        return Source(given[1], given[2])
+    if last not in scene.model.frames:
+        return blown(scene, body, last)
+    own = velocity_formula(scene, quantity)
+    if scene.frame(last).is_slanted:
+        # What is put together of slanting components has a line of its own.
+        return Source(own.value, (write_formula(scene, own),))
+    return Source(own.value, own.refs)
