@@ -31,9 +31,12 @@ NOT_FOR_READERS = {
     "facts.py",
     "follower.py",
     "layouts.py",
-    "moves.py",
+    "mark_conditions.py",
+    "mark_rules.py",
     "notation.py",
+    "quotients.py",
     "rules.py",
+    "samples_of_lines.py",
     "senses.py",
     "signs.py",
     "step.py",
@@ -54,13 +57,10 @@ SOURCE = Path(restitution.examples.__file__).parent.parent
 PACKAGE = SOURCE / "workings"
 MODULES = {
     path: ast.parse(path.read_text(encoding="utf-8"))
-    for folder in (PACKAGE, SOURCE / "explaining")
+    for folder in (PACKAGE, SOURCE / "components", SOURCE / "explaining")
     for path in sorted(folder.glob("*.py"))
-    if folder is PACKAGE or path.name not in NOT_FOR_READERS | OF_MISTAKES
+    if folder.name != "explaining" or path.name not in NOT_FOR_READERS | OF_MISTAKES
 }
-MODULES[SOURCE / "components.py"] = ast.parse(
-    (SOURCE / "components.py").read_text(encoding="utf-8")
-)
 
 # Two words that are no sentence: how statements are written, markup, and what errors call things.
 NO_SENTENCES = {
