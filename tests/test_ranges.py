@@ -51,6 +51,28 @@ find range of e, range of theta
 find range of e, range of theta
 #= range of e -> 0 <= e < 1/2
 #= range of theta -> 60° <= theta < 90°""",
+    # A has the component u cos(alpha) (1 - k - 2ek)/(1 + k) along i, which has to be positive.
+    "an angle with a name, less than 90 degrees": """sphere A: mass m, velocity u at alpha
+sphere B: mass k m, velocity u at 180° - alpha
+A hits B: along i
+let beta = angle(velocity(A), i)
+given beta < 90°
+find range of k in terms of e
+#= range of k -> 0 < k < 1/(1 + 2e)""",
+    # Where k > 4, A goes back: its direction is below -90°, and so less than 90° as well.
+    "a direction below 0 degrees": """sphere A: mass 2, velocity 3i - 4j
+sphere B: mass k, at rest
+A hits B: along i, e = 1/2
+given direction(A) < 90°
+find range of k
+#= range of k -> k > 0""",
+    # A has the components 3(4 - k)/(2 (2 + k)) and -4: from -90° on while it does not go back.
+    "a direction from -90 degrees on": """sphere A: mass 2, velocity 3i - 4j
+sphere B: mass k, at rest
+A hits B: along i, e = 1/2
+given direction(A) >= -90°
+find range of k
+#= range of k -> 0 < k <= 4""",
     # e = 1: 2 theta = 60°; e = 0: theta = 60°, P goes on along W. There the equation for
     # tan(theta), √3 e t^2 + (1 + e)t - √3 = 0, is no longer quadratic.
     "deflection at a wall": WALL

@@ -8,7 +8,7 @@ import sympy as sp
 
 from restitution.errors import ImpossibleError, MissingError, StatementError
 from restitution.expression.evaluate import Angle, Scalar, Value
-from restitution.expression.tree import Expression, Letter, Name, Place
+from restitution.expression.tree import Expression, Letter, Name, Place, Quantity
 from restitution.problem import (
     Aligned,
     AtRest,
@@ -91,7 +91,10 @@ def _compare(relation: Compare, story: Story, now: int, place: Place | None) -> 
     evaluator = story.evaluator(now)
     values = [evaluator.value(tree) for tree in relation.operands]
     requirements_: list[Requirement] = []
-    sizes = [_measured(*each) for each in zip(relation.operands, values, strict=True)]
+    sizes = [
+        _measured(tree, value, story)
+        for tree, value in zip(relation.operands, values, strict=True)
+    ]
     for n, op in enumerate(relation.operators):
         left, right = (values if op == "=" else sizes)[n : n + 2]
         if op == "=":
@@ -101,11 +104,12 @@ def _compare(relation: Compare, story: Story, now: int, place: Place | None) -> 
     return requirements_
 
 
-def _measured(tree: Expression, value: Value) -> Value:
-    """An angle that is a letter as what it measures: it may be beyond 180°."""
-    if isinstance(tree, Letter) and isinstance(value, Angle):
-        return value.measure()
-    return value
+def _measured(tree: Expression, value: Value, story: Story) -> Value:
+    """An angle that may be beyond 180°, or below 0°, as what it measures."""
+    while isinstance(tree, Letter) and tree.name in story.lets:
+        tree = story.lets[tree.name][0].expression
+    between = isinstance(tree, Quantity) and tree.kind in ("angle", "deflection")
+    return value.measure() if isinstance(value, Angle) and not between else value
 
 
 def equal(story: Story, left: Value, right: Value, place: Place | None) -> list[Requirement]:

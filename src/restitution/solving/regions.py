@@ -48,6 +48,7 @@ from restitution.solving.zeros import (
     essential_factors,
     numeric_zeros,
     representatives,
+    told_apart,
     zeros,
 )
 
@@ -129,7 +130,7 @@ class Region:
                     atoms.append(symbol - bound)
         unique: list[sp.Expr] = []
         for atom in atoms:
-            for part in deciding(atom):
+            for part in (*deciding(atom), *told_apart(atom)):
                 for factor in essential_factors(part):
                     if factor not in unique:
                         unique.append(factor)
@@ -360,13 +361,22 @@ class Region:
                 shapes.append((pieces, drawn))
             if len(shapes) == DRAWS:
                 return shapes
-        if shapes or not data or self.formula is None:
+        if shapes or self.formula is None:
             return shapes
-        possible = Oracle(self.roles, (*self.given, self.formula)).possible
-        if possible.witness is not None:
+        try:
+            possible = Oracle(self.roles, (*self.given, self.formula)).possible
+        except BeyondError:
+            return []
+        if data and possible.witness is not None:
             drawn = self._drawn(possible.witness)
             pieces = self.pieces_at(drawn)
-            return [(pieces, drawn)] if pieces else []
+            if pieces:
+                return [(pieces, drawn)]
+        if possible.answer == "proved":
+            # There are values, and they lie between ends that were not found.
+            raise UnsupportedError(
+                f"the ends of the range of {self.letter} have no exact form that is found here"
+            )
         return []
 
     @property

@@ -78,6 +78,26 @@ def deciding(x: sp.Expr) -> tuple[sp.Expr, ...]:
 
 
 @lru_cache(maxsize=1024)
+def told_apart(x: sp.Expr) -> tuple[sp.Expr, ...]:
+    """Expressions without arctan2 of which one vanishes where an angle comes to a plain number.
+
+    The second one vanishes where a direction goes from 180° to -180°.
+    """
+    own = list(x.atoms(sp.atan2))
+    if len(own) != 1:
+        return ()
+    angle = sp.Dummy("angle")
+    linear = sp.expand(x.xreplace({own[0]: angle}))
+    slope = linear.coeff(angle)
+    rest = linear - slope * angle
+    if not slope.is_number or not rest.is_number or slope.is_zero:
+        return ()
+    above, along = own[0].args
+    across = above * sp.cos(rest / slope) + along * sp.sin(rest / slope)
+    return tuple(part for each in (across, above) for part in deciding(each))
+
+
+@lru_cache(maxsize=1024)
 def essential_factors(x: sp.Expr) -> tuple[sp.Expr, ...]:
     """The factors of an expression that can change sign."""
     try:
