@@ -8,6 +8,7 @@ unknown and it holds no letter that is asked; else it is the last equation of it
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -507,7 +508,9 @@ class Solver:
                 continue
             number, _ = self._letters.get(min(open_, key=str), (0, ""))
             laws = {f"momentum {number}", f"restitution {number}"}
-            if open_ != self._after(number).keys() or not laws <= ids:
+            if open_ != self._after(number).keys():
+                continue
+            if not laws <= ids and not self._closes_a_law(laws, open_, left):
                 continue
             gap = self.scene.with_values(own.residuals[0])[0]
             slopes = [sp.diff(gap, each).expand() for each in open_]
@@ -516,6 +519,13 @@ class Solver:
             if gap.subs(dict.fromkeys(open_, 0)).expand() == 0 and self._tie(given, open_):
                 return (own,)
         return None
+
+    def _closes_a_law(
+        self, laws: AbstractSet[str], open_: frozenset[sp.Symbol], left: Sequence[Candidate]
+    ) -> bool:
+        """Whether with a fact about both components one law alone tells another letter."""
+        own = [each for each in left if each.id in laws]
+        return len(own) == 1 and len(self._open(own[0]) - open_) == 1
 
     def _tie(self, given: GivenEquation, open_: frozenset[sp.Symbol]) -> bool:
         """Takes one of two components as a multiple of the other, as a fact says it."""

@@ -6,19 +6,20 @@ equation, in which no time stands.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
 
+from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref
 from restitution.expression.tree import Expression, Negate, Quantity
 from restitution.planning.aims import place_at, striker, write_aim
 from restitution.planning.circles import circle_of
-from restitution.planning.desk import chain, together
-from restitution.planning.flights import swept_product
+from restitution.planning.desk import Source, chain, together
+from restitution.planning.flights import slope, swept_product
 from restitution.planning.forms import difference, product, swept, tree_of
 from restitution.planning.place_trees import AXES, place_tree, time_tree
 from restitution.planning.places import coordinate, flight_time, leg_along, write_touch
@@ -210,6 +211,9 @@ def write_path(scene: Scene, path: Path) -> int:
     for axis in AXES:
         coordinate(scene, body, since, axis)
     paces = [velocity(scene, body, since, axis) for axis in AXES]
+    by_slope = _by_slope(scene, path, paces)
+    if by_slope is not None:
+        return by_slope
     for axis, pace in zip(AXES, reversed(paces), strict=True):
         ends = [coordinate(scene, body, each, axis) for each in (since, number)]
         refs += [ref for each in (*ends, pace) for ref in each.refs]
@@ -222,3 +226,36 @@ def write_path(scene: Scene, path: Path) -> int:
         refs,
         chain(sides[0], (sides[1], None)),
     )
+
+
+def _by_slope(scene: Scene, path: Path, paces: Sequence[Source]) -> int | None:
+    """The way in one direction by that in the other and the ratio of the components.
+
+    None where they have no factor in common that may vanish, by which both sides would be
+    multiplied.
+    """
+    body, number = path.body, path.number
+    since = last_move(scene, body, number)
+    across, over = (each.value for each in paces)
+    if across == 0 or over == 0:
+        return None
+    ratio = tidy(over / across)
+    shared = (across.free_symbols & over.free_symbols) - ratio.free_symbols
+    if all(proved_sign(scene.model.ground, symbol) for symbol in shared):
+        return None
+    for order in ((0, 1), (1, 0)):
+        ends = [
+            [coordinate(scene, body, each, AXES[n]) for each in (since, number)] for n in order
+        ]
+        (start, end), (first, last) = ends
+        pace, beside = (paces[n].value for n in order)
+        way = slope(scene, end.value, start.value, beside, pace)
+        value = tidy((end.value - start.value) * beside / pace)
+        left = swept(difference(tree_of(last.value), tree_of(first.value)))
+        relation = chain(left, (swept(way), None), (tree_of(value), "rearrange"))
+        refs = together(*(each.refs for each in (start, end, first, last, *paces)))
+        move = Move("define", "straight-line", number, (body,))
+        line = scene.judge.write((move,), refs, relation)
+        if line is not None:
+            return line
+    return None

@@ -183,7 +183,7 @@ def _quotable(scene: Scene, line: int, relation: Relation) -> None:
     if has_quantity(link.right) or scene.desk.last_link(line) != link:
         return
     match link.left:
-        case Quantity(kind, _, int()) if kind in _QUOTED:
+        case Quantity(kind, whom, int()) if kind in _QUOTED and not (kind == "impulse" and whom):
             scene.desk.know(link.left, scene.scalar(link.right), (line,))
         case Letter(name) if f"let {name}" in scene.facts:
             scene.desk.know(link.left, scene.scalar(link.right), (line,))
@@ -217,9 +217,10 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
             return _to_figures(claims, links_of(scene.problem, item.relation, now)[0])
         case Compare(operators=("=",)):
             (link,) = links_of(scene.problem, item.relation, now)
-            match link:
+            opened = scene.opened(link)
+            match opened:
                 case Link(Quantity("angle", pair), _, Degrees(value)) if value == 90:
-                    return _tied(claims, "perpendicular", pair, Relation(((link,),)))
+                    return _right_angle(claims, pair, opened, link)
             if isinstance(link.left, Quantity) and _is_angle_in_numbers(link):
                 claims.worths.determine(link.left)
                 line = angle_line(scene, link.left)
@@ -438,6 +439,20 @@ def _axis_shown(claims: Claims, event: int, link: Link) -> tuple[int, Relation]:
     if line is None:
         raise NotPlannedError("another direction of a line of centres")
     return line, relation
+
+
+def _right_angle(
+    claims: Claims, pair: Sequence[Expression], opened: Link, link: Link
+) -> tuple[int, Relation]:
+    """That an angle is 90°, and then that a letter of the statement for it is."""
+    line, relation = _tied(claims, "perpendicular", pair, Relation(((opened,),)))
+    if opened == link:
+        return line, relation
+    relation = Relation(((link,),))
+    named = claims.judge.write((Move("put"),), [line, *claims.scene.lets_in(link)], relation)
+    if named is None:
+        raise NotPlannedError("a letter for a right angle")
+    return named, relation
 
 
 def _tied(
@@ -828,7 +843,8 @@ class _Equation:
                 facts += claims.worths.data_of(quantity)
                 continue
             lines.append(claims.worths.quantity(quantity))
-        known = self._known(letters(self.link.left) | letters(self.link.right))
+        names = letters(self.link.left) | letters(self.link.right)
+        known = self._known(names.union(*(letters(scene.desk.last_link(e).right) for e in lines)))
         if len(lines) == 2 and isinstance(self.link.left, Binary) and self.link.left.op == "/":
             line = self._by_pair(Move("divide"), lines, known)
             if line is not None:
@@ -858,11 +874,13 @@ class _Equation:
         middle = Relation(((first,),))
         whole = chain(first.left, (first.right, None), (self.link.right, "rearrange"))
         for each in (whole, self.relation):
-            if self.judge.follows(move, pair, each):
-                return scene.desk.write(move, pair, each)
-        if not self.judge.follows(move, pair, middle):
+            refs = self.judge.enough(move, pair, each, known)
+            if refs is not None:
+                return scene.desk.write(move, refs, each)
+        refs = self.judge.enough(move, pair, middle, known)
+        if refs is None:
             return None
-        number = scene.desk.write(move, pair, middle)
+        number = scene.desk.write(move, refs, middle)
         return self._last([number, *known])
 
 

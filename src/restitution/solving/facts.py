@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal
 
 import sympy as sp
 
 from restitution.errors import ImpossibleError, MissingError, StatementError
 from restitution.expression.evaluate import Angle, Scalar, Value
-from restitution.expression.tree import Expression, Letter, Name, Place, Quantity
+from restitution.expression.tree import Expression, Name, Place
 from restitution.problem import (
     Aligned,
     AtRest,
@@ -24,6 +25,7 @@ from restitution.problem import (
 from restitution.shapes import Circle, Segment
 from restitution.solving import places
 from restitution.solving.conditions import AnyOf, Condition, Equation
+from restitution.solving.extents import within_a_half_turn
 from restitution.solving.happenings import Happening
 from restitution.solving.story import Story
 from restitution.vector import Vector
@@ -91,25 +93,13 @@ def _compare(relation: Compare, story: Story, now: int, place: Place | None) -> 
     evaluator = story.evaluator(now)
     values = [evaluator.value(tree) for tree in relation.operands]
     requirements_: list[Requirement] = []
-    sizes = [
-        _measured(tree, value, story)
-        for tree, value in zip(relation.operands, values, strict=True)
-    ]
     for n, op in enumerate(relation.operators):
-        left, right = (values if op == "=" else sizes)[n : n + 2]
+        left, right = values[n : n + 2]
         if op == "=":
             requirements_.extend(equal(story, left, right, place))
-        else:
-            requirements_.append(_ordered(story, left, op, right))
+            continue
+        requirements_.append(_ordered(story, left, op, right, relation.operands[n : n + 2], now))
     return requirements_
-
-
-def _measured(tree: Expression, value: Value, story: Story) -> Value:
-    """An angle that may be beyond 180°, or below 0°, as what it measures."""
-    while isinstance(tree, Letter) and tree.name in story.lets:
-        tree = story.lets[tree.name][0].expression
-    between = isinstance(tree, Quantity) and tree.kind in ("angle", "deflection")
-    return value.measure() if isinstance(value, Angle) and not between else value
 
 
 def equal(story: Story, left: Value, right: Value, place: Place | None) -> list[Requirement]:
@@ -150,31 +140,23 @@ def _same_sense(story: Story, one: Angle, other: Angle) -> Scalar:
     return one.x * other.x + one.y * other.y
 
 
-def _ordered(story: Story, left: Value, op: str, right: Value) -> Condition:
+def _ordered(
+    story: Story, left: Value, op: str, right: Value, trees: Sequence[Expression], now: int
+) -> Condition:
     if isinstance(left, Vector) or isinstance(right, Vector):
         raise StatementError("vectors cannot be compared by size: use abs(…)")
     relation: Literal[">", ">="] = ">=" if op.endswith("=") else ">"
     small, large = (left, right) if op.startswith("<") else (right, left)
     reason = "a given inequality does not hold"
     if isinstance(small, Angle) or isinstance(large, Angle):
-        if any(_beyond_a_half_turn(story, each) for each in (small, large)):
+        if not within_a_half_turn(story, *trees, now):
             first, last = (x.measure() if isinstance(x, Angle) else x for x in (small, large))
             return Condition(last - first, relation, reason, "fact")
         evaluator = story.evaluator(0)
         a, b = evaluator.as_angle(small), evaluator.as_angle(large)
-        # Both lie in [0°, 180°], so the sign of the sine of the difference is that of it.
+        # They differ by 180° at most, so the sign of the sine of the difference is that of it.
         return Condition(b.y * a.x - b.x * a.y, relation, reason, "fact")
     return Condition(large - small, relation, reason, "fact")
-
-
-def _beyond_a_half_turn(story: Story, value: Value) -> bool:
-    """Whether a plain angle is below 0° or above 180°, where no angle of a quantity is."""
-    if isinstance(value, Angle):
-        return False
-    if story.field.exact and value.free_symbols:
-        story.needs_numbers = True
-        return False
-    return bool(value < 0 or value > story.field.pi)
 
 
 def _aligned(relation: Aligned, story: Story, now: int, place: Place | None) -> list[Requirement]:
