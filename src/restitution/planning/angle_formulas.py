@@ -82,6 +82,9 @@ def angle_formula(scene: Scene, quantity: Quantity) -> Formula:
         above, below, walls = along, across, (f"wall {line.name}", f"wall {frame.wall}")
     elif isinstance(line, Quantity) and line.kind == "line_of_centres":
         above, below = across, along
+    elif isinstance(line, Name) and (told := _by_another(scene, line, frame)) is not None:
+        above, below = (along, across) if told == "across" else (across, along)
+        walls = (f"wall {line.name}", f"axis {frame.number}")
     else:
         raise NotPlannedError(f"an angle to {line}")
     trees = []
@@ -119,6 +122,16 @@ def _is_beside(scene: Scene, line: Name, frame: Frame) -> bool:
         return False
     direction = scene.model.story.direction(line, scene.events)
     return bool(tidy(direction.dot(frame.n)) == 0)
+
+
+def _by_another(scene: Scene, line: Name, frame: Frame) -> str | None:
+    """How a wall of another event lies to a line of centres: along it, or across it; else None."""
+    if line.name not in scene.model.story.walls or f"wall {line.name}" not in scene.facts:
+        return None
+    direction = scene.model.story.direction(line, scene.events)
+    if tidy(direction.dot(frame.n)) == 0:
+        return "across"
+    return "along" if tidy(direction.cross(frame.n)) == 0 else None
 
 
 def _angle_between(scene: Scene, quantity: Quantity) -> Formula:

@@ -227,7 +227,7 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
                 return line, scene.desk.relation(line)
             if (turned := _turned_by(claims, link)) is not None:
                 return turned, scene.desk.relation(turned)
-            for shown in (_component_shown, _letter_shown):
+            for shown in (_component_shown, _letter_shown, _inverse_shown):
                 if (known := shown(claims, link)) is not None:
                     return known
             return _Equation(claims, link).write(), Relation(((link,),))
@@ -285,6 +285,36 @@ def _component_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:
             line = claims.judge.write((Move("rearrange"),), [line, *names], relation)
         if line is not None:
             return line, relation
+    claims.worths.back(mark)
+    return None
+
+
+def _inverse_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:
+    """An angle that is printed by its tangent: the tangent, and then the angle."""
+    match link:
+        case Link(Quantity("angle" | "deflection"), "=", Apply("arctan", tangent)):
+            pass
+        case _:
+            return None
+    scene, mark = claims.scene, claims.worths.mark()
+    try:
+        line = claims.worths.angle(link.left)
+        own = scene.desk.last_link(line)
+        if not isinstance(own.left, Apply):
+            raise NotPlannedError("an angle without a tangent")
+        if own.right != tangent:
+            names = claims.judge.known(letters(own.right) | letters(tangent))
+            form = claims.judge.write(_LAST, [line, *names], chain(own.left, (tangent, None)))
+            if form is None:
+                raise NotPlannedError("another form of a tangent")
+            line = form
+        line, angle, extent = claims.worths.lettered(line, own.left.argument)
+        relation = chain(angle, (link.right, None))
+        last = claims.judge.write((Move("inverse"),), [line, *extent], relation)
+        if last is not None:
+            return last, relation
+    except NotPlannedError:
+        pass
     claims.worths.back(mark)
     return None
 
