@@ -78,6 +78,28 @@ AGAIN = """
 a: 3 e = 4/5
 b: 4 e = 4/5
 """
+SQUARE = """
+wall W: along i
+wall X: along j
+sphere P: velocity u at alpha to W
+P hits W: e = 1/2
+P hits X: e = 1/3
+let phi = angle(velocity(P), W)
+find phi
+"""
+TO_THE_FIRST = """
+1 a | law unchanged 1 P | velocity P, wall W, axis 1 | along(velocity(P, 1), i) = u cos(alpha)
+2 a | law restitution-wall 1 P | velocity P, wall W, axis 1, e 1 \
+| along(velocity(P, 1), j) = 1/2 u sin(alpha)
+3 a | law unchanged 2 P | axis 2, 2 | along(velocity(P, 2), j) = 1/2 u sin(alpha)
+4 a | law restitution-wall 2 P | axis 2, e 2, 1 | along(velocity(P, 2), i) = -1/3 u cos(alpha)
+5 a | define {}
+"""
+BY_ITS_TANGENT = "tan 2 P | axis 2, wall W, let phi, 3, 4 | tan(phi) = {}"
+BY_ITS_SPEED = "speed 2 P | axis 2, let psi, {} | speed(P, 2) {}"
+TO_THE_SECOND = SQUARE.replace(
+    "phi = angle(velocity(P), W)", "psi = angle(velocity(P), X)"
+).replace("find phi", "find psi")
 PARALLEL = """
 wall W: along i
 wall X: along i
@@ -296,6 +318,41 @@ DECIMAL = f"""
         # the ratio of another angle tells nothing
         (TWO_RATIOS, FROM_TWO_RATIOS.format("arctan(2) - 180°"), "does-not-follow"),
         (TWO_RATIOS, FROM_TWO_RATIOS.format("arctan(3)"), "does-not-follow"),
+        # the angle to the other wall has the other tangent, and no sign
+        *(
+            (SQUARE, TO_THE_FIRST.format(BY_ITS_TANGENT.format(ratio)), "does-not-follow")
+            for ratio in (
+                "1/3 u cos(alpha)/(1/2 u sin(alpha))",
+                "1/2 u sin(alpha)/(-1/3 u cos(alpha))",
+                "1/2 u cos(alpha)/(1/3 u cos(alpha))",
+            )
+        ),
+        # of a wall that is not cited nothing is known
+        (
+            SQUARE,
+            TO_THE_FIRST.format(
+                BY_ITS_TANGENT.replace("wall W, ", "").format("1/2 u sin(alpha)/(1/3 u cos(alpha))")
+            ),
+            "does-not-follow",
+        ),
+        # along a wall is the cosine, away from it the sine, and neither has a sign
+        *(
+            (TO_THE_SECOND, TO_THE_FIRST.format(BY_ITS_SPEED.format(line, form)), "does-not-follow")
+            for line, form in (
+                (3, "sin(psi) = 1/2 u sin(alpha)"),
+                (3, "cos(psi) = -1/2 u sin(alpha)"),
+                (4, "cos(psi) = 1/3 u cos(alpha)"),
+                (4, "sin(psi) = -1/3 u cos(alpha)"),
+                (3, "cos(psi) = u sin(alpha)"),
+            )
+        ),
+        (
+            TO_THE_SECOND,
+            TO_THE_FIRST.format(
+                "speed 2 P | axis 2, let psi, 3 | speed(P, 1) cos(psi) = 1/2 u sin(alpha)"
+            ),
+            "does-not-follow",
+        ),
     ],
 )
 def test_what_only_looks_right_is_refused(statement: str, working: str, expected: str) -> None:
@@ -327,6 +384,23 @@ def test_what_only_looks_right_is_refused(statement: str, working: str, expected
         (
             WALL.format("sin(2alpha) = u cos(2alpha)"),
             "1 a | rearrange | given 1 | tan(2alpha) = u",
+        ),
+        (
+            SQUARE,
+            TO_THE_FIRST.format(
+                BY_ITS_TANGENT.format("1/2 u sin(alpha)/(1/3 u cos(alpha))")
+                + "\na: 5 tan(phi) = 1/2 u sin(alpha)/(1/3 u cos(alpha))"
+            ),
+        ),
+        *(
+            (
+                TO_THE_SECOND,
+                TO_THE_FIRST.format(BY_ITS_SPEED.format(line, form) + f"\na: 5 speed(P, 2) {form}"),
+            )
+            for line, form in (
+                (3, "cos(psi) = 1/2 u sin(alpha)"),
+                (4, "sin(psi) = 1/3 u cos(alpha)"),
+            )
         ),
     ],
 )

@@ -12,6 +12,7 @@ from restitution.explaining.quotients import Plane
 from restitution.explaining.step import Step
 from restitution.explaining.trees import settled
 from restitution.explaining.turnings import turnings
+from restitution.explaining.wall_angles import by_angles, to_walls
 from restitution.expression.tree import (
     Apply,
     AtTime,
@@ -563,67 +564,10 @@ def _pointing(step: Step, tree: Expression) -> Expression:
     return own if seen else tree
 
 
-def _to_walls(step: Step, event: Event | None) -> Iterator[Link]:
-    """The tangent of an angle to a wall: to a parallel one, or where the sense along it is open.
-
-    Also to another wall that is parallel to the line of centres, or perpendicular to it.
-    """
-    if event is None:
-        return
-    yield from _to_other_walls(step, event)
-    if not event.wall:
-        return
-    own, axis = Name(event.bodies[1]), axis_of(event)
-    for meaning in step.lets:
-        match meaning.quantity:
-            case Quantity(
-                "angle", (Quantity("velocity", _, int(stage)) as velocity, Name() as wall)
-            ):
-                pass
-            case _:
-                continue
-        directions = [
-            step.world.directions.get(Quantity("direction", (each,))) for each in (own, wall)
-        ]
-        if stage != event.number or (
-            wall != own and (None in directions or directions[0] != directions[1])
-        ):
-            continue
-        along, across = (Quantity(kind, (velocity, axis)) for kind in ("along", "across"))
-        for below in (across, Apply("abs", across)):
-            yield Link(Apply("tan", meaning.quantity), "=", Binary("/", along, below))
-
-
-def _to_other_walls(step: Step, event: Event) -> Iterator[Link]:
-    """The tangent of an angle to a wall of another event, by the components of this one."""
-    axis = axis_of(event)
-    if axis not in step.world.directions:
-        return
-    normal = step.world.pointing(axis)
-    for tree in step.world.directions:
-        match tree:
-            case Quantity("direction", (Name() as wall,)) if wall.name not in event.bodies:
-                direction = step.world.pointing(tree)
-            case _:
-                continue
-        if not (isinstance(normal, Plane) and isinstance(direction, Plane)):
-            continue
-        dot = normal.x * direction.x + normal.y * direction.y
-        cross = normal.x * direction.y - normal.y * direction.x
-        if not (dot.vanishes or cross.vanishes):
-            continue
-        for body in step.move.bodies:
-            velocity = Quantity("velocity", (Name(body),), event.number)
-            along, across = (Quantity(kind, (velocity, axis)) for kind in ("along", "across"))
-            above, below = (along, across) if dot.vanishes else (across, along)
-            angle = Apply("tan", Quantity("angle", (velocity, wall)))
-            for size in (below, Apply("abs", below)):
-                yield Link(angle, "=", Binary("/", above, size))
-
-
 WORKED_OUT: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
     "difference": turnings,
-    "tan": _to_walls,
+    "tan": to_walls,
+    "speed": by_angles,
     "total": _total,
     "total-lost": _total_lost,
     "momentum-of": _momentum_of_all,

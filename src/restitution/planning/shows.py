@@ -569,7 +569,48 @@ class _Equation:
             line = self._of_one(quantities[0]) or self._ratio_as_asked(quantities[0])
             if line is not None:
                 return line
-        return self._of_several(quantities)
+        line = self._speed_by_an_angle(quantities)
+        return self._of_several(quantities) if line is None else line
+
+    def _speed_by_an_angle(self, quantities: Sequence[Quantity]) -> int | None:
+        """A speed in terms of the angle of its velocity to a line: a component, by that."""
+        scene, claims = self.scene, self.claims
+        trees = [node for side in (self.link.left, self.link.right) for node in walk(side)]
+        for speed in quantities:
+            if speed.kind != "speed" or not isinstance(speed.stage, int):
+                continue
+            velocity = replace(speed, kind="velocity")
+            for ratio in trees:
+                match ratio:
+                    case Apply("sin" | "cos", Letter() | Quantity("angle") as angle):
+                        opened = claims.worths.opened(angle)
+                    case _:
+                        continue
+                if not isinstance(opened, Quantity) or opened.arguments[:1] != (velocity,):
+                    continue
+                mark = claims.worths.mark()
+                claims.worths.determine(velocity)
+                body, stage = body_and_stage(scene, velocity)
+                frame = frame_after(scene, body, stage)
+                lets = scene.lets_in(Link(angle, "=", angle))
+                move = Move("define", "speed", frame.number, (body,))
+                for kind in ("across", "along"):
+                    own = claims.worths.component(kind, body, stage, frame)
+                    size = tree_of(own.value)
+                    size = negative(size) if scene.model.sign(own.value) < 0 else size
+                    pool = together(own.whole, frame.refs, lets)
+                    relation = Relation(((Link(product(speed, ratio), "=", size),),))
+                    line = self.judge.write((move,), pool, relation)
+                    if line is None:
+                        continue
+                    if relation == self.relation:
+                        return line
+                    names = letters(self.link.left) | letters(self.link.right)
+                    form = self._last([line, *lets, *self._known(names)])
+                    if form is not None:
+                        return form
+                claims.worths.back(mark)
+        return None
 
     def _ratio_as_asked(self, angle: Quantity) -> int | None:
         """A ratio of an angle as it is written where it is asked, then in the printed form."""

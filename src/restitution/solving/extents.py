@@ -29,7 +29,7 @@ _HALF_TURN = (Fraction(0), Fraction(180))
 def within_a_half_turn(story: Story, left: Expression, right: Expression, now: int) -> bool:
     """Whether two angles certainly differ by 180° at most."""
     gap = _difference(_extent(story, left, now), _extent(story, right, now))
-    return gap is not None and -180 <= gap[0] and gap[1] <= 180
+    return gap is not None and gap[0] >= -180 and gap[1] <= 180
 
 
 def _extent(story: Story, tree: Expression, now: int) -> Extent | None:
