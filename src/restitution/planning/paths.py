@@ -244,9 +244,7 @@ def _by_slope(scene: Scene, path: Path, paces: Sequence[Source]) -> int | None:
     if all(proved_sign(scene.model.ground, symbol) for symbol in shared):
         return None
     for order in ((0, 1), (1, 0)):
-        ends = [
-            [coordinate(scene, body, each, AXES[n]) for each in (since, number)] for n in order
-        ]
+        ends = [[coordinate(scene, body, each, AXES[n]) for each in (since, number)] for n in order]
         (start, end), (first, last) = ends
         pace, beside = (paces[n].value for n in order)
         way = slope(scene, end.value, start.value, beside, pace)
