@@ -149,7 +149,8 @@ def _ordered(
     small, large = (left, right) if op.startswith("<") else (right, left)
     reason = "a given inequality does not hold"
     if isinstance(small, Angle) or isinstance(large, Angle):
-        if not within_a_half_turn(story, *trees, now):
+        one, other = trees
+        if not within_a_half_turn(story, one, other, now):
             first, last = (x.measure() if isinstance(x, Angle) else x for x in (small, large))
             return Condition(last - first, relation, reason, "fact")
         evaluator = story.evaluator(0)
