@@ -8,14 +8,17 @@ front: what comes is true all the same.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import cache
 from random import Random
 
+import numpy as np
 import sympy as sp
 
 import restitution
+from restitution.errors import RestitutionError
 from restitution.explaining.derivation import Derivation, Line, Link, Meaning, Relation, of_part
 from restitution.explaining.trees import exchanged
 from restitution.expression.tree import (
@@ -30,6 +33,8 @@ from restitution.expression.tree import (
 )
 from restitution.expression.writing import write_expression
 from restitution.planning.planner import plan
+from restitution.practice.worlds.sampling import true_worlds
+from restitution.practice.worlds.world import World
 from restitution.problem import Impact
 from restitution.solving.solution import Solution
 
@@ -37,7 +42,10 @@ POOL = "vwpqabchrsynzfkdtVWTH"
 NEEDED = frozenset({"law", "define", "answer", "shown", "value", "fact", "let", "roots", "reject"})
 ANNOUNCED = ("", "", "", "so ", "hence ", "(1) ", "=> ", "therefore ", "now ", "also ", "we get ")
 LAWS = {"momentum": ("CLM: ", "PCLM ", "momentum: "), "restitution": ("NEL: ", "NLR: ")}
+_SIGNS = frozenset({"perpendicular to", "≈"})
+_NO_NUMBER = (RestitutionError, ArithmeticError, LookupError, TypeError, ValueError, AttributeError)
 Row = tuple[Line, Relation]
+Senses = dict[tuple[str, Expression], Expression]
 
 
 @dataclass(frozen=True)
@@ -74,60 +82,137 @@ def _plain(derivation: Derivation) -> bool:
 
 def rows(derivation: Derivation) -> Iterator[Row]:
     """The lines that a student would write, with what each says."""
+    for line, relation in _said(derivation):
+        if _typed(relation):
+            yield line, Relation(tuple(tuple(map(_plainly, links)) for links in relation.options))
+
+
+def _said(derivation: Derivation) -> Iterator[Row]:
     for line in derivation.lines:
-        relation = line.relation
-        if isinstance(relation, Relation) and line.shown != "silent" and _typed(relation):
-            yield line, relation
+        if isinstance(line.relation, Relation) and line.shown != "silent":
+            yield line, line.relation
 
 
 def _typed(relation: Relation) -> bool:
     signs = {link.sign for links in relation.options for link in links}
-    return len(relation.options) == 1 and signs <= {"=", "<", ">", "<=", ">="}
+    return len(relation.options) == 1 and signs <= {"=", "<", ">", "<=", ">=", *_SIGNS}
+
+
+def _plainly(link: Link) -> Link:
+    """A link with a sign that is typed: right angles as a scalar product that is 0."""
+    match link.sign:
+        case "perpendicular to":
+            return Link(Quantity("dot", (link.left, link.right)), "=", Number(Fraction(0)))
+        case "≈":
+            return Link(link.left, "=", link.right)
+    return link
 
 
 def derive(statement: str, part: str | None, random: Random) -> DerivedScript:
     """A correct script of a part, varied."""
     solution, derivation = planned(statement)
-    lines = _lines_of_centres(solution)
+    senses = _senses_of(solution, derivation, part)
     own = of_part(derivation, part)
     written = list(rows(own))
     taken = _letters_of(written, derivation, statement)
     pool = [letter for letter in POOL if letter not in taken]
     random.shuffle(pool)
-    pool = [f"{letter}_{number}" for number in (2, 1) for letter in "pqrs"] + pool
+    below = [f"{letter}_{number}" for number in (4, 3, 2, 1) for letter in "pqrs"]
+    pool = [letter for letter in below if letter not in taken] + pool
     put: dict[Expression, Expression] = {}
     declared: dict[str, str] = {}
+    lets: list[str] = []
     for meaning in own.meanings.values():
-        _declare(meaning, pool, put, declared, random, lines)
+        _declare(meaning, pool, put, declared, random, senses)
+        letter = put.get(Letter(meaning.letter))
+        if isinstance(letter, Letter) and not isinstance(meaning.quantity, Quantity):
+            lets.append(f"let {letter.name} = {declared[letter.name]}")
     for _, relation in written:
         for tree in _sides(relation):
             for quantity in _quantities(tree):
-                if quantity not in put and pool:
+                own_sense = _in_the_sense(quantity, senses)
+                if quantity not in put and own_sense in put:
+                    put[quantity] = put[own_sense]
+                elif quantity not in put and pool:
                     letter = pool.pop()
-                    put[quantity] = Letter(letter)
-                    declared[letter] = write_expression(_in_the_sense(quantity, lines))
+                    put[quantity] = put[own_sense] = Letter(letter)
+                    declared[letter] = write_expression(own_sense)
     written = [(line, _put(relation, put)) for line, relation in written]
     kept = _left_out(written, random) if random.random() < 0.3 else written
     if random.random() < 0.3:
         kept = _reordered(kept, random)
     text = [_text(line, relation, random) for line, relation in kept]
-    return DerivedScript(statement, part, declared, tuple(text), len(kept) == len(written))
+    whole = len(kept) == len(list(_said(own)))
+    return DerivedScript(statement, part, declared, (*lets, *text), whole)
 
 
-def _lines_of_centres(solution: Solution) -> dict[Expression, Expression]:
-    """The line of centres of each impact in the sense in which the statement gives it."""
-    given = ((n, step) for n, step in enumerate(solution.problem.events, 1))
+def _senses_of(solution: Solution, derivation: Derivation, part: str | None) -> Senses:
+    """For components of each kind at each impact the line in whose sense a working is true.
+
+    It is written as in the statement where that is its sense.
+    """
+    worlds = true_worlds(solution, solution.parts[part])
+    quantities = {Letter(name): each.quantity for name, each in derivation.meanings.items()}
+    sides = [
+        (exchanged(link.left, quantities), exchanged(link.right, quantities))
+        for _, relation in rows(of_part(derivation, part))
+        for links in relation.options
+        for link in links
+        if link.sign == "="
+    ]
+    senses: Senses = {}
+    for number, step in enumerate(worlds[0].events if worlds else (), 1):
+        line = Quantity("line_of_centres", (), number)
+        lines: list[Expression] = [line, Negate(line)]
+        if isinstance(step, Impact) and step.along is not None:
+            lines[:0] = [step.along, Negate(step.along)]
+        for kind in ("along", "across"):
+            own = [pair for pair in sides if _kinds_along(pair, line) == {kind}]
+            for sense in lines:
+                turned = {(kind, line): sense}
+                if all(_holds(tuple(_turned(x, turned) for x in pair), worlds) for pair in own):
+                    senses[kind, line] = sense
+                    break
+    return senses
+
+
+def _kinds_along(sides: Iterable[Expression], line: Expression) -> set[str]:
+    """Whether sides hold components along a line of centres, or across it."""
     return {
-        Quantity("line_of_centres", (), n): step.along
-        for n, step in given
-        if isinstance(step, Impact) and step.along is not None
+        node.kind
+        for side in sides
+        for node in walk(side)
+        if isinstance(node, Quantity) and node.kind in ("along", "across")
+        if node.arguments[1] == line
     }
 
 
-def _in_the_sense(quantity: Expression, lines: Mapping[Expression, Expression]) -> Expression:
-    """A component along a line of centres in the sense of the statement."""
-    component = isinstance(quantity, Quantity) and quantity.kind in ("along", "across")
-    return exchanged(quantity, lines) if component else quantity
+def _turned(tree: Expression, senses: Senses) -> Expression:
+    """A tree whose components are taken in given senses."""
+    components = {
+        node: _in_the_sense(node, senses) for node in walk(tree) if isinstance(node, Quantity)
+    }
+    return exchanged(tree, components)
+
+
+def _holds(sides: Sequence[Expression], worlds: Sequence[World]) -> bool:
+    """Whether sides have the same value in a world; True of what is no number."""
+    for world in worlds:
+        try:
+            left, right = (world.scalar(side) for side in sides)
+        except _NO_NUMBER:
+            return True
+        if np.allclose(left, right, rtol=1e-7, atol=1e-9):
+            return True
+    return False
+
+
+def _in_the_sense(quantity: Expression, senses: Senses) -> Expression:
+    """A component along or across a line of centres in the sense in which it is meant."""
+    if not isinstance(quantity, Quantity) or quantity.kind not in ("along", "across"):
+        return quantity
+    of, axis = quantity.arguments
+    return replace(quantity, arguments=(of, senses.get((quantity.kind, axis), axis)))
 
 
 def _letters_of(written: Sequence[Row], derivation: Derivation, statement: str) -> set[str]:
@@ -150,7 +235,7 @@ def _declare(
     put: dict[Expression, Expression],
     declared: dict[str, str],
     random: Random,
-    lines: Mapping[Expression, Expression],
+    senses: Senses,
 ) -> None:
     """A letter of the working under another name, some in the other sense."""
     if not pool:
@@ -163,15 +248,21 @@ def _declare(
         and quantity.kind in ("along", "across")
         and random.random() < 0.3
     )
-    quantity = _in_the_sense(quantity, lines)
+    quantity = _in_the_sense(quantity, senses)
     put[Letter(meaning.letter)] = Negate(Letter(letter)) if turned else Letter(letter)
+    if isinstance(quantity, Quantity):
+        put[quantity] = put[Letter(meaning.letter)]
     declared[letter] = ("-" if turned else "") + write_expression(quantity)
 
 
 def _quantities(tree: Expression) -> Iterator[Quantity]:
-    """The outermost quantities of a tree."""
+    """The outermost quantities of a tree, those inside a scalar product on their own."""
     if isinstance(tree, Quantity):
-        yield tree
+        if tree.kind == "dot":
+            for argument in tree.arguments:
+                yield from _quantities(argument)
+        else:
+            yield tree
         return
     inner = {each for node in walk(tree) if isinstance(node, Quantity) for each in walk(node)}
     outer = [node for node in walk(tree) if isinstance(node, Quantity)]
@@ -218,6 +309,7 @@ def _text(line: Line, relation: Relation, random: Random) -> str:
     else:
         body = _chain(links)
     announced = random.choice(LAWS.get(line.move.record or "", ANNOUNCED))
+    body = re.sub(r"dot\(([^(),]+), ([^(),]+)\)", r"\1 . \2", body)
     return (announced if random.random() < 0.4 else "") + styled(body, random)
 
 

@@ -248,3 +248,34 @@ def test_a_letter_of_any_look_may_be_a_quantity_that_varies() -> None:
     inference = inferred(TWO_WALLS, "k = 2/3*u sin(40°)\nb = arctan(2/3*tan(40°))")
     assert "velocity(P, 1)" in quantities(inference)["k"]
     assert quantities(inference)["b"] == "angle(velocity(P, 1), AB)"
+
+
+def test_a_letter_that_is_rare_for_a_velocity_may_be_one() -> None:
+    inference = inferred(SPHERES, "3T + 5y = 3*4 - 5\ny - T = 3/5*5\nT = -1")
+    assert quantities(inference) == {
+        "T": "along(velocity(A, 1), i)",
+        "y": "along(velocity(B, 1), i)",
+    }
+
+
+def test_what_is_asked_may_have_any_letter() -> None:
+    inference = inferred(SPHERES, "v = -1\nk = 3*(4 + 1)")
+    assert quantities(inference)["k"] == "impulse(1)"
+
+
+def test_a_letter_may_be_said_to_be_zero_in_other_words() -> None:
+    text = (
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass 3m, at rest\nA hits B: along i\n"
+        "given tan(alpha) = 1/2, along(velocity(A), i) = 0\nfind e"
+    )
+    inference = inferred(text, "-h = 0\n3*m*r = m*(2*sqrt(5)*u/5)")
+    assert quantities(inference)["h"] == "along(velocity(A, 1), i)"
+
+
+def test_components_that_a_fact_makes_equal_are_two_quantities() -> None:
+    text = (
+        "wall W: along i\nsphere P: mass m, velocity u at 60° to W\nP hits W\n"
+        "given angle(velocity(P), W) = 45°\nfind e"
+    )
+    inference = inferred(text, "v = u*cos(60°)\nw = e*u*sin(60°)\nv = w")
+    assert {quantities(inference)[name].partition("(")[0] for name in "vw"} == {"along", "across"}

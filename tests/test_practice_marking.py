@@ -220,3 +220,27 @@ def test_right_answers_earn_what_they_do_without_and_a_mistake_does_not():
     assert right.marks.earned == right.marks.of
     wrong = of_letters(statement, typed.replace("e = 2/3", "e = 3/2"))
     assert wrong.marks.earned < wrong.marks.of
+
+
+def test_a_condition_with_values_put_in_is_the_condition() -> None:
+    statement = (
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass 3m, at rest\nA hits B: along i\n"
+        "given velocity(A) perpendicular to velocity(A, 0)\nshow tan^2(alpha) = (3e - 1)/4\n"
+    )
+    lines = [
+        "s = u sin(α)",
+        "m u cos(α) = m p + 3m q",
+        "q - p = e u cos(α)",
+        "p = 1/4 (1 - 3e) u cos(α)",
+        "1/4 (1 - 3e) u cos(α) (u cos(α)) + u sin(α) (u sin(α)) = 0",
+        "tan^2(α) = (3e - 1)/4",
+    ]
+    letters = {
+        "p": "along(velocity(A), i)",
+        "q": "along(velocity(B), i)",
+        "s": "along(velocity(A), j)",
+    }
+    marks = restitution.mark(solution(statement), lines, None, letters).marks
+    assert marks.earned == marks.of
+    without = restitution.mark(solution(statement), lines[:4] + lines[5:], None, letters).marks
+    assert without.earned < without.of

@@ -86,6 +86,24 @@ def test_a_line_has_the_relations_that_it_states(text: str) -> None:
     assert first(text) == RELATIONS[text]
 
 
+def test_a_function_behind_a_space_may_go_on_with_a_chain() -> None:
+    read = line("k = u sin(a) = √3 u/2", WALLS)
+    assert "u sin(alpha) = sqrt(3) u/2" in [written_claim(x) for x in read.links[1].readings]
+
+
+def test_a_chain_whose_angle_goes_on_is_one() -> None:
+    text = "h = u/4 cos(a) - u/2 sin(a) = u (cos(a) - 2sin(a))/4"
+    assert first(text, WALLS) == [
+        "h = u/4 cos(alpha) - u/2 sin(alpha)",
+        "u/4 cos(alpha) - u/2 sin(alpha) = u (cos(alpha) - 2sin(alpha))/4",
+    ]
+
+
+def test_a_number_behind_a_root_is_no_power() -> None:
+    (link,) = line("k = √3 u").links
+    assert [written_claim(each) for each in link.readings] == ["k = sqrt(3) u"]
+
+
 def test_a_quotient_has_both_readings() -> None:
     (link,) = line("v = 3u/2m").links
     assert [written_claim(each) for each in link.readings] == ["v = 3u/(2m)", "v = 3u/2 m"]

@@ -198,12 +198,14 @@ class _Sitting:
 
     def _asked(self, lines: tuple[JudgedLine, ...], asks: set[str]) -> tuple[JudgedLine, ...]:
         """False lines that another meaning makes true are questions about a letter."""
-        for rival in self.meanings.rivals[:_RIVALS]:
-            if not any(line.verdict == "false" for line in lines):
-                break
+        tries = iter(range(_RIVALS))
+        for rival in self.meanings.rivals:
             doubtful = {line.line.number: self._doubtful(rival, line) for line in lines}
-            if not any(doubtful[each.line.number] for each in lines if each.verdict == "false"):
+            false = [each.line for each in lines if each.verdict == "false"]
+            if not any(set(doubtful[line.number]) & _names_in(line) for line in false):
                 continue
+            if next(tries, None) is None:
+                break
             _, others = self._judged(self.script, rival, names=False)
             lines = tuple(
                 self._doubted(line, other, doubtful[line.line.number], asks)

@@ -54,7 +54,8 @@ class Candidate:
     ``body`` and ``event`` are those it belongs to (event 0: before the first), ``axis`` is what a
     component is taken along; ``start`` tells that it belongs to the start and is known from the
     statement. ``unchanged`` tells of a component that it is the same before and after ``event``,
-    ``varies`` that the value depends on letters of the statement.
+    ``varies`` that the value depends on letters of the statement, ``asked`` that the part asks for
+    it.
     ``cost`` grows from 0 for the most usual to 1 for the least usual.
     """
 
@@ -68,6 +69,7 @@ class Candidate:
     cost: float = 0.0
     unchanged: bool = False
     varies: bool = False
+    asked: bool = False
 
     @property
     def sensed(self) -> bool:
@@ -323,7 +325,7 @@ _BY_LETTER: dict[str, tuple[Kind, ...]] = {
     **dict.fromkeys(("m", "M"), ("mass", "tangent")),
     **dict.fromkeys(("e", "f", "epsilon"), ("coefficient", *_VELOCITIES)),
     "t": ("time", "tangent", *_VELOCITIES),
-    "T": ("time", "tangent", "energy"),
+    "T": ("time", "tangent", "energy", *_VELOCITIES),
     **dict.fromkeys("kr", ("ratio", "coefficient", "tangent", *_VELOCITIES)),
     **dict.fromkeys("n", ("direction", "ratio", *_VELOCITIES)),
     **dict.fromkeys("dsD", ("distance", "time", "deflection", *_VELOCITIES)),

@@ -19,9 +19,10 @@ from restitution.expression.evaluate import Angle, Value
 from restitution.expression.quantities import Nature
 from restitution.expression.tree import Negate
 from restitution.practice.letters.candidates import Candidate
+from restitution.practice.letters.slots import Slot, shaped
 from restitution.practice.letters.trial import Frame, Tester, everywhere
 from restitution.practice.script import Claim, Decimal
-from restitution.practice.worlds.arrays import Array, angle
+from restitution.practice.worlds.arrays import Array
 from restitution.vector import Vector
 
 # Interpretations that are kept from item to item, and the best ways to satisfy one item.
@@ -46,37 +47,12 @@ _DEFINED, _STARTED = -0.15, 0.6
 _UNUSUAL = 0.75
 # What is left of the worth of a line that is true to two figures alone.
 _FIGURES, _COARSE = 3, 0.6
-_SAME = 1e-9
-# What a meaning costs more that is zero whatever happens: lines of it say that zero is zero.
-_IDLE = 2.5
 # What it costs that a line would be true in the other sense of its letters; less in one that may
 # be of restitution, as it is that of momentum that tells the sense.
 _WRONG_SENSE, _OTHER_WAY = 1.0, 0.3
 # What it costs that the same quantities explain more if the letters share them otherwise.
 _WORSE = 1.0
 _VELOCITIES = ("component", "speed", "relative")
-
-
-@dataclass(frozen=True)
-class Slot:
-    """An undeclared letter, in lines in which its meaning stays the same.
-
-    ``options`` are its candidates, each sense on its own; ``values`` their values by nature, with
-    the places of these among the options. ``roots`` tell which options are one quantity, and
-    ``turns`` the option in the other sense, or the same where there is none.
-    """
-
-    letter: str
-    options: tuple[Candidate, ...]
-    values: Mapping[Nature, tuple[tuple[int, ...], Value]]
-    roots: tuple[Any, ...]
-    turns: tuple[int, ...]
-    segment: int = 0
-
-    def values_of(self, tester: Tester, places: Sequence[int]) -> Value:
-        """The values of some options, of one nature, in a world."""
-        each = [(place, tester.value(self.options[place].quantity, {})) for place in places]
-        return stacked(tester, each)
 
 
 @dataclass(frozen=True)
@@ -109,6 +85,10 @@ class Item:
     fresh: bool = True
 
 
+Broken = Callable[[Item, Sequence[Slot]], Mapping[tuple[int, ...], float]]
+"""The options of the slots of an item for which it breaks a law, and what it is worth then."""
+
+
 @dataclass(frozen=True)
 class State:
     """An interpretation: the option of each slot, -1 where it has none yet.
@@ -123,118 +103,6 @@ class State:
     broken: Mapping[int, float] = field(default_factory=dict, compare=False, hash=False)
 
 
-def slot_of(
-    letter: str,
-    candidates: Iterable[Candidate],
-    tester: Tester,
-    segment: int = 0,
-    *,
-    may_vanish: bool = False,
-) -> Slot | None:
-    """A slot with the values of its candidates; None where none of them has any.
-
-    ``may_vanish`` tells that the script says of the letter that it is zero.
-    """
-    options: list[Candidate] = []
-    roots: list[Any] = []
-    turns: list[int] = []
-    values: dict[Nature, list[tuple[int, Value]]] = defaultdict(list)
-    seen: set[Any] = set()
-    for candidate in sorted(candidates, key=lambda each: each.cost):
-        value = tester.value(candidate.quantity, {})
-        key = _key(tester, value)
-        if value is None or key is None or (same := (candidate.body, candidate.event, key)) in seen:
-            continue
-        seen.add(same)
-        if not may_vanish and _makes_idle(value, tester):
-            candidate = replace(candidate, cost=candidate.cost + _IDLE)
-        for sense in (1, -1) if candidate.sensed else (1,):
-            chosen = candidate if sense > 0 else candidate.turned()
-            nature = _nature(value)
-            options.append(chosen)
-            roots.append(same)
-            turns.append(len(options) - 1 + (sense if candidate.sensed else 0))
-            values[nature].append((len(options) - 1, value if sense > 0 else -value))
-    if not options:
-        return None
-    known = {
-        nature: (tuple(place for place, _ in each), stacked(tester, each))
-        for nature, each in values.items()
-    }
-    return Slot(letter, tuple(options), known, tuple(roots), tuple(turns), segment)
-
-
-def _makes_idle(value: Value, tester: Tester) -> bool:
-    """Whether a value is zero, or a right angle, at all samples: much is true of it by accident."""
-    parts = [tester.world.spread(each) for each in _parts(value)]
-    if isinstance(value, Angle):
-        return bool(np.all(np.abs(np.sin(2 * parts[0])) < _SAME))
-    return all(bool(np.all(np.abs(each) < _SAME)) for each in parts)
-
-
-def _nature(value: Value) -> Nature:
-    return (
-        "vector" if isinstance(value, Vector) else "angle" if isinstance(value, Angle) else "scalar"
-    )
-
-
-def _parts(value: Value) -> tuple[Array, ...]:
-    if isinstance(value, Vector):
-        return (value.x, value.y)
-    return (value.measure(),) if isinstance(value, Angle) else (value,)
-
-
-def _key(tester: Tester, value: Value | None) -> Any:
-    """A key that values equal up to sign share; None for a value that is no number."""
-    if value is None:
-        return None
-    parts = [tester.world.spread(each) for each in _parts(value)]
-    if not all(np.all(np.isfinite(each)) for each in parts):
-        return None
-    flat = np.concatenate(parts)
-    first = next((x for x in flat if abs(x) > 1e-9), 1.0)
-    return _nature(value), tuple(np.round(flat * np.sign(first), 7))
-
-
-def same_size(one: Value, other: Value) -> bool:
-    """Whether two values of one nature are equal up to sign at all samples."""
-    a, b = _parts(one), _parts(other)
-    if _nature(one) != _nature(other):
-        return False
-    return any(
-        all(
-            bool(np.all(np.abs(x - sense * y) <= _SAME * (1 + np.abs(x))))
-            for x, y in zip(a, b, strict=True)
-        )
-        for sense in (1, -1)
-    )
-
-
-def stacked(tester: Tester, each: Sequence[tuple[int, Value]]) -> Value:
-    """Values of one nature, with shape (options, samples)."""
-    columns = [
-        np.stack([tester.world.spread(part) for part in parts])
-        for parts in zip(*(_parts(value) for _, value in each), strict=True)
-    ]
-    if len(columns) == 2:
-        return Vector(*columns)
-    return angle(columns[0]) if isinstance(each[0][1], Angle) else columns[0]
-
-
-def shaped(value: Value, rows: Any, axes: int, axis: int) -> Value:
-    """The rows of a stacked value, along one of several axes before that of the samples."""
-
-    def one(x: Array) -> Array:
-        x = x[rows] if rows is not None else x
-        return x.reshape((1,) * axis + (len(x),) + (1,) * (axes - axis - 1) + x.shape[-1:])
-
-    if isinstance(value, Vector):
-        return Vector(one(value.x), one(value.y))
-    if isinstance(value, Angle):
-        return angle(one(value.measure()))
-    return one(value)
-
-
 # --- the search -----------------------------------------------------------------------------------
 
 
@@ -242,10 +110,10 @@ def search(
     items: Sequence[Item],
     slots: Sequence[Slot],
     tester: Tester,
-    broken: Callable[[Item, Sequence[Slot]], Mapping[tuple[int, ...], float]] | None = None,
+    broken: Broken | None = None,
     width: int = _WIDTH,
 ) -> list[State]:
-    """The best interpretations, best first; at most ``width`` of them.
+    """The best interpretations, at most ``width`` of them: the best one, then varied ones.
 
     ``broken`` has, for an item that is an instance of an altered law, the options of its slots (in
     their order) for which it is, and what share of a true item it is worth then.
@@ -258,7 +126,7 @@ def _searched(
     items: Sequence[Item],
     slots: Sequence[Slot],
     tester: Tester,
-    broken: Callable[[Item, Sequence[Slot]], Mapping[tuple[int, ...], float]] | None,
+    broken: Broken | None,
     width: int,
 ) -> list[State]:
     states = [State((-1,) * len(slots))]
@@ -273,8 +141,118 @@ def _searched(
         ):
             extended += _breaking(states, number, item, slots, broken(item, slots))
         states = _pruned(extended, width)
+    states += [
+        swap
+        for state in states[:1]
+        for place in range(len(slots))
+        for swap in _swaps(state, place, items, slots, tester, broken)
+    ]
     states = _sensed(states, items, slots, tester)
-    return _pruned(_arranged(states, items, slots), width)
+    states = _pruned(_arranged(states, items, slots), len(states))
+    return list(_varied(states))[:width]
+
+
+def _swaps(
+    state: State,
+    place: int,
+    items: Sequence[Item],
+    slots: Sequence[Slot],
+    tester: Tester,
+    broken: Broken | None,
+) -> Iterator[State]:
+    """An interpretation with every other meaning of one letter.
+
+    Where many letters are in doubt, those kept so far may agree on the meaning of one of them.
+    """
+    own = [n for n, item in enumerate(items) if place in item.slots.values()]
+    before = _contribution(state, own, items, slots, tester, broken)
+    rest = state.satisfied - set(own)
+    for places, _ in slots[place].values.values():
+        ways = [_with_option(state.options, place, option) for option in places]
+        swaps = [
+            State(way, 0.0, rest, {n: x for n, x in state.broken.items() if n not in own})
+            for way in ways
+            if way != state.options and _allowed(way, slots, [place])
+        ]
+        for number in own if swaps else ():
+            swaps = _with_item(swaps, number, items[number], slots, tester, broken)
+        for swap in swaps:
+            if swap.satisfied.isdisjoint(own) and swap.broken.keys().isdisjoint(own):
+                continue  # it explains no line
+            score = state.score - before + swap.score - _price(swap, place, slots)
+            yield replace(swap, score=score + _price(state, place, slots))
+
+
+def _with_option(options: Sequence[int], place: int, option: int) -> tuple[int, ...]:
+    return (*options[:place], option, *options[place + 1 :])
+
+
+def _price(state: State, place: int, slots: Sequence[Slot]) -> float:
+    option = state.options[place]
+    return 0.0 if option < 0 else COST * slots[place].options[option].cost
+
+
+def _contribution(
+    state: State,
+    numbers: Iterable[int],
+    items: Sequence[Item],
+    slots: Sequence[Slot],
+    tester: Tester,
+    broken: Broken | None,
+) -> float:
+    """What some items add to the score of an interpretation."""
+    bare = [State(state.options)]
+    for number in numbers:
+        bare = _with_item(bare, number, items[number], slots, tester, broken)
+    return bare[0].score
+
+
+def _with_item(
+    states: Sequence[State],
+    number: int,
+    item: Item,
+    slots: Sequence[Slot],
+    tester: Tester,
+    broken: Broken | None,
+) -> list[State]:
+    """Interpretations whose letters have values of one nature each, with one more item."""
+    used = sorted(set(item.slots.values()))
+    if any(states[0].options[s] < 0 for s in used):
+        return list(states)
+    judged = list(_judged(states, number, item, slots, tester))
+    if broken is None or not item.fresh:
+        return judged
+    ways = broken(item, slots)
+    return [_broken_or_not(state, number, item, slots, ways) for state in judged]
+
+
+def _broken_or_not(
+    state: State,
+    number: int,
+    item: Item,
+    slots: Sequence[Slot],
+    ways: Mapping[tuple[int, ...], float],
+) -> State:
+    """An interpretation, with an item that is not true in it where that breaks a known law."""
+    share = ways.get(tuple(state.options[s] for s in sorted(set(item.slots.values()))), 0.0)
+    if number in state.satisfied or not share:
+        return state
+    worth = share * max(0.0, _worth(item, state.options, slots))
+    return replace(state, score=state.score + worth, broken={**state.broken, number: worth})
+
+
+def _varied(states: Sequence[State]) -> Iterator[State]:
+    """The interpretations in their order, before others those that give a letter a new meaning."""
+    seen: set[tuple[int, int]] = set()
+    late: list[State] = []
+    for state in states:
+        pairs = set(enumerate(state.options))
+        if pairs <= seen:
+            late.append(state)
+        else:
+            seen |= pairs
+            yield state
+    yield from late
 
 
 def _arranged(states: Sequence[State], items: Sequence[Item], slots: Sequence[Slot]) -> list[State]:

@@ -14,7 +14,8 @@ from restitution.explaining.misconceptions import variants_at
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.quantities import Nature
 from restitution.expression.tree import Apply, Letter, Negate
-from restitution.practice.letters.inference import Item, Slot, shaped, stacked
+from restitution.practice.letters.inference import Item
+from restitution.practice.letters.slots import Slot, shaped, stacked
 from restitution.practice.letters.trial import Tester, everywhere
 from restitution.practice.worlds.arrays import Array, angle
 from restitution.practice.worlds.states import States, states

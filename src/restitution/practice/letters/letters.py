@@ -13,6 +13,8 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
 
+import numpy as np
+
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
     Binary,
@@ -20,7 +22,6 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Negate,
-    Number,
     Quantity,
     letters,
     walk,
@@ -30,11 +31,9 @@ from restitution.practice.letters.candidates import Candidate, kinds_of, suffix
 from restitution.practice.letters.dependence import Dependence, Relation
 from restitution.practice.letters.inference import (
     Item,
-    Slot,
     State,
     linear_pair,
     search,
-    slot_of,
 )
 from restitution.practice.letters.interpretation import FixedLetter, Interpretation, Interpretations
 from restitution.practice.letters.options import (
@@ -47,6 +46,7 @@ from restitution.practice.letters.options import (
     scaled,
     usual,
 )
+from restitution.practice.letters.slots import Slot, slot_of
 from restitution.practice.letters.surroundings import (
     DeclaredLetter,
     Surroundings,
@@ -114,14 +114,23 @@ def meanings_of(
 
 
 def _distinct(best: Interpretation, rivals: Iterable[Interpretation]) -> Iterator[Interpretation]:
-    seen = {_signature(best)}
+    """Rivals once each, before others those in which a letter has a meaning that is new."""
+    seen, known = {_signature(best)}, set(_signature(best))
+    late: list[Interpretation] = []
     for each in rivals:
-        if _signature(each) not in seen:
-            seen.add(_signature(each))
+        signature = _signature(each)
+        if signature in seen:
+            continue
+        seen.add(signature)
+        if signature <= known:
+            late.append(each)
+        else:
+            known |= signature
             yield each
+    yield from late
 
 
-def _signature(each: Interpretation) -> Hashable:
+def _signature(each: Interpretation) -> frozenset[Hashable]:
     return frozenset((m.letter, m.quantity, m.since) for m in each.meanings)
 
 
@@ -189,6 +198,7 @@ class _Search:
         self.defined: set[str] = set()
         self.definitions = dict(self._definitions())
         self.dotted = self._dotted()
+        self.vanishing = frozenset(self._vanishing())
 
     # --- letters of the lines
 
@@ -246,6 +256,24 @@ class _Search:
                         if tree is not None:
                             yield name, (line.number, tree)
 
+    def _vanishing(self) -> Iterator[str]:
+        """Letters of which a line says that they are zero: ``v = 0``, ``2(-w) = 2 × 0``."""
+        for line in self.lines:
+            frame = Frame(None, self.meanings(line.number))
+            for link, names in self.items[line.number]:
+                claim = link.readings[0]
+                if len(names) == 1 and claim.sign == "=":
+                    (name,) = names
+                    zero, one = (self._holds_at(claim, name, x, frame) for x in (0.0, 1.0))
+                    if zero and not one:
+                        yield name
+
+    def _holds_at(self, claim: Claim, name: str, number: float, frame: Frame) -> bool:
+        """Whether a claim holds at all samples where its letter is a number."""
+        value = np.full(self.around.world.samples, number)
+        held = self.around.tester.holds(claim, {name: value}, (), frame)
+        return held is not None and bool(np.all(held))
+
     def _dotted(self) -> frozenset[str]:
         """The letters in scalar products with n or t, these among them, that no line defines."""
         found: set[str] = set()
@@ -274,13 +302,12 @@ class _Search:
             first = self._slot(name, line, 0)
             self.slots[key] = None if first is None else replace(first, segment=segment)
         elif key not in self.slots:
-            _, tree = self.definitions.get(name, (0, None))
             self.slots[key] = slot_of(
                 name,
                 self._options(name, line, segment),
                 self.around.tester,
                 segment,
-                may_vanish=tree == Number(Fraction(0)),
+                may_vanish=name in self.vanishing,
             )
         return self.slots[key]
 

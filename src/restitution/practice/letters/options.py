@@ -30,6 +30,8 @@ from restitution.problem import Event, Impact, Kick, Part, Problem
 
 # Of another kind than the look of a letter tells: only where numbers cannot agree by chance.
 _ODD, _RARE, _STRANGE = 0.15, 0.5, 0.6
+# Of another kind, but what the part asks for: people give that any letter.
+_WANTED = 0.3
 # What quantities of the start cost more than later ones; not for u.
 _LATE = 0.3
 
@@ -58,13 +60,13 @@ def options(usage: Usage, candidates: Iterable[Candidate], problem: Problem) -> 
         if barred(usage, each):
             continue
         strange = each.kind not in kinds
-        if strange and (usage.in_angle or not each.varies):
+        if strange and (usage.in_angle or not (each.varies or each.asked)):
             continue
         extra = _by_suffix(usage.letter, each, problem)
         if extra is None:
             continue
         place = kinds.index(each.kind) * 0.05 if len(kinds) > 2 and not strange else 0.0
-        place += _STRANGE if strange else 0.0
+        place += (_WANTED if each.asked else _STRANGE) if strange else 0.0
         extra += place + _by_scope(usage.scope, each) + _by_axis(usage.letter, each)
         yield replace(each, cost=max(0.0, min(1.0, each.cost + extra)))
 

@@ -22,15 +22,16 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.letters.candidates import Candidate, before_event, candidates
-from restitution.practice.letters.inference import Item, Slot, same_size
+from restitution.practice.letters.inference import Item
 from restitution.practice.letters.instances import Instances
 from restitution.practice.letters.interpretation import FixedLetter
 from restitution.practice.letters.options import staged
+from restitution.practice.letters.slots import Slot, same_size
 from restitution.practice.letters.trial import Tester
 from restitution.practice.reading.phrases import is_phrase, read_phrase
 from restitution.practice.script import ANYWHERE, Scope, Script, ScriptLine
 from restitution.practice.worlds.world import World
-from restitution.problem import Event, Impact, Let, Part, Problem, trees
+from restitution.problem import Event, Find, Impact, Let, Part, Problem, trees
 from restitution.vector import Vector
 
 
@@ -62,11 +63,33 @@ class Surroundings:
     @cached_property
     def candidates(self) -> tuple[Candidate, ...]:
         """Every quantity that a letter may mean."""
-        every = candidates(self.problem, self.part)
         return tuple(
-            replace(each, unchanged=self._is_unchanged(each), varies=self._varies(each))
-            for each in every
+            replace(
+                each,
+                unchanged=self._is_unchanged(each),
+                varies=self._varies(each),
+                asked=each.nature != "vector" and each.quantity in self.asked,
+            )
+            for each in candidates(self.problem, self.part)
+            if not self._is_no_time(each)
         )
+
+    @cached_property
+    def asked(self) -> frozenset[Expression]:
+        """The quantities that the part asks for, with the numbers of their events."""
+        return frozenset(
+            staged(item.expression, self.problem, self.part, now)
+            for step, now, _ in self.problem.timeline(self.part)
+            if isinstance(step, Find)
+            for item in step.items
+        )
+
+    def _is_no_time(self, candidate: Candidate) -> bool:
+        """Whether a time is zero in a story that begins with that event."""
+        if candidate.kind != "time":
+            return False
+        value = self.tester.value(candidate.quantity, {})
+        return isinstance(value, np.ndarray | float) and not np.any(value)
 
     def _varies(self, candidate: Candidate) -> bool:
         """Whether a scalar depends on the letters of the statement."""

@@ -122,9 +122,9 @@ class _Examiner:
             if earns:
                 return self._earned(point, line, why)
             lost = lost or PointMark(point, "lost", line.line.number, why)
-        by_value = self._by_value(point)
-        if by_value is not None:
-            return self._earned(point, by_value, "")
+        line_of_it = self._by_value(point) or self._condition(point)
+        if line_of_it is not None:
+            return self._earned(point, line_of_it, "")
         if point.principle == "inequality":
             conclusion = self._conclusion()
             if conclusion is not None:
@@ -147,6 +147,13 @@ class _Examiner:
             ),
             None,
         )
+
+    def _condition(self, point: MarkPoint) -> JudgedLine | None:
+        """A true line that is the condition of the question, with values put in."""
+        if point.principle != "fact":
+            return None
+        true = (line for line in self.lines if line.verdict == "true")
+        return next((line for line in true if self.values.states(point, line)), None)
 
     def _equation(self, point: MarkPoint) -> PointMark:
         """The equation itself, correct."""

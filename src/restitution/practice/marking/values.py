@@ -15,6 +15,7 @@ from typing import Literal
 
 import numpy as np
 
+from restitution.explaining.derivation import FLIPPED
 from restitution.explaining.trees import exchanged
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import (
@@ -40,6 +41,7 @@ from restitution.vector import Vector
 Match = Literal["true", "own"]
 
 _NEAR = 1e-7
+_LEAST = 1e-9
 _ROUNDED = 2e-3
 _IMPULSE = ("I", "J")
 # The quantities of which a line of a principle speaks.
@@ -344,6 +346,43 @@ class Values:
             return _number(self._base, self._base.value(replace(quantity, kind="speed")))
         except UnvaluedError:
             return None
+
+    def states(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line says what a point's own relation says, whatever happens.
+
+        The differences of the sides of both are multiples of one another, and not zero.
+        """
+        link = point.link
+        if link is None:
+            return False
+        sides = (link.left, link.right)
+        if link.sign == "perpendicular to":
+            sides = (Quantity("dot", sides), Number(Fraction(0)))
+        meanings = self._meanings(line)
+        return any(
+            self._are_multiples((claim.left, claim.right), sides, meanings, line)
+            for each in line.line.links
+            for claim in each.readings[:1]
+            if (claim.sign in FLIPPED) == (link.sign in FLIPPED)
+        )
+
+    def _are_multiples(
+        self,
+        own: tuple[Expression, Expression],
+        asked: tuple[Expression, Expression],
+        meanings: Mapping[str, Expression],
+        line: JudgedLine,
+    ) -> bool:
+        world = self._scattered
+        try:
+            one = [_number(world, world.value(x, meanings, line.line.scope)) for x in own]
+            other = [_number(world, world.value(x)) for x in asked]
+        except UnvaluedError:
+            return False
+        a, b = one[0] - one[1], other[0] - other[1]
+        if np.any(np.abs(a) < _LEAST) or np.any(np.abs(b) < _LEAST):
+            return False
+        return bool(np.ptp(a / b) < _LEAST * np.max(np.abs(a / b)))
 
     def _is_printed(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line is the printed relation, its sides perhaps exchanged, or ends in it."""

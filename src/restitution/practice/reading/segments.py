@@ -217,7 +217,11 @@ def _parting(tokens: Sequence[Token], first: int, place: int, second: int) -> Pa
 
 
 def _begins_another(tokens: Sequence[Token], first: int, place: int, second: int) -> bool:
-    """Whether a relation for something new begins at a place: not ``speed = √7/4 u = 7u/16``."""
+    """Whether a relation for something new begins at a place.
+
+    None does in ``speed = √7/4 u = 7u/16``, nor in ``h = u/4 cos(t) - u/2 sin(t) = u (cos(t) -
+    2sin(t))/4``, whose angle goes on in the next side.
+    """
     start = max((n for n in range(first) if tokens[n].kind == "relation"), default=-1) + 1
     right = tokens[place:second]
     if not (_is_simple(right) and _is_simple(tokens[start:first])):
@@ -225,8 +229,9 @@ def _begins_another(tokens: Sequence[Token], first: int, place: int, second: int
     own = {each.name for each in right if each.kind == "letter"}
     other = {each.name for each in tokens[start:place] if each.kind == "letter"}
     behind = {each.name for each in tokens[second:] if each.kind == "letter"}
-    function = "function" in (right[0].kind, tokens[start].kind)
-    return function or not own & (other | behind)
+    if right[0].kind == "function":
+        return not own & behind
+    return tokens[start].kind == "function" or not own & (other | behind)
 
 
 def _may_part(tokens: Sequence[Token], place: int) -> bool:

@@ -234,17 +234,25 @@ class _Reader:
         """Adds the readings of ``w = 0.6u v = 2`` as a chain to those of two relations."""
         middle = [*sides_of(before.tokens)[0][-1], *sides_of(behind.tokens)[0][0]]
         try:
-            chained = self.sides(middle)[0].tree
+            chained = [side.tree for side in self.sides(middle)]
         except UnreadableError:
             return
         above, below = self.links[first - 1], self.links[first]
-        upper = (replace(above.readings[0], right=chained),)
-        lower = (replace(below.readings[0], left=chained),)
-        first_ones = (*upper, *above.readings), (*lower, *below.readings)
-        last_ones = (*above.readings, *upper), (*below.readings, *lower)
-        readings = first_ones if rather else last_ones
-        self.links[first - 1] = replace(above, readings=readings[0][:MAX_CLAIMS])
-        self.links[first] = replace(below, readings=readings[1][:MAX_CLAIMS])
+        upper, lower = (
+            tuple(
+                dict.fromkeys(
+                    replace(each, **{side: tree}) for tree in chained for each in link.readings
+                )
+            )
+            for link, side in ((above, "right"), (below, "left"))
+        )
+        half = MAX_CLAIMS // 2
+        for place, whole, parted in (
+            (first - 1, upper[:half], above.readings[:half]),
+            (first, lower[:half], below.readings[:half]),
+        ):
+            readings = (*whole, *parted) if rather else (*parted, *whole)
+            self.links[place] = replace(self.links[place], readings=readings)
 
     def _is_label(self, segment: Segment, following: Sequence[Segment]) -> bool:
         """Whether a phrase, or a name, labels what follows."""
