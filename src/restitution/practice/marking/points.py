@@ -509,6 +509,8 @@ class _Examiner:
         for place, each in enumerate(points):
             if each.state != "earned" or each.point.item is None or each.implied:
                 continue
+            if each.point.shown:
+                continue  # the statement says how fine it is
             line = self._line(each.line)
             if line is None or line.accuracy != "coarse" or _ends_fine(line):
                 continue

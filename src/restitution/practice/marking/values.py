@@ -375,11 +375,14 @@ class Values:
     ) -> bool:
         world = self._scattered
         try:
-            one = [_number(world, world.value(x, meanings, line.line.scope)) for x in own]
-            other = [_number(world, world.value(x)) for x in asked]
+            values = [world.value(x, meanings, line.line.scope) for x in own]
+            values += [world.value(x) for x in asked]
         except UnvaluedError:
             return False
-        a, b = one[0] - one[1], other[0] - other[1]
+        if any(isinstance(value, Vector) for value in values):
+            return False
+        left, right, first, second = (_number(world, value) for value in values)
+        a, b = left - right, first - second
         if np.any(np.abs(a) < _LEAST) or np.any(np.abs(b) < _LEAST):
             return False
         return bool(np.ptp(a / b) < _LEAST * np.max(np.abs(a / b)))

@@ -369,7 +369,8 @@ class Parser(Cursor):
             self.take()
             self.take()
             return INVERSES[name], None
-        if name in _TRIGONOMETRIC and self.is_typed_power() and not self.choose("power of a function"):
+        powered = name in _TRIGONOMETRIC and self.is_typed_power()
+        if powered and not self.choose("power of a function"):
             token = self.take()
             return name, Number(token.value, place=self.place(token))
         return name, None

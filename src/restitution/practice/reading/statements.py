@@ -56,6 +56,8 @@ _ENDING = frozenset(("so", "hence", "therefore", "=>", ";", "thus"))
 _WAY = re.compile(
     r"\s+(along|parallel|perp|perpendicular|across|left|right|up|down)\b(?!\s+to\b)", re.IGNORECASE
 )
+# The phrase that is the name of a law as well: ``momentum: 2u - 3w = -u``.
+_LAW = "the momentum"
 _TANGENTS = frozenset(("tangent", "tangential", "common"))
 _CENTRES = frozenset(("centres", "centers", "centre", "loc"))
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "function", "("))
@@ -238,14 +240,10 @@ class _Reader:
         except UnreadableError:
             return
         above, below = self.links[first - 1], self.links[first]
-        upper, lower = (
-            tuple(
-                dict.fromkeys(
-                    replace(each, **{side: tree}) for tree in chained for each in link.readings
-                )
-            )
-            for link, side in ((above, "right"), (below, "left"))
-        )
+        pairs = [(tree, each) for tree in chained for each in above.readings]
+        upper = tuple(dict.fromkeys(replace(each, right=tree) for tree, each in pairs))
+        pairs = [(tree, each) for tree in chained for each in below.readings]
+        lower = tuple(dict.fromkeys(replace(each, left=tree) for tree, each in pairs))
         half = MAX_CLAIMS // 2
         for place, whole, parted in (
             (first - 1, upper[:half], above.readings[:half]),
@@ -500,6 +498,8 @@ class _Reader:
         known = frozenset[str]().union(*(letters(each.tree) for each in read[0]))
         evaluates = all(letters(each[0].tree) <= known for each in read[1:])
         evaluates = evaluates and set(signs) == {"="} and not is_law(read)
+        if label.name == _LAW:
+            return
         if evaluates and not isinstance(first, Letter) and not is_function(first):
             self.link((Side(Letter(label.name)),), "=", read[0], sides[0], label)
 
