@@ -111,18 +111,20 @@ class Forms:
         self._printed: dict[Expression, Expression] = {}
         self._decimal = False
         self._fractions = {Ratio(1, 2)}
+        decimals: set[Ratio] = set()
         for tree in typed:
             for node in walk(tree):
                 match node:
                     case Number(value) if value.denominator > 1:
                         self._decimal = True
-                        self._fractions.discard(value)
+                        decimals.add(value)
                     case Binary("/", Number(a), Number(b)) if b:
                         self._fractions.add(a / b)
                 if isinstance(node, Binary) and node.op == "/" and _root_below(node.right):
                     parts = _parts(node)
                     if parts is not None and not parts[2]:
                         self._typed.setdefault(parts[:2], node)
+        self._fractions -= decimals  # what was typed in both forms is a decimal
 
     def printed(self, tree: Expression) -> Expression:
         """The tree in which each number has its form, and no component is nothing."""

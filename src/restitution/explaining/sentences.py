@@ -382,6 +382,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.most": "A coefficient of restitution is at most 1:",
     "given.between": "{body} hits {wall} between its ends:",
     "given.compare": "Comparing components:",
+    "centres.between": "From the centre of {one} to the centre of {other}:",
     # --- equations solved -------------------------------------------------------------------------
     "carried.part": "From part ({label}):",
     "carried.above": "From above:",
@@ -752,6 +753,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "velocity is the longest. So the square of the speed is the sum of the squares of the "
         "components, by Pythagoras."
     ),
+    "derived-size.title": "Magnitude, from the components",
     "derived-perpendicular.title": (
         "The directions are perpendicular, so the scalar product is zero"
     ),

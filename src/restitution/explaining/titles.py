@@ -34,6 +34,7 @@ _TITLES: Mapping[str, tuple[SentenceId | None, SentenceId | None]] = {
     "tan-squared": ("derived-direction.title", "derived-direction.title"),
     "tan-direction": ("derived-direction.title", "derived-direction.title"),
     "speed": ("derived-speed.title", "derived-speed.title"),
+    "size": ("derived-size.title", "derived-size.title"),
     "assemble": ("derived-assembled.title", "derived-assembled.title"),
     "product": ("derived-product.title", "derived-product.title"),
     "perpendicular": ("derived-perpendicular.title", "derived-perpendicular.title"),

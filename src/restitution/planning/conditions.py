@@ -11,6 +11,7 @@ from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import FLIPPED, Fact, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import (
+    Binary,
     Degrees,
     Expression,
     Letter,
@@ -289,7 +290,8 @@ class Conditions:
             trees = [tree_of(value) for value in values]
             first = Relation(((Link(trees[0], way, trees[1]),),))
             if first != relation:
-                line = self.judge.write(put, pool, first)
+                line = self._by_the_quotient(link, pool, first)
+                line = self.judge.write(put, pool, first) if line is None else line
                 if line is not None:
                     known = self.worths.known_in(x)
                     squared = square_and_solve(self.worths, line, sign, x, known)
@@ -318,6 +320,27 @@ class Conditions:
         if line is not None:
             return line
         return self.judge.write((Move("compare"),), pool, relation)
+
+    def _by_the_quotient(self, link: Link, pool: Sequence[Ref], first: Relation) -> int | None:
+        """A bound of the ratio of two quantities: both stand in it before it is simplified."""
+        match link.left:
+            case Binary("/", Quantity() as above, Quantity() as below):
+                known = [self.scene.desk.known(each) for each in (above, below)]
+            case _:
+                return None
+        sides = [tree_of(self.scene.put(each.value)[0]) for each in known if each is not None]
+        if len(sides) < 2:
+            return None
+        (own,) = first.only
+        whole = Link(swept(Binary("/", *sides)), own.sign, own.right)
+        mark = self.worths.mark()
+        line = self.judge.write((Move("put"),), pool, Relation(((whole,),)))
+        if line is None or whole == own:
+            return line
+        after = self.judge.write((Move("rearrange"),), [line], first)
+        if after is None:
+            self.worths.back(mark)
+        return after
 
     def _square_of_ratio(self, line: int) -> int:
         """A condition on the square of a sine or of a cosine alone, solved for it first."""

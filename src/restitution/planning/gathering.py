@@ -11,9 +11,12 @@ from collections.abc import Callable, Hashable, Sequence
 from dataclasses import replace
 
 from restitution.explaining.derivation import Derivation, Line, Meaning, Note, Relation
-from restitution.expression.tree import Name, Quantity
+from restitution.explaining.trees import trees_of
+from restitution.expression.tree import Name, Quantity, letters
 
 _LAWS = frozenset({"unchanged", "momentum", "restitution", "restitution-wall"})
+# So many lines stand between a letter and its use where it is introduced too early.
+_TOGETHER = 2
 # Lines that belong to the impact of which they speak, and go where its others are.
 _OF_AN_IMPACT = _LAWS | {"component", "impulse-vector", "straight-line", "chord"}
 
@@ -101,6 +104,8 @@ class _Gathering:
         for line in tuple(self._order):
             if line.move.id == "reject":
                 self._raise_to_its_roots(line)
+        for line in tuple(self._order):
+            self._lower_to_its_use(line)
         return numbered_anew(self._derivation, self._order)
 
     # --- the order of the story -------------------------------------------------------------------
@@ -205,6 +210,20 @@ class _Gathering:
             if target != at and self._may_stand(line, target):
                 order.insert(target, order.pop(at))
 
+    def _lower_to_its_use(self, line: Line) -> None:
+        """Puts the letter of an angle, or of a time, above the first line that has it.
+
+        It may stand a line earlier, where letters are introduced together.
+        """
+        if not isinstance(line.relation, Meaning) or self._letter(line) is not None:
+            return
+        order, at = self._order, self._order.index(line)
+        first = next((n for n in range(at + 1, len(order)) if _has(order[n], line)), at)
+        between = [each for each in order[at + 1 : first] if isinstance(each.relation, Relation)]
+        same = order[first].item == line.item and self._place(order[first]) == self._place(line)
+        if len(between) >= _TOGETHER and same:
+            order.insert(first - 1, order.pop(at))
+
     def _first_law(self, line: Line, near: Sequence[int]) -> int | None:
         """Where the laws of an impact begin above a line; those that stay may follow others."""
         if isinstance(line.relation, Meaning):
@@ -243,6 +262,16 @@ class _Gathering:
                 place = bodies.index(body) if body in bodies else len(bodies)
                 return place, int(kind == "across")
         return 0, 0
+
+
+def _has(line: Line, let: Line) -> bool:
+    """Whether a line has the letter that another introduces, or rests on it."""
+    if let.number in line.premises:
+        return True
+    assert isinstance(let.relation, Meaning)
+    if isinstance(line.relation, Meaning):
+        return let.relation.letter in letters(line.relation.quantity)
+    return any(let.relation.letter in letters(tree) for tree in trees_of(line.relation))
 
 
 def _subject(line: Line) -> object:

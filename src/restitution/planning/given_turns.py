@@ -8,15 +8,16 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref, Relation
-from restitution.expression.tree import Apply, Binary, Degrees, Expression, Letter, Quantity
-from restitution.planning.angles import RIGHT, STRAIGHT
+from restitution.expression.tree import Apply, Degrees, Expression, Letter, Quantity
+from restitution.planning.angles import RIGHT
 from restitution.planning.desk import chain, together
 from restitution.planning.forms import ZERO, swept, tree_of
+from restitution.planning.known_turns import by_the_known, other_angle
 from restitution.planning.named_angles import letter_of
 from restitution.planning.premises import background
 from restitution.planning.quantities import formula
 from restitution.planning.scene import GivenEquation, Scene
-from restitution.planning.turn_lines import by_tangents, made_of_angles, terms_of
+from restitution.planning.turn_lines import Term, by_tangents, made_of_angles, terms_of
 from restitution.planning.turns import NONE, Direction, Turn, turns_of
 
 
@@ -55,8 +56,16 @@ def _by_angle(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
     if None not in angles:
         relation = chain(turn.made_of(*angles), (right, None))
         return made_of_angles(scene, turn, relation, given)
+    if scene.model.identically_zero(sp.cos(value)):
+        return None
+    ratio, more = scene.put(sp.tan(value))
+    if not ratio.free_symbols:
+        own = Term(right, tree_of(tidy(ratio)), more if isinstance(right, Letter) else ())
+        line = by_the_known(scene, turn, own, ratio, given)
+        if line is not None:
+            return line
     terms = terms_of(scene, turn)
-    if terms is None or scene.model.identically_zero(sp.cos(value)):
+    if terms is None:
         return None
     relation = chain(turn.made_of(*(own.angle for own in terms)), (right, None))
     number = made_of_angles(scene, turn, relation, given)
@@ -64,8 +73,8 @@ def _by_angle(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
         return None
     tangent, more = scene.put(sp.tan(value))
     if more:
-        own = (tree_of(tangent), more)
-        return by_tangents(scene, number, turn.form, terms, Apply("tan", right), own)
+        put = (tree_of(tangent), more)
+        return by_tangents(scene, number, turn.form, terms, Apply("tan", right), put)
     return by_tangents(scene, number, turn.form, terms, tree_of(tidy(tangent)))
 
 
@@ -73,7 +82,13 @@ def _by_ratio(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
     terms = terms_of(scene, turn)
     if terms is None:
         return None
-    letter, _ = letter_of(scene, turn.asked)
+    letter, meaning = letter_of(scene, turn.asked)
+    ratio, more = scene.put(scene.scalar(each.link.right))
+    if not ratio.free_symbols:
+        own = Term(Letter(letter), tree_of(ratio), together(each.refs, more, (meaning,)))
+        line = by_the_known(scene, turn, own, ratio, (meaning,))
+        if line is not None:
+            return line
     relation = chain(Letter(letter), (turn.made_of(*(own.angle for own in terms)), None))
     number = made_of_angles(scene, turn, relation, ())
     if number is None:
@@ -100,23 +115,15 @@ def _one_angle(
     if other is None or rest.free_symbols:
         return None
     first = side is turn.first
-    tree: Expression
-    match turn.form:
-        case "sum":
-            tree, worth = Binary("-", given, other), value - rest
-        case "difference" if first:
-            tree, worth = Binary("+", given, other), value + rest
-        case "difference":
-            tree, worth = Binary("-", other, given), rest - value
-        case "rest of sum":
-            tree, worth = Binary("-", Binary("-", STRAIGHT, given), other), sp.pi - value - rest
-        case _:
-            if first:
-                tree, worth = Binary("+", Binary("-", STRAIGHT, given), other), sp.pi + rest - value
-            else:
-                tree, worth = Binary("-", Binary("+", given, other), STRAIGHT), value + rest - sp.pi
+    tree, _, _ = other_angle(turn, first, given, other)
     if other == NONE:
         return None
+    worth = {
+        "sum": value - rest,
+        "difference": value + rest if first else rest - value,
+        "rest of sum": sp.pi - value - rest,
+        "rest of difference": sp.pi + rest - value if first else value + rest - sp.pi,
+    }[turn.form]
     final = tree_of(tidy(worth), angle=True)
     if not isinstance(final, Degrees):
         return None

@@ -41,7 +41,7 @@ from restitution.planning.forms import (
     total,
     tree_of,
 )
-from restitution.planning.formulas import Formula
+from restitution.planning.formulas import Formula, write_formula
 from restitution.planning.given_momenta import write_impulse
 from restitution.planning.given_turns import given_turn
 from restitution.planning.impacts import scene_value
@@ -165,6 +165,9 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
 
 
 _QUOTED = ("speed", "energy", "energy_lost", "total_energy_lost", "impulse")
+
+
+_ENERGIES = ("energy", "energy_lost", "total_energy_lost")
 
 
 def _quoted(scene: Scene, each: GivenEquation, quantity: Quantity) -> int | None:
@@ -585,6 +588,11 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
             formula_ = formula(scene, node)
             if formula_.left != node:
                 raise NotPlannedError(f"a relation with {node.kind}s")
+            if node.kind in _ENERGIES and not _has_root(formula_.value):
+                # What an energy comes to is compared, and not how it is made.
+                refs.append(write_formula(scene, formula_))
+                values[node] = tree_of(formula_.value)
+                continue
             number = scene.desk.write(
                 formula_.move, formula_.refs, chain(formula_.left, (swept(formula_.right), None))
             )

@@ -9,6 +9,7 @@ from restitution.explaining.derivation import Move
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Expression,
     Name,
     Quantity,
 )
@@ -87,7 +88,7 @@ def _size_of_impulse(scene: Scene, quantity: Quantity, event: int) -> Formula | 
     """The size of an impulse of which a line tells both components."""
     for body in scene.spheres(event):
         known = scene.desk.known(Quantity("impulse", (Name(body),), event))
-        if known is None or not isinstance(known.value, Vector) or 0 in tuple(known.value):
+        if known is None or not isinstance(known.value, Vector):
             continue
         if not any(sp.sympify(each, strict=True).free_symbols for each in known.value):
             return _size(Move("define", "size", event, (body,)), quantity, known)
@@ -104,8 +105,11 @@ def _size_of_blow(scene: Scene, quantity: Quantity, event: int) -> Formula:
 
 def _size(move: Move, quantity: Quantity, vector: Source) -> Formula:
     """The size of a vector by its components."""
-    tree = Apply("sqrt", total(square(tree_of(each)) for each in vector.value if each != 0))
     value = tidy(sp.sqrt(tidy(expanded(vector.value.dot(vector.value)))))
+    parts = [each for each in vector.value if each != 0]
+    tree: Expression = Apply("sqrt", total(square(tree_of(each)) for each in parts))
+    if len(parts) == 1 and sp.sympify(parts[0], strict=True).is_number:
+        tree = tree_of(value)
     return Formula(move, itself, quantity, tree, value, vector.refs)
 
 

@@ -296,7 +296,7 @@ def place(scene: Scene, body: str, stage: int) -> Source:
         return known
     if all(coordinate_given(scene, body, stage, axis) is None for axis in AXES):
         return place_moved(scene, body, stage)
-    parts = [coordinate(scene, body, stage, axis) for axis in AXES]
+    parts = [_worked_out(scene, body, stage, axis) for axis in AXES]
     value = Vector(*(part.value for part in parts))
     number = scene.desk.write(
         Move("define", "assemble", stage or None, (body,)),
@@ -304,6 +304,18 @@ def place(scene: Scene, body: str, stage: int) -> Source:
         chain(quantity, (tree_of(value), None)),
     )
     return scene.desk.know(quantity, value, (number,))
+
+
+def _worked_out(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
+    """A coordinate; if letters in its line have been found since, by a line with these put in."""
+    own = coordinate(scene, body, stage, axis)
+    tree = coordinate_tree(body, stage, axis)
+    known = scene.desk.known(tree)
+    if known is None or own.value == known.value or known.value.is_Symbol:
+        return own
+    relation = chain(tree, (tree_of(own.value), None))
+    line = scene.judge.write((Move("put"),), (*known.refs, *own.refs), relation)
+    return own if line is None else scene.desk.know(tree, own.value, (line,))
 
 
 def velocity_then(scene: Scene, body: str, stage: int) -> Source:

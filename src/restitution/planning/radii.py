@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from restitution.components.frames import Frame as Told
 from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.expression.tree import Quantity, walk
+from restitution.expression.tree import Binary, Quantity, walk
 from restitution.planning.aims import struck, write_centres
-from restitution.planning.forms import tree_of, vector
+from restitution.planning.forms import swept, tree_of, vector
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import whole_direction
 from restitution.planning.places import spot
 from restitution.planning.scene import Scene
+from restitution.vector import Vector
 
 
 def is_by_places(scene: Scene, number: int) -> bool:
@@ -30,14 +31,21 @@ def frame_by_places(scene: Scene, number: int, model_frame: Told) -> Frame:
     def write() -> tuple[Ref, ...]:
         if struck(scene, number) is not None:
             return (write_centres(scene, number),)
-        places = [spot(scene, sphere, number).refs for sphere in scene.spheres(number)]
+        places = [spot(scene, sphere, number) for sphere in scene.spheres(number)]
+        refs = (f"axis {number}", *(ref for each in places for ref in each.refs))
         whole, _ = whole_direction(n)
-        line = scene.desk.write(
-            Move("put"),
-            (f"axis {number}", *(ref for refs in places for ref in refs)),
-            Relation(((Link(centres, "parallel to", vector(*map(tree_of, whole))),),)),
-        )
-        return (line,)
+        final = Relation(((Link(centres, "parallel to", vector(*map(tree_of, whole))),),))
+        values = [each.value for each in places]
+        if model_frame.wall is None and all(isinstance(own, Vector) and own for own in values):
+            # From one centre to the other, before what that is parallel to.
+            between = swept(Binary("-", tree_of(values[1]), tree_of(values[0])))
+            first = Relation(((Link(centres, "parallel to", between),),))
+            line = scene.judge.write((Move("put"),), refs, first)
+            if line is not None and first != final:
+                line = scene.judge.write((Move("rearrange"),), (line,), final)
+            if line is not None:
+                return (line,)
+        return (scene.desk.write(Move("put"), refs, final),)
 
     sign = 1 if model_frame.wall is None else -1
     return Frame(number, model_frame.wall, centres, None, n, n.turned_left(), (), sign, write)

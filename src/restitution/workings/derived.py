@@ -147,6 +147,8 @@ class _Writer:
             if isinstance(line.relation, Meaning):
                 lets.append(line.relation)
                 continue
+            if not waiting and self._is_silent(shown, index):
+                continue
             yield from self._entered(line)
             ratios = tuple(self.angles.before(line))
             if ratios:
@@ -169,20 +171,12 @@ class _Writer:
             if line.shown == "inline":
                 waiting.append(line)
                 continue
-            if self.staying.is_nothing(line):
-                continue
             after = shown[index + 1] if index + 1 < len(shown) else None
             if self.staying.stays(line) and not waiting:
                 self.stay.append(line)
-                if (
-                    after is not None
-                    and self.staying.stays(after)
-                    and self.staying.together(line, after)
-                ):
+                if after is not None and self._stays_with(shown, index):
                     continue
                 together, self.stay = self.stay, []
-                if all(map(self.staying.is_idle, together)):
-                    continue  # of bodies on one line there is nothing to say
                 step = self._unchanged(together)
             else:
                 if line.number in self.meetings:
@@ -208,6 +202,29 @@ class _Writer:
                 conditions.append(condition)
                 yield Step("note", sentences=(condition,), item=step.item)
         yield from self._noted([*due, *notes.get(len(shown), ())])
+
+    def _is_silent(self, lines: Sequence[Line], index: int) -> bool:
+        """Whether a line says nothing that is printed, so that no heading stands above it.
+
+        Of bodies on one line nothing is said of the components that stay.
+        """
+        line = lines[index]
+        if self.staying.is_nothing(line):
+            return True
+        if not self.staying.stays(line):
+            return False
+        first = last = index
+        while first and self._stays_with(lines, first - 1):
+            first -= 1
+        while last + 1 < len(lines) and self._stays_with(lines, last):
+            last += 1
+        return all(map(self.staying.is_idle, lines[first : last + 1]))
+
+    def _stays_with(self, lines: Sequence[Line], index: int) -> bool:
+        """Whether a line and the next one tell of components that stay in one impact."""
+        one, two = lines[index], lines[index + 1]
+        stay = self.staying.stays(one) and self.staying.stays(two)
+        return stay and self.staying.together(one, two)
 
     def _noted(self, notes: Sequence[Note]) -> Iterator[Step]:
         """Why items have no answer, or why a claim is not true."""

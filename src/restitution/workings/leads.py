@@ -183,6 +183,8 @@ class Leads:
                 name = "derived-energy.title"  # by speeds of the data
             case "perpendicular", _ if not is_zero(last.right) or self._squares(line):
                 return None
+            case "size", _ if not any(map(_under, walk(first.right))):
+                return None  # of one component it is read off
         if name is None:
             return None
         if record.id == "along-the-change" and event is not None and not event.wall:
@@ -301,6 +303,10 @@ class Leads:
         if self._beside_normal(line):
             yield say("wall.beside-normal")
             return
+        bodies = self._from_centre_to_centre(line)
+        if bodies is not None:
+            yield say("centres.between", one=bodies[0], other=bodies[1])
+            return
         if line.move.record == "wall-direction":
             yield say("so")
             return
@@ -372,6 +378,16 @@ class Leads:
         """Whether a line gives the direction of a wall by its normal, which stands above."""
         own = [each for each in map(self._cited, line.premises) if each is not None]
         return any(e.move.record == "wall-direction" and e.shown == "silent" for e in own)
+
+    def _from_centre_to_centre(self, line: Line) -> tuple[str, ...] | None:
+        """The spheres of which a line gives the line of centres by both places."""
+        match line.relation:
+            case Relation(((Link(Quantity("line_of_centres", (), int(number)), "parallel to"),),)):
+                event = self._naming.events.get(number)
+            case _:
+                return None
+        by_places = line.move.id == "put" and f"axis {number}" in line.premises
+        return event.bodies if by_places and event is not None and not event.wall else None
 
     def _worked_out(self, fact: Fact) -> Sentence:
         """That an offset is known by now, from which the line of centres follows."""

@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Pair,
     Quantity,
     has_quantity,
+    is_zero,
     walk,
 )
 from restitution.planning.forms import coordinates
@@ -38,7 +39,7 @@ from restitution.workings.measured import (
     with_unit,
 )
 from restitution.workings.naming import Naming
-from restitution.workings.sources import is_time
+from restitution.workings.sources import is_time, is_vector
 from restitution.workings.steps import REQUIRED, Row
 
 # In these the second line of an equation leaves out the side that stays.
@@ -140,6 +141,14 @@ class Rows:
             ):
                 trees[1] = Binary("/", as_decimal(above), as_decimal(below))
         sides_ = [self._naming.laid(tree) for tree in trees]
+        match trees:
+            case [Binary("/", Quantity(), Quantity()), Binary("/", Number() as above, below), *_]:
+                # A quotient of two numbers stands as it is before its decimal.
+                sides_[1] = lay.Fraction(*map(self._naming.laid, (above, below)))
+        if is_vector(links[0].left):
+            sides_ = [
+                lay.ZERO_VECTOR if is_zero(t) else s for t, s in zip(trees, sides_, strict=True)
+            ]
         for n, each in enumerate(links, 1):
             if each.sign == "≈":
                 sides_[n] = to_three_figures(trees[n]) or sides_[n]
@@ -159,7 +168,7 @@ class Rows:
         reasons: tuple[Sentence, ...] = ()
         if signs[-1] in ("=", "≈") and last:
             self._ended(line, links, sides_, signs)
-            reasons = self._placed(line, links[-1])
+            reasons = self._placed(line, links, sides_, signs)
         return Row(tuple(sides_), tuple(signs), reasons=reasons)
 
     def _tangent_of(self, line: Line, link: Link) -> Expression | None:
@@ -179,30 +188,48 @@ class Rows:
                         return angle
         return None
 
-    def _placed(self, line: Line, link: Link) -> tuple[Sentence, ...]:
-        """Where a body is by its coordinates, behind its position vector, if that was asked."""
+    def _placed(
+        self, line: Line, links: tuple[Link, ...], sides: list[lay.Layout], signs: list[str]
+    ) -> tuple[Sentence, ...]:
+        """Where a body is by its coordinates, if that was asked.
+
+        They take the place of a position vector that is made of them; of one that was worked out
+        as a vector they stand behind it.
+        """
         end, asked = self._ends.of(line), self._ends.asked(line)
         if end is None or end.shown or not self._ends.is_place(line):
             return ()
-        assert isinstance(line.relation, Relation)
         match asked:
             case Value(expression=Quantity("position", (Name(body),))):
-                shown = as_answer(link.right, True)
-                if not shown:
-                    return ()
-                sides, signs = [each for each, _ in shown], tuple(sign for _, sign in shown[1:])
-                decimals = self._measures.decimals and self._measures.unit(link.left)
-                point = coordinates(as_decimal(link.right) if decimals else link.right)
-                if point is not None:
-                    sides[0] = self._naming.laid(Pair(*point))
-                if decimals and signs == ("=",):
-                    sides, signs = sides[:1], ()
-                if is_plain(self._naming.laid(link.right)):
-                    unit = self._measures.unit(line.relation.options[0][0].left)
-                    sides[-1] = with_unit(sides[-1], unit)
-                place = lay.Relation(tuple(sides), signs) if signs else sides[0]
-                return (say("place.so", body=body, place=place),)
-        return ()
+                place = self._coordinates(line, links[-1])
+            case _:
+                return ()
+        if not place:
+            return ()
+        if len(links) == 1:
+            sides[1:], signs[1:] = [each for each, _ in place], [sign for _, sign in place[1:]]
+            return ()
+        row = tuple(each for each, _ in place)
+        laid = lay.Relation(row, tuple(s for _, s in place[1:])) if len(row) > 1 else row[0]
+        return (say("place.so", body=body, place=laid),)
+
+    def _coordinates(self, line: Line, link: Link) -> tuple[tuple[lay.Layout, str], ...]:
+        """The coordinates of a place, exactly and as decimals, each with the sign before it."""
+        assert isinstance(line.relation, Relation)
+        shown = list(as_answer(link.right, True))
+        if not shown:
+            return ()
+        decimals = self._measures.decimals and self._measures.unit(link.left)
+        point = coordinates(as_decimal(link.right) if decimals else link.right)
+        if point is not None:
+            shown[0] = (self._naming.laid(Pair(*point)), "=")
+        if decimals and [sign for _, sign in shown[1:]] == ["="]:
+            shown = shown[:1]
+        if is_plain(self._naming.laid(link.right)):
+            unit = self._measures.unit(line.relation.options[0][0].left)
+            last, sign = shown[-1]
+            shown[-1] = (with_unit(last, unit), sign)
+        return tuple(shown)
 
     def _towards(self, line: Line, links: tuple[Link, ...], sides: list[lay.Layout]) -> bool:
         """Whether a row gives a rebound as a negative component towards a wall."""

@@ -66,16 +66,18 @@ def is_time(tree: Expression) -> bool:
     return False
 
 
-def _is_vector(tree: Expression) -> bool:
+def is_vector(tree: Expression) -> bool:
     """Whether a side of an equation is written as a vector."""
     match tree:
         case Unit():
             return True
-        case Quantity("velocity" | "impulse" | "position" | "momentum", arguments):
+        case Quantity("momentum"):
+            return True
+        case Quantity("velocity" | "impulse" | "position", arguments):
             return bool(arguments)
         case Quantity() | Apply():
             return False
-    return any(map(_is_vector, children(tree)))
+    return any(map(is_vector, children(tree)))
 
 
 def _gives_value(relation: Relation) -> bool:
@@ -134,7 +136,7 @@ class Sources:
         self._vectors = {
             each.number
             for each in shown
-            if any(_is_vector(tree) for tree in trees_of(each.relation))
+            if any(is_vector(tree) for tree in trees_of(each.relation))
         }
         self._lines = {each.number: each for each in shown}
         self._ended = {end.line for end in derivation.items}
@@ -174,6 +176,8 @@ class Sources:
             return Source("add", tuple(cited)) if apart else None
         if move == "solve":
             return Source("solve", () if cited == [above] else tuple(cited))
+        if line.move.record == "size" and cited and cited[0] != above and self._is_read_off(line):
+            return Source("add", tuple(cited[:1]))
         if move in _SILENT:
             return None
         if cited and isinstance(line.premises[0], int) and self._splits(line, cited[0]):
@@ -204,6 +208,12 @@ class Sources:
         if len(cited) > 1 or (cited and cited[0] != above):
             return Source("add", tuple(cited))
         return None
+
+    @staticmethod
+    def _is_read_off(line: Line) -> bool:
+        """Whether a size is that of the one component that there is."""
+        assert isinstance(line.relation, Relation)
+        return not any(isinstance(node, Apply) for node in walk(line.relation.only[0].right))
 
     def _excluding(self, line: Line) -> tuple[int, ...]:
         """The laws by which a root would break the bound of another letter."""

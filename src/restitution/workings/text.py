@@ -25,6 +25,8 @@ _BREAKS = frozenset(("+", "−", "×", "÷", "·", "=", "≠", "<", "≤", ">", 
 _MARKS = 8
 # An equation among words that is no longer stands on one line.
 _SHORT = 30
+# One that goes to the next line as a whole, rather than to end a line with its left side.
+_ALONE = 60
 # What is no longer stays behind the stroke of a fraction.
 _SHORT_BELOW = 8
 # Within more brackets no line ends.
@@ -129,8 +131,14 @@ def _unbroken(layout: Layout) -> str:
         first, *rest = map(_unbroken, layout.operands)
         signs = zip(layout.signs, rest, strict=True)
         pieces = [f"{sign}{NO_BREAK}{each}" for sign, each in signs]
-        short = bool(rest) and columns(first) + columns(rest[0]) <= _SHORT
-        return f"{first}{NO_BREAK if short else ' '}{' '.join(pieces)}" if pieces else first
+        if not pieces:
+            return first
+        # An equation goes to the next line as a whole, a chain only if it is short.
+        whole = NO_BREAK.join((first, *pieces))
+        if columns(whole) <= (_ALONE if len(pieces) == 1 else _SHORT):
+            return whole
+        short = columns(first) + columns(rest[0]) <= _SHORT
+        return f"{first}{NO_BREAK if short else ' '}{' '.join(pieces)}"
     return one_line(layout).replace(" ", NO_BREAK)
 
 

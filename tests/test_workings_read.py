@@ -1,0 +1,164 @@
+"""What readers found amiss in printed workings, each on a statement of its own."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+import pytest
+
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
+
+SHARE = """
+wall W: along j
+sphere P: mass 0.25, velocity 20 at arccos(0.6)
+P hits W: e = 1/4
+find energy_lost, energy_lost/energy(0) as a percentage
+"""
+SHARE_BOUNDED = """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = 1/2
+given energy_lost/energy(0) >= 30%
+find range of sin(alpha)
+"""
+LOSS_GIVEN = """
+sphere A: mass m, velocity 5u i
+sphere B: mass 4m, velocity -u i
+A hits B: along i
+given energy_lost = 60% energy(0)
+find e
+"""
+TURNED = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+given tan(alpha) = 1/3
+A hits B: along i, e = 1/2
+given tan(deflection(A)) = 1/2
+find k
+"""
+TURNED_AGAIN = """
+sphere A: mass 3m, velocity u at alpha
+sphere B: mass 4m, at rest
+A hits B: along i
+given tan(alpha) = 1/2, deflection(A) = alpha
+find e
+"""
+PLACES = """
+wall R: along j, through (8, 0)
+sphere P: at (2, 1), velocity 4i + j
+P hits R: e = 1/2
+find position(P), position(P, at 3)
+"""
+SIZES = """
+wall W: along i
+sphere P: mass 3, velocity 5i - 4j
+P hits W: e = 1/2
+find impulse(P), speed(P), impulse
+"""
+BLOW = """
+sphere P: mass 2, velocity 3i - j
+P receives 8i + 6j
+find velocity(P), deflection(P), impulse
+"""
+NO_MOMENTUM = """
+sphere A: mass m, velocity 3u i + 6u j
+sphere B: mass 3m, velocity -u i - 2u j
+A hits B: along i, e = 1/2
+find momentum
+"""
+BACK = """
+wall W: along j
+sphere A: mass m, velocity u i
+sphere B: mass 2m, at rest
+A hits B: along i, e = 3/4
+B hits W: e = f
+part a
+given f = 1/2
+A hits B: along i, e = 3/4
+find velocity(A), velocity(B)
+"""
+SLANTED = """
+wall AB: along i
+wall BC: along 75°
+sphere P: velocity u at 45° to AB
+P hits AB: e = 1/3
+P hits BC: e = 1/2
+find speed(P)
+"""
+TOUCHING = """
+sphere A: mass 2, at (0, 0), velocity 5i, radius 1
+sphere B: mass 1, at (8, 6/5), at rest, radius 1
+A hits B: e = 1/2
+find line_of_centres
+"""
+CUSHION = """
+wall W: along i, through (0, 0)
+point N: (9, 2)
+sphere P: at (0, 3), velocity u at alpha to W
+P hits W: e = 1/2
+P reaches N
+find alpha, distance(N, position(P, 1))
+"""
+LATE = """
+sphere A: mass 2, velocity 5i + 3j
+sphere B: mass 3, velocity -2i - 2j
+A hits B: along i
+part a
+find maximum of energy_lost over e
+part b
+given energy_lost = 18.9
+find e, velocity(A), deflection(B)
+"""
+
+# What a working says, with the white space as it is printed where there is a line break in it.
+SAYS = [
+    (SHARE, "(kinetic energy lost)/(kinetic energy before the impact) = 16.875/50"),
+    (SHARE, "½ × 0.25 × 20² = 50 J"),
+    (SHARE_BOUNDED, "0.375m_P u² sin²α/(½m_P u²) ≥ 0.3"),
+    (TURNED, "β = α + δ"),
+    (TURNED, "tan β = (⅓ + ½)/(1 − ⅓ × ½) = 1"),
+    (TURNED_AGAIN, "tan β = 2 tan α/(1 − tan²α)"),
+    (TURNED_AGAIN, "(2 × ½)/(1 − (1/2)²) = 4/3"),
+    (PLACES, "position of P at the impact = (8, 5/2)"),
+    (SIZES, "From (1): magnitude of the impulse = 18 N s"),
+    (BLOW, "Magnitude, from the components: magnitude of the impulse = √(8² + 6²)"),
+    (NO_MOMENTUM, "= 𝟎"),
+    (TOUCHING, "From the centre of A to the centre of B: the line of centres is parallel to"),
+    (CUSHION, "Substituting for tan α in (1): x-coordinate of P at the impact = 27/7 m"),
+    (LATE, "θ = arctan(5(√70 − 4)/27) Let δ be the angle of deflection of B."),
+    (LOSS_GIVEN, "72mu²(1 − e²)/5 = 0.6 × (29mu²/2)"),
+]
+SAYS_NOT = [
+    (TURNED, "tangent of a difference"),
+    (PLACES, "so P is at (8"),
+    (NO_MOMENTUM, "Comparing components"),
+    (BACK, "Second impact: B hits W Substituting"),
+    (SIZES, "3(4 + 2)"),
+]
+STATEMENTS = list(dict.fromkeys(statement for statement, _ in (*SAYS, *SAYS_NOT)))
+
+
+@cache
+def text(statement: str) -> str:
+    return to_text(explain(solve(parse(statement))))
+
+
+def in_a_row(statement: str) -> str:
+    return re.sub(r"\s+", " ", text(statement))
+
+
+@pytest.mark.parametrize(("statement", "words"), SAYS, ids=[each for _, each in SAYS])
+def test_a_working_says(statement: str, words: str) -> None:
+    assert words in in_a_row(statement)
+
+
+@pytest.mark.parametrize(("statement", "words"), SAYS_NOT, ids=[each for _, each in SAYS_NOT])
+def test_a_working_does_not_say(statement: str, words: str) -> None:
+    assert words not in in_a_row(statement)
+
+
+def test_an_equation_among_words_goes_to_the_next_line_as_a_whole() -> None:
+    assert "Let\n𝐧 = ((√2 + √6)/4)𝐢 + ((√2 − √6)/4)𝐣 be the unit vector" in text(SLANTED)
