@@ -207,8 +207,10 @@ def test_two_equations_lose_their_common_factors_first() -> None:
         "given deflection(S) = 90°, energy_lost = 1/4 energy(0)\nfind e, alpha"
     )
     told = said(derivation)
-    assert any(each.startswith("cos^2(alpha) = e sin^2(alpha)") for each in told)
-    assert not any("u^2 (" in each for each in told)
+    first = next(
+        n for n, each in enumerate(told) if each.startswith("cos^2(alpha) = e sin^2(alpha)")
+    )
+    assert not any("u^2" in each for each in told[first:])
 
 
 def test_a_sum_of_squares_says_its_identity() -> None:

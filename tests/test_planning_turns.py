@@ -160,7 +160,7 @@ A hits B: along i, e = 1/2
 given tan(deflection(A)) = 1/3
 find k
 """,
-        ("tan δ = (tan β − tan α)",),
+        ("β = α + δ", "tan β = (⅓ + ⅓)/(1 − ⅓ × ⅓) = ¾"),
     ),
     "a deflection that is shown": (
         """

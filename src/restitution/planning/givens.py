@@ -167,6 +167,7 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
 _QUOTED = ("speed", "energy", "energy_lost", "total_energy_lost", "impulse")
 
 
+_LOSSES = ("energy-lost", "total-lost", "energy", "total")
 _ENERGIES = ("energy", "energy_lost", "total_energy_lost")
 
 
@@ -324,6 +325,11 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
         relation = chain(square(left), (swept(right), None))
     else:
         relation = chain(own.of(left), (swept(own.right), None))
+        if own.move.record in _LOSSES and not _has_root(own.value):
+            worth = chain(own.of(left), (swept(own.right), None), (tree_of(own.value), "rearrange"))
+            premises = together(each.refs, refs, own.refs)
+            if scene.judge.follows(own.move, premises, worth):
+                return scene.desk.write(own.move, premises, worth)
     return scene.desk.write(own.move, together(each.refs, refs, own.refs), relation)
 
 

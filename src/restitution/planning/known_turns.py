@@ -65,7 +65,11 @@ def by_the_known(
     ratio = tidy(side.across.value / side.along.value)
     term = term_of_data(scene, other)
     known, more = scene.put(sp.tan(scene.scalar(other)))
-    if not scene.unknown(ratio) or known.free_symbols or sp.sympify(value).free_symbols:
+    if (
+        not scene.unknown(ratio)
+        or known.free_symbols
+        or sp.sympify(value, strict=True).free_symbols
+    ):
         return None
     if more and isinstance(term.tangent, Apply):
         term = Term(term.angle, tree_of(tidy(known)), more)

@@ -386,7 +386,8 @@ class Leads:
                 event = self._naming.events.get(number)
             case _:
                 return None
-        by_places = line.move.id == "put" and f"axis {number}" in line.premises
+        facts = (ref.partition(" ") for ref in line.premises if isinstance(ref, str))
+        by_places = line.move.id == "put" and any(kind == "axis" for kind, _, _ in facts)
         return event.bodies if by_places and event is not None and not event.wall else None
 
     def _worked_out(self, fact: Fact) -> Sentence:

@@ -193,11 +193,12 @@ class Rows:
     ) -> tuple[Sentence, ...]:
         """Where a body is by its coordinates, if that was asked.
 
-        They take the place of a position vector that is made of them; of one that was worked out
-        as a vector they stand behind it.
+        They take the place of a position vector that is made of them. One that was worked out as a
+        vector is left as that.
         """
         end, asked = self._ends.of(line), self._ends.asked(line)
-        if end is None or end.shown or not self._ends.is_place(line):
+        worked_out = line.move.id == "rearrange"
+        if end is None or end.shown or worked_out or not self._ends.is_place(line):
             return ()
         match asked:
             case Value(expression=Quantity("position", (Name(body),))):
@@ -274,12 +275,12 @@ class Rows:
                     sides.append(hundred[0])
                     signs.append(hundred[1])
                 return
-            place = self._ends.is_place(line)
+            place = self._ends.is_place(line) and line.move.id != "rearrange"
             for side, sign in as_answer(right) if links[-1].sign == "=" and not place else ():
                 if side != sides[-1] and not (sign == "=" and _has_decimals(sides[-1])):
                     sides.append(side)
                     signs.append(sign)
-        nothing = sides[-1] == lay.Number("0")
+        nothing = sides[-1] in (lay.Number("0"), lay.ZERO_VECTOR)
         answered = end is not None and not has_quantity(right)
         if unit and not nothing and (answered or is_plain(sides[-1])):
             sides[-1] = with_unit(sides[-1], unit)
