@@ -113,6 +113,26 @@ given energy_lost = 18.9
 find e, velocity(A), deflection(B)
 """
 
+ASIDE = """
+sphere A: mass 2m, velocity u i, radius r
+sphere B: mass m, at rest, radius r
+A hits B: offset r, e = 1/2
+find direction(B), speed(B)
+"""
+BLOW_OF_A_SIZE = """
+sphere P: mass 3, velocity 4i
+P receives J at theta
+given J = 6, speed(P) = 5
+find cos(theta)
+"""
+LOSS_AS_A_NUMBER = """
+sphere A: mass 2, velocity 5i + j
+sphere B: mass 1, velocity -i
+A hits B: along i
+given energy_lost = 9
+find e
+"""
+
 # What a working says, with the white space as it is printed where there is a line break in it.
 SAYS = [
     (SHARE, "(kinetic energy lost)/(kinetic energy before the impact) = 16.875/50"),
@@ -130,6 +150,12 @@ SAYS = [
     (CUSHION, "Substituting for tan α in (1): x-coordinate of P at the impact = 27/7 m"),
     (LATE, "θ = arctan(5(√70 − 4)/27) Let δ be the angle of deflection of B."),
     (LOSS_GIVEN, "72mu²(1 − e²)/5 = 0.6 × (29mu²/2)"),
+    (
+        ASIDE,
+        "B moves along the line of centres: angle from 𝐢 to 𝐯_B = 30° A1 speed of B = ",
+    ),
+    (BLOW_OF_A_SIZE, "As sin² + cos² = 1: 5 = 16 cos θ"),
+    (LOSS_AS_A_NUMBER, " = 12(1 − e²)"),
 ]
 SAYS_NOT = [
     (TURNED, "tangent of a difference"),

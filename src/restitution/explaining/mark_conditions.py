@@ -488,6 +488,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "a-place": lambda work, line: (
         line.number not in work.ends and isinstance(subject_of(line), Quantity)
     ),
+    "a-direction": lambda work, line: getattr(subject_of(line), "kind", None) == "direction",
     "of-one-term": _of_one_term,
     "an-equation": lambda work, line: line.number not in work.ends and _has_power_on_the_left(line),
     "of-a-number": _of_a_number,

@@ -133,6 +133,7 @@ RULES: tuple[Rule, ...] = (
         "condition-on-one-component", ("define",), "B", ("perpendicular", "parallel"), ("of-facts",)
     ),
     _rule("right-angle-by-a-product", ("define",), "", ("perpendicular",), ("product-above",)),
+    _rule("direction-read-off", ("define",), "", ("parallel",), ("a-direction",)),
     _rule("condition", ("define",), "M", _CLOSING, m4="M A"),
     _rule(
         "difference-of-angles",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import sympy as sp
@@ -221,7 +221,7 @@ def _in_one_square(
     common = sp.gcd_list(mixed.coeffs())
     sides: tuple[list[Expression], list[Expression]] = ([], [])
     above = sp.Integer(0)
-    for m, k in mixed.terms():
+    for m, k in _together(mixed):
         k = cancelled(k / common)
         other, same = m[place], m[1 - place]
         above += k * (1 - kind(symbol) ** 2) ** (other // 2) * kind(symbol) ** same
@@ -239,6 +239,16 @@ def _in_one_square(
     if written is None:
         return None
     return _by_one(scene, written, expanded(above), kind, symbol)
+
+
+def _together(mixed: sp.Poly) -> Iterator[tuple[tuple[int, ...], sp.Expr]]:
+    """The terms of a form in sine and cosine, with k sin² + k cos² as k."""
+    terms = dict(mixed.terms())
+    both = terms.get((2, 0))
+    if both is not None and both == terms.get((0, 2)):
+        del terms[2, 0], terms[0, 2]
+        terms[0, 0] = terms.get((0, 0), 0) + both
+    yield from ((m, k) for m, k in terms.items() if k != 0)
 
 
 def _identity(scene: Scene, line: int, record: str, relation: Relation, *others: int) -> int | None:

@@ -344,6 +344,8 @@ def _along_the_centres(scene: Scene, asked: Quantity) -> int | None:
     angle = angle_of_centres(scene, stage)
     along, across = (in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))
     if angle is None:
+        angle = _in_whole_degrees(frame)
+    if angle is None:
         return None
     if along.value == 0 and isinstance(angle, Letter):
         return _across_the_centres(scene, asked, angle, (along, across))
@@ -358,6 +360,16 @@ def _along_the_centres(scene: Scene, asked: Quantity) -> int | None:
     pool = together(across.whole, along.whole, frame.refs, () if known is None else known.refs)
     premises = scene.judge.needed(move, [*pool, *nonzero(scene, along.value)], relation)
     return None if premises is None else scene.desk.write(move, premises, relation)
+
+
+def _in_whole_degrees(frame: Frame) -> Expression | None:
+    """The direction of a line of centres that was worked out, if it is one of degrees."""
+    x, y = (sp.sympify(each, strict=True) for each in frame.n)
+    if x.free_symbols | y.free_symbols:
+        return None
+    angle = tree_of(tidy(sp.atan2(y, x)), angle=True)
+    size = angle.operand if isinstance(angle, Negate) else angle
+    return angle if isinstance(size, Degrees) else None
 
 
 def _across_the_centres(

@@ -353,11 +353,14 @@ class _Writer:
         kind: Any = "principle" if line.move.id in TITLED else "solve"
         given = self.leads.given(line)
         title = None if given else self.leads.title(line)
-        named = title is not None and title == self.title
+        said = [_spoken(each) for each in (*self.before, self.title) if each is not None]
+        named = title is not None and (title == self.title or _spoken(title) in said)
         sentences = given or (
             *self.leads.anyway(line),
             *self.leads.of(line, self.title),
         )
+        if not given and len(sentences) == 1 and _spoken(sentences[0]) in said:
+            sentences, title, named = (), self.title, True
         fresh = bool(sentences) or (title is not None and not named)
         rows = list(self.rows.of(line, waiting, fresh))
         resolved = self.leads.resolved(line) if line.move.record == "component" else None
@@ -387,6 +390,12 @@ class _Writer:
             item = self.group if not sentences else item
             self.group = item
         return Step(kind, tuple(rows), None if named else title, sentences, item=item)
+
+
+def _spoken(sentence: Sentence) -> tuple[object, ...]:
+    """What a sentence says, as a title or with the colon that stands behind one."""
+    *words, last = sentence.words
+    return (*words, last.removesuffix(":") if isinstance(last, str) else last)
 
 
 def _resolved_with(lines: Sequence[Line]) -> Iterator[Line]:
