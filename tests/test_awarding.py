@@ -375,14 +375,16 @@ a: 5 alpha = arctan(29/32)
 wall W: along i
 sphere P: mass m, velocity -u j
 P hits W: e = 1/3
-find speed(P), deflection(P)
+find speed(P), deflection(P), direction(P)
 ---
 1 a | law restitution-wall 1 P | velocity P, axis 1, e 1 | along(velocity(P, 1), j) = 1/3 u
 2 a | law unchanged 1 P | velocity P, axis 1 | along(velocity(P, 1), i) = 0
 3 a | define speed 1 P | 1, 2 | speed(P, 1) = 1/3 u
 4 b | define difference 1 P | velocity P, axis 1, 1, 2 | deflection(P, 1) = 180°
+5 c | define parallel 1 P | 1, 2 | direction(P, 1) = 90°
 a: 3 speed(P, 1) = 1/3 u
 b: 4 deflection(P, 1) = 180°
+c: 5 direction(P, 1) = 90°
 """,
 }
 
@@ -430,6 +432,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("condition", "rejected-root", 7, "DM1", "DM1 A1", "DM1"),
     ("difference-of-angles", "greatest-deflection", 9, "", "", ""),
     ("angle-read-off", "straight-back", 4, "A1ft", "A1ft", "A1ft"),
+    ("direction-read-off", "straight-back", 5, "A1ft", "A1ft", "A1ft"),
     ("angle-by-a-difference", "equal-elastic", 10, "DM1 A1ft", "DM1 A1ft", "DM1 A1ft"),
     ("data", "corner", 8, "", "", ""),
     ("place-on-an-axis", "on-its-way", 2, "", "", ""),

@@ -133,6 +133,17 @@ given energy_lost = 9
 find e
 """
 
+SENT_ACROSS = """
+sphere A: mass 3m, velocity u at alpha
+sphere B: mass 5m, at rest
+A hits B: along i
+part a
+show speed(B) = 3/8 u (1 + e) cos(alpha)
+part b
+given direction(A) = 90°
+find e
+"""
+
 # What a working says, with the white space as it is printed where there is a line break in it.
 SAYS = [
     (SHARE, "(kinetic energy lost)/(kinetic energy before the impact) = 16.875/50"),
@@ -154,6 +165,7 @@ SAYS = [
         ASIDE,
         "B moves along the line of centres: angle from 𝐢 to 𝐯_B = 30° A1 speed of B = ",
     ),
+    (SENT_ACROSS, "8 = 5 + 5e"),
     (BLOW_OF_A_SIZE, "As sin² + cos² = 1: 5 = 16 cos θ"),
     (LOSS_AS_A_NUMBER, " = 12(1 − e²)"),
 ]

@@ -44,9 +44,21 @@ def multiplied_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
     generators = _of_all(sides, symbols)
     if generators is None:
         return line
-    polynomials = _without_common(tuple(sides), generators)
-    if polynomials is None:
-        return line
+    for ratios in (True, False):
+        polynomials = _without_common(tuple(sides), generators, ratios)
+        own = None if polynomials is None else _written(scene, line, polynomials, symbols)
+        if own is not None:
+            return own
+    return line
+
+
+def _written(
+    scene: Scene, line: int, polynomials: Polynomials, symbols: Sequence[sp.Symbol]
+) -> int | None:
+    """The line with both sides as these polynomials; None where it does not follow."""
+    link = scene.desk.last_link(line)
+    sides = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
+    generators = polynomials[0].gens
     steps = max(_steps(link, each.name) for each in symbols) + _has_common(sides, polynomials)
     if steps <= _MOST:
         return line
@@ -66,7 +78,7 @@ def multiplied_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
         refs = scene.judge.enough(move, (line,), relation, background(scene, names))
         if refs is not None:
             return scene.desk.write(move, refs, relation)
-    return line
+    return None
 
 
 def _is_plain(link: Link, name: str) -> bool:
@@ -111,9 +123,12 @@ Polynomials = tuple[sp.Poly, sp.Poly]
 
 @remembered(1024)
 def _without_common(
-    sides: tuple[sp.Expr, ...], generators: tuple[sp.Expr, ...]
+    sides: tuple[sp.Expr, ...], generators: tuple[sp.Expr, ...], ratios: bool
 ) -> Polynomials | None:
-    """Both sides as polynomials without denominators, and without letters common to all terms."""
+    """Both sides as polynomials without denominators, and without letters common to all terms.
+
+    With ``ratios`` sines and cosines of other angles that are common to all terms are gone too.
+    """
     whole = [sp.fraction(one_fraction(side)) for side in sides]
     below = sp.lcm(*(each[1] for each in whole))
     if any(isinstance(x, sp.Float) for each in sides for x in each.atoms(sp.Float)):
@@ -128,7 +143,7 @@ def _without_common(
         for c in coefficients
     ):
         return None
-    common = _common(coefficients)
+    common = _common(coefficients, ratios)
     left, right = (
         sp.Poly.from_dict(
             {m: expanded(cancelled(c / common)) for m, c in polynomial.terms()}
@@ -140,13 +155,13 @@ def _without_common(
     return left, right
 
 
-def _common(coefficients: Sequence[sp.Expr]) -> sp.Expr:
+def _common(coefficients: Sequence[sp.Expr], ratios: bool) -> sp.Expr:
     """What divides all of some coefficients: positive letters, a root, and fractions of one."""
     common = sp.Integer(1)
     terms = [term for each in coefficients for term in sp.Add.make_args(expanded(each))]
     powers = [term.as_powers_dict() for term in terms]
     for base in powers[0]:
-        if base.is_Symbol and base.is_positive:
+        if (base.is_Symbol and base.is_positive) or (ratios and base.func in _TRIGONOMETRIC):
             common *= base ** min(power.get(base, 0) for power in powers)
     root = sp.sqrt(1)
     first = [p for p in sp.Mul.make_args(terms[0]) if p.is_Pow and p.exp == sp.S.Half]
