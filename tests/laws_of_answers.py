@@ -9,7 +9,6 @@ from typing import Any
 from answers import disagreements, expected
 from statements import FILES, law, solved
 
-from restitution.language import parse
 from restitution.problem import Find, Part, Problem, Show, Value
 from restitution.solving import ItemResult, solve
 
@@ -56,12 +55,7 @@ def outcome(item: ItemResult) -> object:
     return item.holds, item.counterexample, [(a.exact, a.where, a.reached) for a in item.answers]
 
 
-def with_several(path: Path) -> bool:
-    problem = parse(path.read_text(encoding="utf-8"))
-    return any(len(bounding(part)) > 1 for part in problem.parts)
-
-
-@law([path for path in FILES if with_several(path)])
+@law(FILES)
 def each_alone_is_answered_as_all_together(path: Path) -> None:
     together = solved(path)
     problem = together.problem
