@@ -8,9 +8,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import laws_of_answers  # noqa: F401
+import laws_of_contract  # noqa: F401
 import laws_of_explanations  # noqa: F401
+import laws_of_labels  # noqa: F401
 import laws_of_motions  # noqa: F401
 import laws_of_paths  # noqa: F401
+import laws_of_pictures  # noqa: F401
 import laws_of_questions  # noqa: F401
 import pytest
 from statements import EXAMPLES, FILES, LAWS, Law, each_of, put_to
