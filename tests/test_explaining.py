@@ -227,12 +227,11 @@ def test_records_know_what_they_need_and_what_is_said_of_them() -> None:
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-def test_json_reads_back_and_is_followed(path: Path) -> None:
-    problem, derivation = read_derivation(path)
+def test_json_reads_back(path: Path) -> None:
+    """What is read back is equal, so that the follower says of it what it says of the first."""
+    _, derivation = read_derivation(path)
     text = json.dumps(to_json(derivation))
-    again = from_json(json.loads(text))
-    assert again == derivation
-    assert follow(again, oracle_of(problem)) == ()
+    assert from_json(json.loads(text)) == derivation
 
 
 def test_json_that_is_no_derivation_is_refused() -> None:

@@ -107,7 +107,13 @@ def run(folder: Path, text: str, *options: str) -> tuple[int, str]:
     return done.returncode, done.stdout + done.stderr
 
 
-@pytest.mark.parametrize("kind", KINDS)
+HARDEST = "that goes on after failures"
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [pytest.param(k, marks=() if k == HARDEST else pytest.mark.nightly) for k in KINDS],
+)
 def test_a_slow_test_fails_with_its_statement(tmp_path, kind):
     status, out = run(tmp_path, SLOW + KINDS[kind], "--timeout=1", "-m", "not nightly")
     assert status == 1, out
@@ -158,6 +164,7 @@ def test_the_same_is_drawn_everywhere(tmp_path):
     assert first == again
 
 
+@pytest.mark.nightly
 def test_what_is_drawn_at_night_is_new_and_can_be_drawn_again(tmp_path):
     normal, _ = drawn(tmp_path, "-m", "not nightly")
     first, out = drawn(tmp_path, "-m", "nightly")

@@ -94,6 +94,7 @@ def test_room_for_working() -> None:
     assert marked > 1, "a centimetre for each mark"
 
 
+@pytest.mark.nightly  # that a scene is the same in every process, the normal run asks too
 def test_the_same_bytes_for_the_same_questions() -> None:
     code = (
         "import hashlib, sys, restitution as r\n"
