@@ -90,7 +90,14 @@ def test_every_dependency_is_pinned_for_development():
     assert names - pinned - {"restitution"} == set()
 
 
-@pytest.mark.parametrize("path", SOURCES, ids=lambda path: str(path.relative_to(ROOT / "src")))
+CALLS = re.compile(r"\b(?:eval|exec|compile|sympify|S|parse_expr|parse_latex)\b")
+
+
+@pytest.mark.parametrize(
+    "path",
+    [path for path in SOURCES if CALLS.search(path.read_text(encoding="utf-8"))],
+    ids=lambda path: str(path.relative_to(ROOT / "src")),
+)
 def test_nothing_executes_text(path):
     """A user's text is read by a grammar: SymPy's readers of text execute it."""
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
