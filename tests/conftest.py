@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,7 +17,11 @@ from statements import FILES, NAMES
 for _path in Path(__file__).parent.glob("laws_of_*.py"):
     pytest.register_assert_rewrite(_path.stem)
 
-pytest_plugins = ["limits", "draws"]
+pytest_plugins = ["limits", "draws", "nights"]
+
+# Trees of expressions are freed when nobody refers to them: to look for circles among them as often
+# as Python does takes a seventh of the time of all tests.
+gc.set_threshold(200_000, 10, 10)
 
 # A machine may be busy; what is awaited and does not come fails all the same.
 expect.set_options(timeout=30_000)
@@ -86,6 +91,11 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             and (not one_of_many or path in few)
         ):
             item.add_marker(pytest.mark.quick)
+
+
+def pytest_collection_finish() -> None:
+    """What is collected stays to the end: it is not looked through for what may be freed."""
+    gc.freeze()
 
 
 # Their tests take long, and share nothing.
