@@ -7,7 +7,6 @@ to hold one.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
 from functools import lru_cache
@@ -30,9 +29,9 @@ def line_and_column(place: Place | None) -> tuple[int | None, int | None]:
 
 
 class Node:
-    """A node of a tree. It keeps its hash, since trees are looked up by their value so often."""
+    """A node of a tree; it keeps its hash and what stands inside it, which are asked for often."""
 
-    __slots__ = ("_hash",)
+    __slots__ = ("_hash", "_inside")
 
 
 def _keeps_hash(kind: type[_Kind]) -> type[_Kind]:
@@ -282,17 +281,29 @@ PARTS: dict[type, tuple[str, ...]] = {
 LEAVES: frozenset[type] = frozenset({Number, Degrees, Pi, Letter, Unit, Name})
 
 
-def walk(node: Expression) -> Iterator[Expression]:
+def walk(node: Expression) -> tuple[Expression, ...]:
     """A node and all that stands inside it, outermost first."""
-    pending = [node]
-    while pending:
-        current = pending.pop()
-        yield current
-        kind = type(current)
-        if kind is Binary:
-            pending += (current.right, current.left)  # type: ignore[union-attr]
-        elif kind not in LEAVES:
-            pending.extend(reversed(children(current)))
+    return (node, *_inside(node))
+
+
+def _inside(node: Expression) -> tuple[Expression, ...]:
+    """All nodes inside of one, which keeps them: not itself, so that no circle arises."""
+    try:
+        return node._inside  # type: ignore[no-any-return, union-attr]
+    except AttributeError:
+        nodes: list[Expression] = []
+        pending = list(reversed(children(node)))
+        while pending:  # a long sum is a deep tree: no recursion
+            current = pending.pop()
+            nodes.append(current)
+            kind = type(current)
+            if kind is Binary:
+                pending += (current.right, current.left)  # type: ignore[union-attr]
+            elif kind not in LEAVES:
+                pending.extend(reversed(children(current)))
+        inside = tuple(nodes)
+        object.__setattr__(node, "_inside", inside)
+        return inside
 
 
 @lru_cache(maxsize=4096)

@@ -68,18 +68,20 @@ def explanation_of(
     With the ``solution`` it can be illustrated. ``conditions`` are said below the lines with
     these numbers.
     """
-    draft = _Writer(derivation, problem, conditions or {})
-    for label in dict.fromkeys(derivation.asked.values()):
-        draft.part(label)
-    # Which velocities have letters is known now, so that they can be introduced together.
-    writer = _Writer(derivation, problem, conditions or {}, draft.naming.bold.all)
+    labels = list(dict.fromkeys(derivation.asked.values()))
+    writer = _Writer(derivation, problem, conditions or {})
+    steps = {label: writer.part(label) for label in labels}
+    used = writer.naming.bold.all
+    if used != Used():
+        # Which velocities have letters is known now, so that they can be introduced together.
+        writer = _Writer(derivation, problem, conditions or {}, used)
+        steps = {label: writer.part(label) for label in labels}
     parts: list[PartExplanation] = []
-    for label in dict.fromkeys(derivation.asked.values()):
-        steps = writer.part(label)
+    for label in labels:
         ends = [item for item in derivation.items if item.part == label]
         asked = tuple(writer.ends.text(e) for e, part in derivation.asked.items() if part == label)
         answers = tuple(to_text(writer.naming.relation(end.answer)) for end in ends)
-        parts.append(PartExplanation(label, asked, steps, answers, derivation))
+        parts.append(PartExplanation(label, asked, steps[label], answers, derivation))
     return Explanation(problem.title, tuple(parts), problem.warnings, solution)
 
 

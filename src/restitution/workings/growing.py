@@ -11,6 +11,7 @@ from restitution.errors import RestitutionError
 from restitution.explaining.derivation import Link, Relation
 from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import Expression, Letter, has_quantity, letters
+from restitution.solving.signs import sign
 
 _DOWN = (">", ">=")
 # What every other letter is worth where one of them is looked at.
@@ -77,7 +78,8 @@ def _agrees(tree: Expression, name: str, end: Any, side: Expression) -> bool:
             there = sp.limit(sp.together(worth(tree, name, 1 / small)), small, 0)
         else:
             there = worth(tree, name, end)
-        return bool(sp.sympify(there - worth(side, name, sp.Integer(1)), strict=True).equals(0))
+        apart = sp.sympify(there - worth(side, name, sp.Integer(1)), strict=True)
+        return sign(apart) == 0
     except (RestitutionError, TypeError, ValueError, AttributeError, NotImplementedError):
         return False
 

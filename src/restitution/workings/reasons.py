@@ -33,6 +33,7 @@ from restitution.planning.inequalities import turned
 from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.solving.letters import roles
+from restitution.solving.signs import sign
 from restitution.workings.factors import factor_cancelled
 from restitution.workings.growing import growth, way_of
 from restitution.workings.naming import Naming
@@ -518,7 +519,7 @@ def _bounds(whole: Expression, node: Expression, most: Expression, bound: Expres
     put = rebuilt(whole, lambda each: most if each == node else each)
     try:
         one, other = (evaluate(each, lambda _: sp.Rational(2, 3)) for each in (put, bound))
-        return bool(sp.sympify(one - other, strict=True).equals(0))
+        return sign(sp.sympify(one - other, strict=True)) == 0
     except (RestitutionError, TypeError, ValueError):
         return False
 
