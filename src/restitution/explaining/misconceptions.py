@@ -407,7 +407,7 @@ MISCONCEPTIONS: Mapping[str, Misconception] = {
             "At a second wall the angle with the first wall is used again.",
             "The path between the walls has two directions at once.",
             "at BC: angle = β, in place of 120° − β",
-            (("angle", "M0"), ("restitution", "M0"), ("unchanged", "B0")),
+            (("angle", "M0"), ("restitution", "M1 A0"), ("unchanged", "M1 A0")),
         ),
         Misconception(
             "rounding-early",

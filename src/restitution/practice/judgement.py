@@ -71,7 +71,8 @@ class JudgedLine:
     ``uses`` are the laws that it states or cannot be had without; ``link`` is the place (from 0) of
     the link that fails; ``sources`` are the numbers of the lines above from which it follows;
     ``read_as`` the reading that decided, in symbols; ``meant`` what letters and phrases mean in
-    this line where it is not what they mean in the script.
+    this line where it is not what they mean in the script. ``grounded`` tells that a true line does
+    not rest on a false one above it, as far as that can be told.
     """
 
     line: ScriptLine
@@ -83,6 +84,7 @@ class JudgedLine:
     sources: tuple[int, ...] = ()
     mistake: Mistake | None = None
     remark: str | None = None
+    grounded: bool = True
     meant: Mapping[str, Expression] = field(default_factory=dict, compare=False)
 
 

@@ -165,8 +165,8 @@ class Names:
         altered = {use.altered for use in judge.uses_of_entry(entry)}
         by_states = [each for each in self.variants if each.id in altered]
         if self._is_of_impulse(entry):
-            # 3 = 0.5(4 - 4e): the sign is lost in the change of momentum, not in the law.
-            by_states = [each for each in by_states if each.mistake != "restitution-sign"]
+            # 3 = 0.5(4 - 4e): the sign is lost in the change of momentum, not in a law.
+            by_states = [each for each in by_states if "impulse" in _kinds(each)]
         if _is_of_energy(entry):
             # The values of two mistakes may be one: a line of energy has a mistake of energy.
             by_states = [each for each in by_states if _kinds(each) & _OF_ENERGY - {"speed"}]

@@ -17,7 +17,12 @@ from restitution.practice.judging.deduction import deduced_from
 from restitution.practice.judging.entries import Entry, is_numeric
 from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees, difference
-from restitution.practice.worlds.student import scattered_world, smooth_world, world_of_lines
+from restitution.practice.worlds.student import (
+    scattered_world,
+    smooth_world,
+    world_of_lines,
+    world_without,
+)
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Part, Problem, Show, Value
 
@@ -64,6 +69,7 @@ class Support:
         self.unknown = unknown
         self.data = data
         self.scattered = scattered_world(base, unknown)
+        self._kept: tuple[object, World | None] = ((), None)
         self.smooth = smooth_world(base, unknown) or self.scattered
 
     def is_missing(
@@ -82,6 +88,21 @@ class Support:
             return False
         world = world_of_lines(self.base, right, self.unknown)
         return world is None or not self._holds(entry, world)
+
+    def is_grounded(
+        self, entry: Entry, entries: Sequence[Entry], broken: frozenset[tuple[str, int | None]]
+    ) -> bool:
+        """Whether a true claim follows from true lines above and from the laws not broken there."""
+        if not broken or entry.claim.sign != "=":
+            return True
+        right = [each for each in entries if each.right]
+        key = len(entries), broken
+        if self._kept[0] != key:
+            world = world_without(self.base, right, broken, self.unknown)
+            met = world is not None and all(self._holds(each, world) for each in right)
+            self._kept = key, world if met else None
+        world = self._kept[1]
+        return world is None or self._holds(entry, world)
 
     def is_printed(self, entry: Entry) -> bool:
         """Whether a claim is a relation that the part prints."""

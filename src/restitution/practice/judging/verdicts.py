@@ -126,6 +126,7 @@ class JudgedLink:
     letters: frozenset[str] = frozenset()
     right: Claim | None = None
     meant: tuple[tuple[str, Expression], ...] = ()
+    grounded: bool = True
 
 
 class Judge:
@@ -254,6 +255,7 @@ class Judge:
             link=place if verdict == "false" else None,
             sources=tuple(dict.fromkeys(n for link in links for n in link.sources)),
             remark=next((link.remark for link in links if link.remark), None),
+            grounded=all(link.grounded for link in links),
             meant={**self._meant, **dict(pair for link in links for pair in link.meant)},
         )
 
@@ -276,13 +278,13 @@ class Judge:
             accuracy, claim = held
             remark = COARSE if accuracy == "coarse" else None
             verdict: Verdict = "true"
-            if len(line.links) == 1 and self._support.is_missing(
-                self._entry_of(line, link, claim),
-                self.entries,
-                self.students() if self.wrong else (),
-            ):
+            entry = self._entry_of(line, link, claim)
+            students = self.students() if self.wrong else ()
+            if len(line.links) == 1 and self._support.is_missing(entry, self.entries, students):
                 verdict = "unsupported"
-            return JudgedLink(verdict, claim, accuracy, remark=remark)
+            broken = self._broken() if self._names and self.wrong else frozenset()
+            grounded = self._support.is_grounded(entry, self.entries, broken)
+            return JudgedLink(verdict, claim, accuracy, remark=remark, grounded=grounded)
         return (
             self._root(line, link)
             or self._relabelled(line, link, self.worlds, "true")

@@ -21,6 +21,7 @@ from restitution.expression.tree import Negate
 from restitution.practice.letters.candidates import Candidate
 from restitution.practice.letters.slots import Slot, shaped
 from restitution.practice.letters.trial import Frame, Tester, everywhere
+from restitution.practice.reading.phrases import is_phrase
 from restitution.practice.script import Claim, Decimal
 from restitution.practice.worlds.arrays import Array
 from restitution.vector import Vector
@@ -543,7 +544,8 @@ def _allowed(options: Sequence[int], slots: Sequence[Slot], free: Sequence[int])
 
 def _worth(item: Item, options: Sequence[int], slots: Sequence[Slot]) -> float:
     means = {name: slots[s].options[options[s]] for name, s in item.slots.items()}
-    if any(each.kind == "definition" for each in means.values()) and len(means) == 1:
+    defined = [name for name, each in means.items() if each.kind == "definition"]
+    if len(means) == 1 and any(not is_phrase(name) for name in defined):
         return _STARTED if any(each.start for each in means.values()) else _DEFINED
     return item.weight * _naturalness(item, means)
 

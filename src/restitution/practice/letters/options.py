@@ -128,6 +128,8 @@ def _by_suffix(letter: str, candidate: Candidate, problem: Problem) -> float | N
             if candidate.body not in (None, name):
                 return None
             below = below[len(name) :]
+            if candidate.kind == "relative" and below not in spheres:
+                return None  # v_B is no velocity of A relative to B
             break
     if below[:1] in ("x", "y", "i", "j"):
         return cost + _axis_cost(below[0], candidate)

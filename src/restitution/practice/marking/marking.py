@@ -121,7 +121,8 @@ def _marked(
         raise error
     judgement = judge(bench.solution, script, part, _meanings(letters or {}, solution.problem))
     judgement = _with_consequence(judgement, solution, part)
-    values = Values(bench.worlds, bench.question.unknown, judgement.letters)
+    unknown = bench.question.unknown - bench.question.given
+    values = Values(bench.worlds, unknown, judgement.letters)
     marks = marked(judgement, schemes(bench.solution, part), values)
     return Marking(
         part,

@@ -125,15 +125,35 @@ class _Examiner:
         line_of_it = self._by_value(point) or self._condition(point)
         if line_of_it is not None:
             return self._earned(point, line_of_it, "")
-        if point.principle == "inequality":
-            conclusion = self._conclusion()
-            if conclusion is not None:
-                return self._earned(point, conclusion, "")
-        elif lost is None and point.principle in ("solve", "condition", "method"):
+        compared = self._compared(point)
+        if compared is not None:
+            return self._earned(point, compared, "")
+        if lost is None and point.principle in ("solve", "condition", "method"):
             line_of_value = self._elimination()
             if line_of_value is not None:
                 return self._earned(point, line_of_value, "")
         return lost or self._missing(point)
+
+    def _compared(self, point: MarkPoint) -> JudgedLine | None:
+        """A line that uses the condition of a point, or compares what the part is to compare."""
+        if point.principle == "inequality":
+            return self._conclusion()
+        if point.principle == "condition":
+            return self._inequality()
+        shown = any(each.shown and each.principle == "inequality" for each in self.scheme.points)
+        return self._inequality() if shown and point.principle == "solve" else None
+
+    def _inequality(self) -> JudgedLine | None:
+        """A sound line that compares two values."""
+        return next(
+            (
+                line
+                for line in self.lines
+                if line.verdict in _SOUND
+                and {link.readings[0].sign for link in line.line.links} - {"=", "!="}
+            ),
+            None,
+        )
 
     def _by_value(self, point: MarkPoint) -> JudgedLine | None:
         """A line that gives what a method is for, from true values or the student's own."""
@@ -160,12 +180,13 @@ class _Examiner:
         lost: PointMark | None = None
         for line, use in self._uses(point):
             altered = use.altered is not None
-            if line.verdict == "true" or (line.verdict == "follows" and point.follows):
+            through = line.verdict == "follows" and point.follows and not self._begins_here(line)
+            if line.verdict == "true" or through:
                 if not altered and (lost is None or line.verdict == "true"):
                     return self._earned(point, line, "")
             elif line.verdict == "follows" and not altered and lost is None:
                 # Newton's law with the sense that his momentum gives his letters.
-                if point.principle == "restitution":
+                if point.principle == "restitution" and self.values.has_velocities(line):
                     return self._earned(point, line, "consistent with the line of momentum")
                 why = "follows from an earlier slip"
                 lost = PointMark(point, "lost", line.line.number, why)
@@ -177,6 +198,8 @@ class _Examiner:
         lost: PointMark | None = None
         for line, use in self._uses(point):
             sound = line.verdict in _SOUND and use.altered is None
+            if self._is_at_wrong_angle(point, line):
+                return self._earned(point, line, "the law is right; the angle is another point")
             if sound and (lost is None or line.verdict == "true"):
                 return self._earned(point, line, "")
             lost = lost or PointMark(point, "lost", line.line.number, self._reason(line))
@@ -185,6 +208,15 @@ class _Examiner:
             return value if value.state == "earned" else lost or value
         used = next((line for line in self.lines if self.values.carries(point, line)), None)
         return value if used is None else self._earned(point, used, "used here")
+
+    def _is_at_wrong_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether nothing but the angle is wrong, for which the scheme has a point of its own."""
+        wrong = line.mistake is not None and line.mistake.id == "second-wall-angle"
+        return wrong and any(
+            each.letter == "M" and each.principle in ("angle", "component")
+            for each in self.scheme.points
+            if each.event in (None, point.event)
+        )
 
     def _value(self, point: MarkPoint) -> PointMark:
         """A value: true, or his own where the point follows through; the last one given counts."""
@@ -197,8 +229,10 @@ class _Examiner:
                 continue
             if line.verdict == "true" and match == "true":
                 last = self._earned(point, line, "")
+                if not line.grounded:
+                    last = PointMark(point, "lost", line.line.number, _UNGROUNDED)
             elif line.verdict == "follows" and match != "true":
-                through = point.follows and not self._begins_here(point, line)
+                through = point.follows and not self._begins_here(line)
                 state: State = "earned" if through else "lost"
                 last = PointMark(point, state, line.line.number, "follows from an earlier slip")
             elif line.verdict == "false":
@@ -212,25 +246,33 @@ class _Examiner:
         if last is None and (self.values.is_velocity(point) or self.values.is_direction(point)):
             seen = next((each for each in self.lines if self.values.shows(point, each)), None)
             last = None if seen is None else self._earned(point, seen, "")
+        if last is None:
+            seen = next((each for each in self.lines if self.values.is_seen(point, each)), None)
+            last = None if seen is None else self._earned(point, seen, "seen here")
         if last is None and point.shown and point.principle == "inequality":
             conclusion = self._conclusion()
             if conclusion is not None and _CONCLUDING.search(conclusion.line.text):
                 last = self._earned(point, conclusion, "")
         return last or self._missing(point)
 
-    def _begins_here(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether a value follows from a mistake in its own working, below all other answers.
+    def _begins_here(self, line: JudgedLine) -> bool:
+        """Whether a value follows from a mistake in the working of this part.
 
-        What follows through is a value from before: an answer above, or one that is only quoted.
+        What follows through is a value from an earlier part, which is only quoted.
         """
-        answers = [
-            mark.line or 0
-            for mark in self.states.values()
-            if mark.point.item is not None and mark.point.item != point.item
-        ]
-        above = max((number for number in answers if number < line.line.number), default=0)
-        roots = [each for each in self._roots(line) if each.line.number > above]
-        return any(not self.values.is_quoted(each) for each in roots)
+        return any(not self._is_quoted(each) for each in self._roots(line))
+
+    def _is_quoted(self, line: JudgedLine) -> bool:
+        """Whether a line gives a letter, in its first line, a value and no more."""
+        if not self.values.is_quoted(line):
+            return False
+        left = line.line.links[0].readings[0].left
+        above = [each for each in self.lines if each.line.number < line.line.number]
+        return not any(
+            left in (*walk(link.readings[0].left), *walk(link.readings[0].right))
+            for each in above
+            for link in each.line.links
+        )
 
     def _roots(self, line: JudgedLine) -> list[JudgedLine]:
         """The false lines from which a line follows, over all lines between."""
@@ -257,7 +299,11 @@ class _Examiner:
     def _elimination(self) -> JudgedLine | None:
         """A line in which one unknown is left."""
         return next(
-            (line for line in self.lines if line.verdict in _SOUND and self.values.is_solved(line)),
+            (
+                line
+                for line in self.lines
+                if line.verdict in _SOUND and line.grounded and self.values.is_solved(line)
+            ),
             None,
         )
 
@@ -268,6 +314,8 @@ class _Examiner:
         for sound in (True, False):
             for line in self.lines:
                 if (line.verdict in _SOUND) is not sound or line.verdict == "unsupported":
+                    continue
+                if self.values.is_formula(line):
                     continue
                 use = self._use(line, point)
                 if use is not None:
@@ -341,6 +389,7 @@ class _Examiner:
                     each
                     for each in self.lines
                     if each.verdict == "true"
+                    and each.grounded
                     and each.line.number not in taken
                     and self.values.is_solved(each)
                 ),
@@ -375,12 +424,16 @@ class _Examiner:
             line = self._line(own.line)
             if line is None or line.verdict not in ("true", "unsupported", "remark"):
                 continue
-            if self._is_broken(own.line, ("false",)):
+            if self._is_broken(own.line, ("false",)) and not self._is_sure(own):
                 continue
-            if point.letter == "M" and not own.implied and point.principle != "solve":
+            stated = point.letter == "M" and not own.implied
+            if stated and point.principle not in ("solve", "fact"):
                 continue
             for name in point.above:
                 state = self.states[name]
+                other = state.point.principle not in _OF_FACTS
+                if stated and point.principle == "fact" and other:
+                    continue
                 if point.letter == "B" and state.point.principle not in _RESOLVING:
                     continue  # what stays implies no more than that it was resolved
                 if state.state == "earned" or state.point.shown:
@@ -423,9 +476,16 @@ class _Examiner:
         slips = all(each is not None and each.kind == "slip" for each in wrong)
         return line.verdict == "follows" and bool(wrong) and slips
 
+    def _is_sure(self, mark: PointMark) -> bool:
+        """Whether a value is true and rests on true lines, with a false one above it."""
+        line = self._line(mark.line)
+        if line is None or mark.point.letter == "B" or mark.point.equation:
+            return False
+        return line.verdict == "true" and line.grounded and self.values.is_solved(line)
+
     def _is_wrong(self, number: int) -> bool:
         line = self._line(number)
-        return line is not None and line.verdict == "false"
+        return line is not None and line.verdict in ("false", "follows")
 
     def _require(self) -> None:
         """No accuracy without its method, and no dependent method without those it depends on."""
@@ -441,6 +501,8 @@ class _Examiner:
                     if self.states[name].point.letter == "M"
                 ]
             missing = next((each for each in needed if each.state == "lost"), None)
+            if missing is not None and not point.shown and self._is_sure(own):
+                continue
             if missing is not None:
                 why = f"{missing.point.kind} for {missing.point.purpose} is not earned"
                 self.states[point.id] = replace(own, state="lost", why=why)
@@ -548,6 +610,10 @@ class _Examiner:
 _CONCLUDING = re.compile(r"\b(again|collide|collides|collision|hit|hits|meet|catch)\b", re.I)
 
 _LAWS = ("momentum", "restitution", "unchanged")
+_UNGROUNDED = "does not follow from the true lines above"
+
+# What a condition speaks of, which is used where the condition is stated in another form.
+_OF_FACTS = ("angle", "deflection", "component", "speed", "fact")
 
 # What an equation of a law has in it, so that it cannot be had without them.
 _IN_EQUATIONS = ("component", "unchanged", "angle", "condition", "direction", "fact")

@@ -7,7 +7,7 @@ there changes it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -31,7 +31,7 @@ from restitution.practice.judgement import JudgedLine, Meaning
 from restitution.practice.letters.interpretation import Interpretation
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.script import Claim
-from restitution.practice.worlds.arrays import Array, UnvaluedError
+from restitution.practice.worlds.arrays import Array, UnvaluedError, is_bare
 from restitution.practice.worlds.principles import is_worked
 from restitution.practice.worlds.student import scattered_world
 from restitution.practice.worlds.world import World
@@ -44,6 +44,8 @@ _NEAR = 1e-7
 _LEAST = 1e-9
 _ROUNDED = 2e-3
 _IMPULSE = ("I", "J")
+# What is said of a line that rests on several laws.
+_OF_SEVERAL = ("solve", "value", "fact")
 # The quantities of which a line of a principle speaks.
 _KINDS_OF_FACTS: Mapping[str, frozenset[str]] = {
     "speed": frozenset({"speed", "energy", "energy_lost", "total_energy_lost"}),
@@ -84,6 +86,8 @@ class Values:
         if not point.shown and not self._gives(point.link.left, line):
             energetic = point.principle == "energy"
             computed = (energetic or point.letter == "A") and self._computes(point.link.left, line)
+            between = point.letter == "A" and point.item is None
+            computed = computed or (between and self._gives_multiple(point.link.left, line))
             if not computed and not self._gives_whole(point.link.left, line):
                 return None
         return self._match(line)
@@ -118,7 +122,29 @@ class Values:
             and self._is_value(claim.right, meanings, line)
             for chain in _chains(line)
             for claim in chain
+        ) or self.is_eliminated(line)
+
+    def is_eliminated(self, line: JudgedLine) -> bool:
+        """Whether one velocity is left in an equation that no law alone gives."""
+        if line.uses and line.uses[0].principle not in _OF_SEVERAL:
+            return False
+        names = [self.velocities_in(claim, line) for chain in _chains(line) for claim in chain]
+        return any(len(each) == 1 for each in names)
+
+    def velocities_in(self, claim: Claim, line: JudgedLine) -> frozenset[Expression]:
+        """The letters and quantities of a claim that an impact decides; none of the statement."""
+        meanings = self._meanings(line)
+        return frozenset(
+            each
+            for side in (claim.left, claim.right)
+            for each in _names_in(side)
+            if not (isinstance(each, Letter) and each.name not in meanings)
+            and self._changes(each, meanings, line)
         )
+
+    def has_velocities(self, line: JudgedLine) -> bool:
+        """Whether a letter for a velocity after an impact stands in a line."""
+        return any(self.velocities_in(claim, line) for each in _chains(line) for claim in each)
 
     def is_velocity(self, point: MarkPoint) -> bool:
         """Whether a point is for a velocity."""
@@ -159,12 +185,21 @@ class Values:
         given = {Letter("e")} | {
             step.e for step in self._base.events if isinstance(step, Impact) and step.e is not None
         }
+        numbers = {float(self._base.scalar(each).flat[0]) for each in given if is_bare(each)}
+        squares = {number**2 for number in numbers}
         return any(
-            node in given
+            node in given or (is_bare(node) and self._is_one_of(node, numbers | squares))
             for link in line.line.links
             for side in (link.readings[0].left, link.readings[0].right)
             for node in walk(side)
         )
+
+    def _is_one_of(self, tree: Expression, numbers: Collection[float]) -> bool:
+        try:
+            own = float(np.ravel(self._base.scalar(tree))[0])
+        except UnvaluedError:
+            return False
+        return any(abs(own - each) <= _NEAR for each in numbers)
 
     def speaks_of(self, point: MarkPoint, principle: str) -> bool:
         """Whether a fact may be stated by a line of a principle: one of energy speaks of energies.
@@ -180,7 +215,48 @@ class Values:
     def is_quoted(self, line: JudgedLine) -> bool:
         """Whether a line gives a quantity its value and no more, without a calculation."""
         claims = [link.readings[0] for link in line.line.links]
-        return len(claims) == 1 and not is_worked(claims[0].right)
+        return (
+            len(claims) == 1
+            and isinstance(claims[0].left, Letter | Quantity)
+            and not is_worked(claims[0].right)
+        )
+
+    def is_formula(self, line: JudgedLine) -> bool:
+        """Whether a line is a formula that is only quoted: I = m(v - u), with m and u for data."""
+        inferred = {each.letter for each in self.letters if each.by == "inferred"}
+        meanings = self._meanings(line)
+        return any(
+            isinstance(each, Letter)
+            and each.name in inferred
+            and not self._changes(each, meanings, line)
+            for link in line.line.links
+            for side in (link.readings[0].left, link.readings[0].right)
+            for each in _names_in(side)
+        )
+
+    def is_seen(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether the value of a point stands in a line that states nothing about it.
+
+        A whole number is none: too many are alike.
+        """
+        link = point.link
+        if link is None or point.shown or line.verdict not in ("remark", "true"):
+            return False
+        if not isinstance(link.left, Quantity) or self.is_direction(point):
+            return False
+        return any(
+            self._is_worth(value, link.left, line)
+            or (_is_fine(value) and self._is_rounded_to(value, link.left, line))
+            for value in line.line.values
+            if not (isinstance(value, Number) and value.value.denominator == 1)
+        )
+
+    def _is_rounded_to(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
+        try:
+            own = self._base.value(side, self._meanings(line), line.line.scope)
+            return _is_rounded(self._base, own, self._base.value(quantity))
+        except UnvaluedError:
+            return False
 
     def carries(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line uses the component of a point: in a velocity, a speed, or as a remark."""
@@ -255,6 +331,31 @@ class Values:
         if line.verdict == "remark":
             return False
         return self.value_of(quantity, line) is not None
+
+    def _gives_multiple(self, quantity: Expression, line: JudgedLine) -> bool:
+        """Whether a line gives a multiple of a quantity its value: ``2w = (1 + e)u``."""
+        if line.verdict == "remark":
+            return False
+        meanings = self._meanings(line)
+        world = self._scattered
+        for chain in _chains(line):
+            first, last = chain[0].left, chain[-1].right
+            if len(set(_names_in(first))) != 1 or not self._is_value(last, meanings, line):
+                continue
+            try:
+                own = world.value(first, meanings, line.line.scope)
+                asked = world.value(quantity)
+            except UnvaluedError:
+                continue
+            if isinstance(own, Vector | Angle) or isinstance(asked, Vector | Angle):
+                continue
+            a, b = _number(world, own), _number(world, asked)
+            if _is_zero(world, asked):
+                continue
+            ratio = a / np.where(b == 0, 1.0, b)
+            if np.ptp(ratio) <= _NEAR * abs(ratio[0]) and abs(ratio[0]) > _NEAR:
+                return True
+        return False
 
     def _computes(self, quantity: Expression, line: JudgedLine) -> bool:
         """Whether a true line without a name computes what a quantity is worth, and is not zero."""
@@ -525,6 +626,11 @@ def _is_rounded(world: World, own: Value, true: Value) -> bool:
     if isinstance(true, Angle) and not isinstance(own, Angle):
         a = np.radians(a)
     return bool(np.allclose(np.abs(a), np.abs(b), rtol=_ROUNDED))
+
+
+def _is_fine(tree: Expression) -> bool:
+    """Whether a value is a decimal."""
+    return isinstance(tree, Number) and tree.value.denominator != 1
 
 
 def _is_zero(world: World, value: Value) -> bool:

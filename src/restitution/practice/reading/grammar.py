@@ -177,6 +177,8 @@ class Parser(Cursor):
             whole = self.wants_whole(above, first)
             if self.choose("quotient") ^ whole:
                 while self.begins_factor() and self.kind() not in ("unit", "phrase"):
+                    if self.kind() == "(" and self.choose("brackets behind a denominator"):
+                        break
                     below = self.multiplied(below, self.factor(), None)
         return Binary("/", above, below, place=self.place(sign))
 

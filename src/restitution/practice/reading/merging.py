@@ -42,6 +42,7 @@ _ENERGIES = frozenset(word for word, head in HEADS.items() if head in ("loss", "
 _OF = frozenset(
     ("of", "on", "in", "for", "to", "from", "by", "with", "at", "hits", "after", "before")
 )
+_PLURALS = frozenset(f"the {word}" for word in HEADS if word.endswith("s") and word != "loss")
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "phrase", "function", "("))
 _CLOSING = frozenset(("number", "letter", "name", "unit", "pi", ")", "phrase", "percent"))
 
@@ -330,6 +331,8 @@ def _equality(tokens: Sequence[Token], place: int) -> Token:
         return token
     if behind.name in ("the lost", "the gained", "the turned", "the deflected"):
         return token  # energy is lost
+    if token.text == "equal" and behind.kind == "phrase" and behind.name in _PLURALS:
+        return token  # e = 1, equal masses
     if token.text in EQUALS and before.kind in _CLOSING - {"name"} and opens:
         return replace(token, kind="relation", name="=")
     if token.text == "of" and before.kind in ("number", "percent", ")") and opens:

@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import reduce
 from itertools import chain
 from typing import Literal
 
@@ -23,6 +24,7 @@ from restitution.expression.tree import (
     Expression,
     Name,
     Negate,
+    Number,
     Quantity,
     Stage,
     Unit,
@@ -432,10 +434,22 @@ class _Reader:
                 yield value if gain else Negate(value)
             return
         stage = before if self.features.stage == "before" else after
-        if body is not None:
+        if self.features.direction or self.features.axis is not None:
+            yield self.energy_of_components(event, body)
+        elif body is not None:
             yield Quantity("energy", (Name(body),), stage)
         else:
             yield Quantity("energy", (), stage)
+
+    def energy_of_components(self, event: int, body: str | None) -> Expression:
+        """The part of a kinetic energy that components along a direction have."""
+        terms: list[Expression] = []
+        for each in self.spheres if body is None else (body,):
+            component = next(self.components(self.of("velocity", each, event), event, each))
+            square = Binary("^", component, Number(Fraction(2)))
+            half = Binary("*", Number(Fraction(1, 2)), Quantity("mass", (Name(each),)))
+            terms.append(Binary("*", half, square))
+        return reduce(lambda one, other: Binary("+", one, other), terms)
 
     def impulse(self, event: int) -> Iterator[Expression]:
         """The size of an impulse; the impulse on a body as a vector as well."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Literal
 
@@ -17,12 +17,21 @@ _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "phrase", "func
 _CLOSING = frozenset(("number", "letter", "name", "unit", "pi", ")", "phrase", "percent"))
 
 
+# Words that say of the relation before them that it cannot be, and those that lead to them.
+_REJECTING = frozenset(("impossible", "rejected", "reject", "invalid", "discard", "ignore"))
+_LEADING = frozenset(("is", "means", "would", "mean", "so", "but", "gives", "therefore"))
+
+
 @dataclass(frozen=True)
 class Segment:
-    """Tokens without words; ``before`` are the words and signs that part it from the last one."""
+    """Tokens without words; ``before`` are the words and signs that part it from the last one.
+
+    ``rejected`` tells that the words behind it say it cannot be: ``v = 2u means no collision``.
+    """
 
     tokens: tuple[Token, ...]
     before: tuple[str, ...] = ()
+    rejected: bool = False
 
     @property
     def has_relation(self) -> bool:
@@ -64,7 +73,22 @@ def segments(tokens: Sequence[Token]) -> list[Segment]:
         before.append(token.word if token.kind in ("word", "phrase") else token.text)
     if pending:
         pieces.append(Segment(tuple(pending), tuple(before)))
+        before = []
+    pieces = [_with_verdict(each, pieces, place, before) for place, each in enumerate(pieces)]
     return [each for each in map(_without_number, map(_without_swallowed, pieces)) if each.tokens]
+
+
+def _with_verdict(
+    segment: Segment, pieces: Sequence[Segment], place: int, last: Sequence[str]
+) -> Segment:
+    """A segment with what the words behind it say of it; ``last`` are those that end the line."""
+    behind = pieces[place + 1].before if place + 1 < len(pieces) else tuple(last)
+    words = [each for each in behind if each.isalpha()]
+    while words and words[0] in _LEADING:
+        words = words[1:]
+    denied = len(words) > 1 and words[0] in ("no", "not")
+    rejected = segment.has_relation and (denied or (bool(words) and words[0] in _REJECTING))
+    return replace(segment, rejected=True) if rejected else segment
 
 
 def _without_number(segment: Segment) -> Segment:
@@ -76,7 +100,7 @@ def _without_number(segment: Segment) -> Segment:
     plain = (opening.kind, number.kind, closing.kind) == ("(", "number", ")")
     whole = number.value.denominator == 1 and number.value < 10
     if plain and whole and opening.gap and tokens[-4].kind != "relation":
-        return Segment(tokens[:-3], segment.before)
+        return replace(segment, tokens=tokens[:-3])
     return segment
 
 
@@ -146,7 +170,7 @@ def _without_swallowed(segment: Segment) -> Segment:
     """A segment without what belongs to the prose before it: ``divide by m  2v + 3w = 6``."""
     tokens = segment.tokens
     if tokens[0].kind in ("/", "*") and len(tokens) > 2 and tokens[2].gap and segment.has_relation:
-        return Segment(tokens[2:], segment.before)  # ÷ m  u = v + 2w
+        return replace(segment, tokens=tokens[2:])  # ÷ m  u = v + 2w
     if not segment.before or segment.before[-1] not in SWALLOWING or not segment.has_relation:
         return segment
     end = 1
@@ -155,7 +179,7 @@ def _without_swallowed(segment: Segment) -> Segment:
     if end >= len(tokens) or end > 4 or any(each.kind == "relation" for each in tokens[:end]):
         return segment
     begins = tokens[end].kind in _OPERANDS or tokens[end].kind == "|"
-    return Segment(tokens[end:], segment.before) if begins else segment
+    return replace(segment, tokens=tokens[end:]) if begins else segment
 
 
 Parting = Literal["certain", "likely", "doubtful"]

@@ -58,9 +58,15 @@ _WAY = re.compile(
 )
 # The phrase that is the name of a law as well: ``momentum: 2u - 3w = -u``.
 _LAW = "the momentum"
+_WAYS = frozenset(("along", "parallel", "perp", "perpendicular", "across"))
 _TANGENTS = frozenset(("tangent", "tangential", "common"))
 _CENTRES = frozenset(("centres", "centers", "centre", "loc"))
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "function", "("))
+
+
+def _ends_in_a_way(label: Token) -> bool:
+    """Whether a label ends in a way, which the vector behind it is: ``comps along 2i - j``."""
+    return label.kind == "phrase" and label.name.split()[-1] in _WAYS
 
 
 @dataclass(frozen=True)
@@ -146,6 +152,7 @@ class _Reader:
         self.waiting: tuple[Side, ...] = ()
         self.waiting_sign: Sign = "="
         self.before: tuple[Side, ...] = ()
+        self.worth: tuple[Side, ...] = ()
         self.last_label = ""
         self.declared = Declarations(usage, problem)
         self.pending_letters: list[Letter] = []
@@ -158,7 +165,7 @@ class _Reader:
         self.statements.values = tuple(map(without_marks, self.statements.values))
         if self.label is not None and self.label.kind == "name" and not self.links:
             self.statements.body = self.body_of(self.label)
-        last = self.past.side if not self.links else self._last_sides()
+        last = self._last_sides() if self.links else (*self.worth, *self.past.side)
         self.statements.past = Past(last, self.waiting, self.waiting_sign)
 
     def _last_sides(self) -> tuple[Side, ...]:
@@ -194,11 +201,11 @@ class _Reader:
             self.last_label = segment.tokens[0].name
         label = self._label(segment)
         if label is not None:
-            self.label, segment = label, Segment(segment.tokens[1:], segment.before)
+            self.label, segment = label, replace(segment, tokens=segment.tokens[1:])
         if not segment.has_relation:
             self.value(segment)
             return
-        if self.supposes:
+        if self.supposes or segment.rejected:
             self.supposed(segment)
             return
         if is_identity(segment.tokens):
@@ -292,7 +299,8 @@ class _Reader:
             self.label = None  # relative to the mass centre: A 2, B -3
         if self.label is not None:
             label, self.label = self.label, None
-            if is_vector(sides[0].tree, self.usage.vectors) and not has_head(label):
+            vector = is_vector(sides[0].tree, self.usage.vectors)
+            if vector and (not has_head(label) or _ends_in_a_way(label)):
                 self.statements.values += (sides[0].tree,)
                 self.pointing(label, sides, tokens)
             elif not isinstance(sides[0].tree, Name):
@@ -318,6 +326,8 @@ class _Reader:
             return
         if not isinstance(sides[0].tree, Name) and tokens[0].kind != "phrase":
             self.statements.values += (sides[0].tree,)
+            if not isinstance(sides[0].tree, Letter | Number):
+                self.worth = sides[:1]  # the next line may go on from it with a sign
 
     def _is_moving(self, tree: Expression) -> bool:
         """Whether a vector may be a velocity: it is no letter alone."""

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from itertools import combinations
+from math import gcd
 
 import numpy as np
 
@@ -157,13 +159,23 @@ class _Trial:
                 if self._fact(number):
                     return (Use("fact", number),)
                 continue
-            return self._named(best)
+            return self._named(self._across(lawful) or best)
         if self.true and self._loose_everywhere():
             uses = self._of_determined_letters()
             if uses:
                 return uses
             return (Use(self._definition(), self._event(), self._bodies(None)),)
         return (Use("fact"),) if self.true else ()
+
+    def _across(self, lawful: Sequence[Block]) -> Block | None:
+        """The states in which nothing but the components across stays, if a line holds there.
+
+        A sum of momenta across the line of centres is no equation of momentum.
+        """
+        every = max((block.laws for block in lawful), key=len)
+        kept = tuple(law for law in every if law[0] == "unchanged")
+        own = next((block for block in lawful if block.laws == kept and len(kept) > 1), None)
+        return own if own is not None and self._holds(own) else None
 
     def altered(self) -> tuple[Use, ...]:
         """The altered laws of which the line is an instance, of the latest event that has some."""
@@ -440,15 +452,46 @@ def _is_value(claim: Claim, world: World, meanings: Meanings) -> bool:
 
 
 def is_worked(tree: Expression) -> bool:
-    """Whether there is a calculation in a side: a sum of numbers, or a product of two."""
-    return any(
-        isinstance(node, Binary)
-        and (
-            (node.op in ("+", "-") and all(map(is_bare, (node.left, node.right))))
-            or (node.op == "*" and all(map(_is_plain, (node.left, node.right))))
-        )
-        for node in walk(tree)
-    )
+    """Whether there is a calculation in a side: a sum of numbers or of like terms, a product of
+    two numbers, or a quotient that is not in its lowest terms.
+    """
+    return any(isinstance(node, Binary) and _is_worked_out(node) for node in walk(tree))
+
+
+def _is_worked_out(node: Binary) -> bool:
+    sides = node.left, node.right
+    match node.op:
+        case "+" | "-":
+            one, other = map(_letters_in_product, sides)
+            return all(map(is_bare, sides)) or (one is not None and one == other and bool(one))
+        case "*":
+            return all(map(_is_plain, sides))
+        case "/":
+            one, other = map(_number_of, sides)
+            if one is None or other is None:
+                return False
+            whole = one.denominator == other.denominator == 1
+            return not whole or gcd(one.numerator, other.numerator) > 1
+    return False
+
+
+def _number_of(tree: Expression) -> Fraction | None:
+    return tree.value if isinstance(tree, Number) else None
+
+
+def _letters_in_product(tree: Expression) -> tuple[str, ...] | None:
+    """The letters of a product of numbers and letters, in order; None for anything else."""
+    match tree:
+        case Letter(name):
+            return (name,)
+        case Negate(operand):
+            return _letters_in_product(operand)
+        case Binary("*", left, right):
+            one, other = _letters_in_product(left), _letters_in_product(right)
+            return None if one is None or other is None else tuple(sorted((*one, *other)))
+        case Binary("/", left, right) if is_bare(right):
+            return _letters_in_product(left)
+    return () if is_bare(tree) else None
 
 
 def _is_plain(tree: Expression) -> bool:

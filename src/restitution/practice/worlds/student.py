@@ -85,6 +85,18 @@ def world_of_lines(base: World, entries: Sequence[Entry], unknown: Collection[st
     return _solved(scattered_world(base, unknown), equations, unknown)
 
 
+def world_without(
+    base: World,
+    entries: Sequence[Entry],
+    broken: Collection[tuple[str, int | None]],
+    unknown: Collection[str],
+) -> World | None:
+    """A world of scattered values in which lines, facts and all laws but the broken ones hold."""
+    lines = [_of_entry(each) for each in entries if each.claim.sign == "="]
+    laws = [each for each in laws_of(base) if (each.law, each.event) not in broken]
+    return _solved(scattered_world(base, unknown), [*lines, *facts_of(base), *laws], unknown)
+
+
 def lawful_world(
     base: World, kept: Collection[tuple[str, int, tuple[str, ...]]], unknown: Collection[str]
 ) -> World | None:
