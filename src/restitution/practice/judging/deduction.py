@@ -40,6 +40,8 @@ Array = Any
 _POINTS = 8
 _STEPS = 20
 _CLOSE = 1e-7
+# What rounding to three figures may move.
+_ROUNDED = 3e-3
 _LATEST = 6
 _TRIES = 24
 _FUNCTIONS: Mapping[str, Callable[[Array], Array]] = {
@@ -162,7 +164,9 @@ class _Plane:
         if np.count_nonzero(there) < 2:
             return False
         apart, size = apart[:, there], size[:, there]
-        return bool(np.all(np.isfinite(apart)) and np.all(np.abs(apart) <= _CLOSE * (size + 1e-3)))
+        rounded = any(each.decimals for each in (entry, *earlier))
+        close = (_ROUNDED if rounded else _CLOSE) * (size + 1e-3)
+        return bool(np.all(np.isfinite(apart)) and np.all(np.abs(apart) <= close))
 
     def _met(self, earlier: Sequence[Entry], x: Array) -> Array:
         """At which points some claims hold."""

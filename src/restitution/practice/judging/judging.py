@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import JudgedLine, Judgement, Mistake
+from restitution.practice.judging.bounds import bounds_of
 from restitution.practice.judging.misreading import misread_problems, reread_once
 from restitution.practice.judging.naming import Names
 from restitution.practice.judging.slips import misreadings, read_as_datum
@@ -99,7 +100,8 @@ class Bench:
             for name in (*branch.values, *branch.angles)
             if any(name in world.letters for world in self.worlds)
         }
-        return Question(self.wanted, frozenset(unknown), self.given)
+        bounds = bounds_of(self.problem, self.solved.part, self.solved)
+        return Question(self.wanted, frozenset(unknown), self.given, bounds)
 
     @cached_property
     def wanted(self) -> Wanted:

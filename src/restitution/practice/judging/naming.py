@@ -51,6 +51,7 @@ _PLAINER = frozenset({"momentum-sign", "restitution-sign", "impulse-sign", "rest
 _OF_POWERS = frozenset({"square-not-taken", "energy-ratio-as-speed"})
 _OF_FACTORS = frozenset({"mass-omitted", "restitution-omitted", "energy-no-half", "across-changed"})
 _LAWS = frozenset({"momentum", "restitution", "unchanged", "impulse", "energy", "deflection"})
+_OF_ANGLES = frozenset({"angle", "deflection", "direction"})
 _OF_ENERGY = frozenset({"energy", "speed", "fact", "fraction"})
 # Mistakes that are less usual than others of which a line may be an instance as well.
 _BEFORE: Mapping[str, set[str]] = {
@@ -219,11 +220,14 @@ class Names:
     def _worlds(self, entry: Entry, judge: JudgedSoFar) -> Iterator[VariantAt]:
         """By altered worlds: the claim holds where one law is altered, and all else is right."""
         energetic = _is_energetic(entry)
+        angular, impulsive = _is_sum_of_angles(entry), self._is_of_impulse(entry)
         fitting = _OF_ENERGY - {"speed"} if _is_of_energy(entry) else _OF_ENERGY
         for variant in self.variants:
             if not variant.laws or not variant.alteration.solvable:
                 continue
             kinds = _kinds(variant)
+            if (angular and not kinds & _OF_ANGLES) or (impulsive and "impulse" not in kinds):
+                continue
             if not (kinds & fitting if energetic else kinds - _OF_ENERGY):
                 continue
             if any((law.law, variant.event.number) in judge.stated() for law in variant.laws):
@@ -356,6 +360,15 @@ def _is_of_energy(entry: Entry) -> bool:
             if any(isinstance(part, Quantity) and "energy" in part.kind for part in walk(meant)):
                 return True
     return False
+
+
+def _is_sum_of_angles(entry: Entry) -> bool:
+    """Whether a claim gives an angle as a sum of angles: no law of an impact is in it."""
+    left, right = entry.claim.left, entry.claim.right
+    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+    angle = any(isinstance(each, Quantity) and each.kind in _OF_ANGLES for each in walk(meant))
+    sums = isinstance(right, Binary) and right.op in ("+", "-")
+    return angle and sums and not any(isinstance(each, Apply | Letter) for each in walk(right))
 
 
 def _not_negative(tree: Expression, world: World) -> bool:

@@ -5,18 +5,29 @@ A line with such a number in it follows where it is true with what the number wa
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from itertools import product
+from itertools import islice, product
 
 from restitution.explaining.trees import exchanged
-from restitution.expression.tree import Binary, Expression, Letter, Negate, Number, children, walk
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    children,
+    walk,
+)
 from restitution.practice.judging.entries import Meanings
 from restitution.practice.script import Claim
 
 _MOST = 3
 """So many of the numbers in a line are put back at once: each may have either sign."""
+_MEANT = 4
+_TRIED = 24
 _SMALL = frozenset(map(Fraction, (0, 1)))
 
 
@@ -24,13 +35,23 @@ class OwnNumbers:
     """The wrong numbers of a script so far, each with what it stands for and its line."""
 
     def __init__(self) -> None:
-        self._known: dict[Fraction, tuple[Expression, int]] = {}
+        self._known: dict[Fraction, tuple[tuple[Expression, ...], int]] = {}
 
     def __bool__(self) -> bool:
         return bool(self._known)
 
-    def note(self, value: Expression, meant: Expression, meanings: Meanings, line: int) -> None:
-        """Note that ``value``, a number, stands where ``meant`` would be right."""
+    def note(
+        self,
+        value: Expression,
+        meant: Expression,
+        meanings: Meanings,
+        line: int,
+        others: Sequence[Expression] = (),
+    ) -> None:
+        """Note that ``value``, a number, stands where ``meant`` would be right.
+
+        ``others`` are what a phrase that was meant may mean as well.
+        """
         value, meant = _without_root(value, meant)
         size = _size(value)
         if size is None or size in _SMALL:
@@ -40,8 +61,10 @@ class OwnNumbers:
             for each in walk(meant)
             if isinstance(each, Letter) and each.name in meanings
         }
-        tree = exchanged(meant, names)
-        self._known[size] = (Negate(tree) if _is_negative(value) else tree), line
+        trees = dict.fromkeys((exchanged(meant, names), *others))
+        negative = _is_negative(value)
+        known = tuple(Negate(tree) if negative else tree for tree in trees)
+        self._known[size] = known[:_MEANT], line
 
     def put_back(self, claim: Claim) -> Iterator[tuple[Claim, tuple[int, ...]]]:
         """A claim with what its wrong numbers stand for, and the lines that these are from."""
@@ -50,11 +73,11 @@ class OwnNumbers:
         if not own or claim.others:
             return
         lines = tuple(dict.fromkeys(self._known[size][1] for size in own))
-        for signs in product((False, True), repeat=len(own)):
-            put: dict[Fraction, Expression] = {}
-            for size, turned in zip(own, signs, strict=True):
-                tree = self._known[size][0]
-                put[size] = Negate(tree) if turned else tree
+        forms = [
+            [each for tree in self._known[size][0] for each in (tree, Negate(tree))] for size in own
+        ]
+        for trees in islice(product(*forms), _TRIED):
+            put = dict(zip(own, trees, strict=True))
             left, right = (_with(side, put) for side in (claim.left, claim.right))
             yield replace(claim, left=left, right=right), lines
 
@@ -72,7 +95,7 @@ def _without_root(value: Expression, meant: Expression) -> tuple[Expression, Exp
 def _size(tree: Expression) -> Fraction | None:
     """The size of a number as it stands; None for any other tree."""
     inside = tree.operand if isinstance(tree, Negate) else tree
-    return inside.value if isinstance(inside, Number) else None
+    return inside.value if isinstance(inside, Number | Degrees) else None
 
 
 def _is_negative(tree: Expression) -> bool:
@@ -81,7 +104,7 @@ def _is_negative(tree: Expression) -> bool:
 
 def _sizes(tree: Expression) -> Iterator[Fraction]:
     """The numbers of a tree, without exponents."""
-    if isinstance(tree, Number):
+    if isinstance(tree, Number | Degrees):
         yield tree.value
     elif isinstance(tree, Binary) and tree.op == "^":
         yield from _sizes(tree.left)
@@ -92,7 +115,7 @@ def _sizes(tree: Expression) -> Iterator[Fraction]:
 
 def _with(tree: Expression, put: dict[Fraction, Expression]) -> Expression:
     """A tree with other trees in place of some numbers; exponents stay."""
-    if isinstance(tree, Number):
+    if isinstance(tree, Number | Degrees):
         return put.get(tree.value, tree)
     if isinstance(tree, Binary) and tree.op == "^":
         return replace(tree, left=_with(tree.left, put))

@@ -7,8 +7,8 @@ judged in the student's own world as well. The truth of a line never depends on 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Protocol
 
@@ -17,6 +17,7 @@ import numpy as np
 from restitution.errors import RestitutionError
 from restitution.explaining.misconceptions import VariantAt
 from restitution.explaining.trees import exchanged
+from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -34,6 +35,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import Accuracy, JudgedLine, Mistake, Use, Verdict
 from restitution.practice.judging.angles import unnamed_in, with_angles
+from restitution.practice.judging.bounds import Bounds, bounded_by, conditions_of
 from restitution.practice.judging.deduction import deduced_from
 from restitution.practice.judging.entries import (
     Entry,
@@ -70,6 +72,7 @@ _OBLIQUE = 1e-6
 _USUAL = 0.3
 """A letter takes a meaning of at most this cost from lines below a mistake."""
 _ALTERED = 3
+_PHRASED = 6
 _NAMED = 10
 """So many mistakes are looked into; of more the first tell enough."""
 COARSE = "coarse"
@@ -104,11 +107,15 @@ class Naming(Protocol):
 
 @dataclass(frozen=True)
 class Question:
-    """What a part prints and asks, the letters that it has to find, and those that it gives."""
+    """What a part prints and asks, the letters that it has to find, and those that it gives.
+
+    ``bounds`` are what it says of sizes.
+    """
 
     wanted: Wanted
     unknown: frozenset[str] = frozenset()
     given: frozenset[str] = frozenset()
+    bounds: Bounds = field(default_factory=Bounds)
 
 
 @dataclass(frozen=True)
@@ -169,6 +176,7 @@ class Judge:
     def judged(self, script: Script) -> tuple[JudgedLine, ...]:
         """Every line with its verdict."""
         self._base = self._likeliest(script)
+        self._take_acute(script)
         question = self.question
         self._support = Support(self._base, question.wanted, question.unknown, question.given)
         lines = [self._judged(line) for line in script.lines]
@@ -221,6 +229,41 @@ class Judge:
             key=lambda world: sum(
                 self._holds(link, line, (world,)) is not None for line, link in links
             ),
+        )
+
+    def _take_acute(self, script: Script) -> None:
+        """Take the acute angle for a letter that means an obtuse one to a line, if more is true so.
+
+        A line has two directions, and students measure from either.
+        """
+        for name in {name for known in self._meanings.values() for name in known}:
+            tree = next(known[name] for known in self._meanings.values() if name in known)
+            if not _is_to_a_line(tree) or not self._is_obtuse(tree):
+                continue
+            before = self._count(script, name)
+            own = self._meanings
+            other = Binary("-", Degrees(Fraction(180)), tree)
+            self._meanings = {
+                number: {**known, name: other} if known.get(name) == tree else known
+                for number, known in own.items()
+            }
+            if self._count(script, name) <= before:
+                self._meanings = own
+
+    def _is_obtuse(self, tree: Expression) -> bool:
+        try:
+            value = self._base.value(tree)
+        except RestitutionError:
+            return False
+        return isinstance(value, Angle) and bool(np.all(np.cos(value.measure()) < -_OBLIQUE))
+
+    def _count(self, script: Script, name: str) -> int:
+        """How many relations with a letter are true."""
+        return sum(
+            self._holds(link, line, self.worlds) is not None
+            for line in script.lines
+            for link in line.links
+            if name in letters(link.readings[0].left) | letters(link.readings[0].right)
         )
 
     def _judged(self, line: ScriptLine) -> JudgedLine:
@@ -282,8 +325,7 @@ class Judge:
             students = self.students() if self.wrong else ()
             if len(line.links) == 1 and self._support.is_missing(entry, self.entries, students):
                 verdict = "unsupported"
-            broken = self._broken() if self._names and self.wrong else frozenset()
-            grounded = self._support.is_grounded(entry, self.entries, broken)
+            grounded = self._support.is_grounded(entry, self.entries, self._forgone())
             return JudgedLink(verdict, claim, accuracy, remark=remark, grounded=grounded)
         return (
             self._root(line, link)
@@ -385,6 +427,8 @@ class Judge:
 
     def accuracy(self, claim: Claim, world: World, line: ScriptLine, link: Link) -> Accuracy | None:
         """How exactly a claim holds in a world; None where it does not, or has no value there."""
+        if not self.question.bounds.allows(claim):
+            return None
         meanings = self.meanings(line.number)
         forms = (
             claim,
@@ -542,11 +586,44 @@ class Judge:
             if places:
                 numbers = tuple(self.entries[place].number for place in places)
                 return JudgedLink("follows", claim, "exact", numbers, self._impossible(claim))
+        return self._bounded(line, link)
+
+    def _bounded(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """An inequality that comes from his own value and a condition on it."""
+        bounds = self.question.bounds
+        for claim in link.readings:
+            if claim.sign == "=":
+                continue
+            entry = self._entry_of(line, link, claim)
+            conditions = list(conditions_of(bounds.given, self._letters_worth(line)))
+            known = {name: float(x.flat[0]) for name, x in self._base.letters.items()}
+            entries = [each for each in self.entries if each.number <= line.number]
+            source = bounded_by(entry, entries, conditions, known, bounds.coefficients)
+            if source is not None:
+                return JudgedLink("follows", claim, "exact", (source,))
         return None
+
+    def _letters_worth(self, line: ScriptLine) -> Callable[[Expression], Iterator[tuple[str, int]]]:
+        """The letters of a line that are worth a quantity, or its opposite."""
+
+        def worth(tree: Expression) -> Iterator[tuple[str, int]]:
+            for name, meant in self.meanings(line.number).items():
+                for sense, claim in (
+                    (1, Claim(meant, "=", tree)),
+                    (-1, Claim(meant, "=", Negate(tree))),
+                ):
+                    try:
+                        if agrees(claim, self._base, {}, (), line.scope):
+                            yield name, sense
+                            break
+                    except RestitutionError:
+                        continue
+
+        return worth
 
     def _with_own_numbers(self, line: ScriptLine, link: Link) -> JudgedLink | None:
         """A line that is true with what the student's wrong numbers stand for."""
-        for claim in link.readings:
+        for claim in self._in_all_meanings(link, line):
             for each, numbers in self._own_numbers.put_back(claim):
                 grade = next(
                     (g for w in self.worlds if (g := self.accuracy(each, w, line, link))), None
@@ -554,6 +631,14 @@ class Judge:
                 if grade is not None:
                     return JudgedLink("follows", claim, grade, numbers, right=each)
         return None
+
+    def _in_all_meanings(self, link: Link, line: ScriptLine) -> Iterator[Claim]:
+        """The readings of a link; one that begins with a phrase in each of its meanings as well."""
+        yield from link.readings
+        first = link.readings[0]
+        if isinstance(first.left, Letter) and is_phrase(first.left.name):
+            for meant in self._meanings_of(first.left.name, line.scope.event)[:_PHRASED]:
+                yield replace(first, left=meant)
 
     def _adopted(self, line: ScriptLine, link: Link) -> JudgedLink | None:
         """A line with a letter that has no meaning yet, and holds with one in his own world.
@@ -704,6 +789,18 @@ class Judge:
             if use.altered is not None
         )
 
+    def _forgone(self) -> frozenset[tuple[str, int | None]]:
+        """The laws that a mistake above stands in place of, as far as mistakes have names."""
+        if not self._names or not self.wrong:
+            return frozenset()
+        named = (
+            (law.law, variant.event.number)
+            for found in self._explained.values()
+            for variant in found.variants[:_ALTERED]
+            for law in variant.laws
+        )
+        return self._broken().union(named)
+
     def altered(self, variant: VariantAt) -> World | None:
         """The world of an altered law, all else being right."""
         key = variant.id, variant.event.number, self._base.solution
@@ -718,12 +815,15 @@ class Judge:
     def _remember(self, line: ScriptLine, links: Sequence[JudgedLink]) -> None:
         start: Expression | None = None
         last: Expression | None = None
-        first = len(self.entries)
+        first, untrue = len(self.entries), False
         for link, judged in zip(line.links, links, strict=True):
             claim = judged.claim
             if start is None or claim.left != last:
-                start, first = claim.left, len(self.entries)
+                start, first, untrue = claim.left, len(self.entries), False
             last = claim.right
+            if untrue and judged.verdict == "true":
+                self._note_number(line, judged, start)  # β = 60 - 10.9 = 49.1
+            untrue = untrue or judged.verdict in ("false", "follows")
             if judged.verdict not in ("true", "follows", "false", "unsupported"):
                 continue
             if judged.verdict in ("false", "follows"):
@@ -743,7 +843,10 @@ class Judge:
         if claim.sign == "=" and (named or is_numeric(start)):
             meant = start if named else claim.left
             meanings = self.meanings(line.number)
-            self._own_numbers.note(judged.claim.right, meant, meanings, line.number)
+            others: tuple[Expression, ...] = ()
+            if isinstance(meant, Letter) and is_phrase(meant.name):
+                others = self._meanings_of(meant.name, line.scope.event)
+            self._own_numbers.note(judged.claim.right, meant, meanings, line.number, others)
 
     def _entry(self, line: ScriptLine, link: Link, judged: JudgedLink) -> Entry:
         entry = self._entry_of(line, link, judged.claim)
@@ -765,6 +868,8 @@ class Judge:
         for link, judged in zip(line.links, links, strict=True):
             if judged.verdict in ("true", "follows", "false", "unsupported"):
                 entry = self._entry(line, link, judged)
+                if judged.right is not None:  # of a law, with wrong numbers in it
+                    entry = replace(entry, claim=judged.right, right=True)
                 uses.update(dict.fromkeys(self.uses_of_entry(entry)))
         if len(uses) > 1:
             uses.pop(Use("arithmetic"), None)
@@ -870,6 +975,16 @@ def _lines_of(world: World) -> Iterator[Expression]:
     """The lines of centres of a story; that of a wall is perpendicular to it."""
     for number in world.lines:
         yield Quantity("line_of_centres", (), number)
+
+
+def _is_to_a_line(tree: Expression) -> bool:
+    """Whether a quantity is an angle to a line of centres, a wall, i or j."""
+    if not isinstance(tree, Quantity) or tree.kind != "angle":
+        return False
+    other = tree.arguments[1]
+    return isinstance(other, Unit | Name) or (
+        isinstance(other, Quantity) and other.kind == "line_of_centres"
+    )
 
 
 def _is_oblique(axis: Expression, world: World) -> bool:

@@ -544,8 +544,12 @@ def _allowed(options: Sequence[int], slots: Sequence[Slot], free: Sequence[int])
 
 def _worth(item: Item, options: Sequence[int], slots: Sequence[Slot]) -> float:
     means = {name: slots[s].options[options[s]] for name, s in item.slots.items()}
-    defined = [name for name, each in means.items() if each.kind == "definition"]
-    if len(means) == 1 and any(not is_phrase(name) for name in defined):
+    defined = [
+        name
+        for name, each in means.items()
+        if each.kind == "definition" and not (is_phrase(name) and each.nature == "vector")
+    ]
+    if defined and len(means) == 1:
         return _STARTED if any(each.start for each in means.values()) else _DEFINED
     return item.weight * _naturalness(item, means)
 

@@ -173,6 +173,8 @@ def usual(
             return _mass(candidates, below, problem)
         case "v" | "u" | "V" | "U" if any(sphere.name == below for sphere in problem.spheres):
             return _usual_velocity(candidates, base in "uU", below, usage.scope)
+        case _ if usage.in_angle:
+            return _usual_angle(candidates, events)
     return None
 
 
@@ -204,6 +206,18 @@ def _usual_velocity(
     wanted = [each for each in later if each.event == scope.event] or later
     last = max((each.event or 0 for each in wanted), default=0)
     return next((each for each in wanted if each.event == last), None)
+
+
+def _usual_angle(candidates: Iterable[Candidate], events: Sequence[Event]) -> Candidate | None:
+    """The angle of the line of centres of spheres that meet off centre."""
+    offset = [
+        number
+        for number, event in enumerate(events, 1)
+        if isinstance(event, Impact) and event.offset is not None
+    ]
+    line = Quantity("line_of_centres", (), offset[0] if offset else 0)
+    angles = (each for each in candidates if each.kind == "angle" and offset)
+    return next((each for each in angles if line in walk(each.quantity)), None)
 
 
 # --- trees of phrases and declarations ------------------------------------------------------------

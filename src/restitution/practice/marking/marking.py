@@ -69,7 +69,7 @@ def mark(
     and the error of a question that has no answer.
     """
     solution = question if isinstance(question, Solution) else solve(question)
-    script = read_working(working, solution.problem)
+    script = read_working(working, solution.problem, letters or ())
     labels = _labels(solution)
     if part is None and None not in labels:
         opened = [line.part for line in script.lines if line.part in labels]
@@ -89,7 +89,7 @@ def mark_parts(
     A working that opens none is one of the first part.
     """
     solution = question if isinstance(question, Solution) else solve(question)
-    script = read_working(working, solution.problem)
+    script = read_working(working, solution.problem, letters or ())
     opened = {line.part for line in script.lines}
     labels = [label for label in _labels(solution) if label in opened] or _labels(solution)[:1]
     return tuple(_marked(solution, script, label, letters, hints) for label in labels)

@@ -243,6 +243,10 @@ class _Examiner:
                 why = "does not follow from the lines above"
                 if last is None or last.state != "earned":
                     last = PointMark(point, "lost", line.line.number, why)
+        if last is not None and last.state == "earned" and point.item is not None:
+            sound = [each for each in self.lines if each.verdict in _SOUND]
+            if not self.values.covers(point, sound):
+                last = replace(last, state="lost", why="another value is possible as well")
         if last is None and (self.values.is_velocity(point) or self.values.is_direction(point)):
             seen = next((each for each in self.lines if self.values.shows(point, each)), None)
             last = None if seen is None else self._earned(point, seen, "")
@@ -302,10 +306,13 @@ class _Examiner:
             (
                 line
                 for line in self.lines
-                if line.verdict in _SOUND and line.grounded and self.values.is_solved(line)
+                if line.verdict in _SOUND and line.grounded and self._is_eliminated(line)
             ),
             None,
         )
+
+    def _is_eliminated(self, line: JudgedLine) -> bool:
+        return self.values.is_solved(line) or self.values.is_eliminated(line)
 
     # --- what a line uses -----------------------------------------------------------------------
 
@@ -438,6 +445,8 @@ class _Examiner:
                     continue  # what stays implies no more than that it was resolved
                 if state.state == "earned" or state.point.shown:
                     continue
+                if state.point.item is not None and state.line is not None:
+                    continue  # an answer is right or wrong by itself
                 if name in printed and point.letter != "B":
                     continue
                 if point.equation and state.point.principle not in _IN_EQUATIONS:
@@ -520,7 +529,7 @@ class _Examiner:
     def _is_leap(self, result: PointMark, methods: Sequence[PointMark]) -> bool:
         """Whether no step stands between the equations and the printed result."""
         line = self._line(result.line)
-        if line is None or len(line.line.links) > 1:
+        if line is None or len(line.line.links) > 1 or result.point.principle == "inequality":
             return False
         laws = [each.line for each in methods if each.point.principle in _LAWS and each.line]
         last = max(laws, default=0)

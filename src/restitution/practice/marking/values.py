@@ -15,6 +15,7 @@ from typing import Literal
 
 import numpy as np
 
+from restitution.errors import RestitutionError
 from restitution.explaining.derivation import FLIPPED
 from restitution.explaining.trees import exchanged
 from restitution.expression.evaluate import Angle, Value
@@ -31,6 +32,7 @@ from restitution.practice.judgement import JudgedLine, Meaning
 from restitution.practice.letters.interpretation import Interpretation
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.script import Claim
+from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.arrays import Array, UnvaluedError, is_bare
 from restitution.practice.worlds.principles import is_worked
 from restitution.practice.worlds.student import scattered_world
@@ -92,6 +94,30 @@ class Values:
                 return None
         return self._match(line)
 
+    def covers(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> bool:
+        """Whether lines give a value in every solution, where there are several."""
+        link = point.link
+        if link is None or point.shown or len(self.worlds) < 2:
+            return True
+        return all(
+            any(self._holds_in(world, link.left, line) for line in lines) for world in self.worlds
+        )
+
+    def _holds_in(self, world: World, quantity: Expression, line: JudgedLine) -> bool:
+        """Whether a line that names a quantity holds in a solution."""
+        meanings = self._meanings(line)
+        for link in line.line.links:
+            for claim in link.readings:
+                sides = (claim.left, claim.right)
+                if not any(self._names(side, quantity, meanings, line) for side in sides):
+                    continue
+                try:
+                    if agrees(claim, world, meanings, link.decimals, line.line.scope):
+                        return True
+                except RestitutionError:
+                    continue
+        return False
+
     def completes(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> Match | None:
         """Whether the last of some lines completes the components of a point's velocity."""
         link = point.link
@@ -122,7 +148,7 @@ class Values:
             and self._is_value(claim.right, meanings, line)
             for chain in _chains(line)
             for claim in chain
-        ) or self.is_eliminated(line)
+        )
 
     def is_eliminated(self, line: JudgedLine) -> bool:
         """Whether one velocity is left in an equation that no law alone gives."""

@@ -43,7 +43,10 @@ _SAME: dict[str, str] = {
 }
 # What is typed for want of a sign, and what is meant.
 _TYPED = (
-    (re.compile(r"<([^<>=,]{1,20}),([^<>=,]{1,20})>"), r"(\1,\2)"),
+    (  # a vector, and no two inequalities: 1 - 4e < 0, e > 1/4
+        re.compile(r"(^|[=+(:*/-]\s*|[A-Za-z]\s)<([^<>=,]{1,20}),([^<>=,]{1,20})>(?!\s*[\w√(.])"),
+        r"\1(\2,\3)",
+    ),
     (re.compile(r"(?<![*\w])\*\*([A-Za-z]\w{0,3})\*\*(?![*\w])"), r" \1 "),
     (re.compile(r"(?<![A-Za-z])([ij])\^(?=\s*(?:[-+=)\s,]|$))"), r"\1 "),
     (re.compile(r"(?<=[A-Za-z])\s?⊥"), "_perp "),

@@ -8,7 +8,7 @@ text raises an error: what cannot be read is a line of kind ``unread`` that says
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from restitution.practice.reading.characters import Plain, plain
@@ -34,16 +34,21 @@ MAX_LINES = 60
 MAX_LENGTH = 200
 
 
-def read_working(text: str | Sequence[str], problem: Problem) -> Script:
+def read_working(
+    text: str | Sequence[str], problem: Problem, declared: Collection[str] = ()
+) -> Script:
     """The working of a question as a script: at most 60 lines of 200 characters are read.
 
-    ``text`` is the working, or its lines. Never raises: lines beyond the limits, and lines that
+    ``text`` is the working, or its lines. A ``declared`` letter stands for no other: a is not α
+    then. Never raises: lines beyond the limits, and lines that
     are no mathematics, are ``unread``.
     """
     lines = text.splitlines() if isinstance(text, str) else [str(each) for each in text]
     typed = [(n, line) for n, line in enumerate(lines, 1) if line.strip()][: MAX_LINES + 1]
     plains = [plain(line[: MAX_LENGTH + 1]) for _, line in typed[:MAX_LINES]]
     usage = usage_of([each.text for each in plains], problem)
+    aliases = {each: meant for each, meant in usage.aliases.items() if each not in declared}
+    usage = replace(usage, aliases=aliases)
     reader = _Reader(problem, usage)
     script_lines = [reader.line(number, line, each) for (number, line), each in zip(typed, plains)]
     if len(typed) > MAX_LINES:

@@ -1,0 +1,235 @@
+"""Whether an inequality follows from a student's own values and a condition on them.
+
+``v = (5 - 8e)u/6`` and ``v < 0`` give ``e > 5/8``, whether the value is right or not. Both are
+tried at random values of the letters in the inequality: it follows if it holds just where the
+condition does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    letters,
+)
+from restitution.practice.judging.entries import Entry
+from restitution.practice.script import Claim, Sign
+from restitution.problem import Compare, Given, Part, Problem, Range
+from restitution.solving.solution import PartSolution
+
+Array = Any
+
+_POINTS = 400
+_LARGEST = 6.0
+_NEAR = 1e-9
+_COMPARISONS: Mapping[Sign, Callable[[Array, Array], Array]] = {
+    "<": np.less,
+    "<=": np.less_equal,
+    ">": np.greater,
+    ">=": np.greater_equal,
+}
+_TURNED: Mapping[Sign, Sign] = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}
+_FUNCTIONS: Mapping[str, Callable[[Array], Array]] = {
+    "sqrt": np.sqrt,
+    "sin": np.sin,
+    "cos": np.cos,
+    "tan": np.tan,
+}
+
+
+@dataclass(frozen=True)
+class Bounds:
+    """What a part says of the sizes of quantities and letters.
+
+    ``given`` compares quantities with numbers, ``ranges`` are the ends of what a letter may be that
+    the part asks for, ``coefficients`` are letters that lie between 0 and 1.
+    """
+
+    given: tuple[Claim, ...] = ()
+    ranges: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    coefficients: frozenset[str] = frozenset()
+
+    def allows(self, claim: Claim) -> bool:
+        """Whether a comparison of a letter with a number leaves out nothing that it may be."""
+        if claim.sign not in _COMPARISONS or not (letters(claim.left) or letters(claim.right)):
+            return True
+        usual = _usual(claim)
+        if not isinstance(usual.left, Letter) or usual.left.name not in self.ranges:
+            return True
+        low, high = self.ranges[usual.left.name]
+        try:
+            end = float(_worth(usual.right, {}))
+        except _OpenError:
+            return True
+        if usual.sign in ("<", "<="):
+            return end >= high - _NEAR * (1 + abs(high))
+        return end <= low + _NEAR * (1 + abs(low))
+
+
+def bounds_of(problem: Problem, part: Part, solved: PartSolution) -> Bounds:
+    """What a part gives and asks of the sizes of quantities and letters."""
+    coefficients = {name for name, role in solved.roles.items() if role.kind == "restitution"}
+    return Bounds(
+        tuple(_given(problem, part)), dict(_ranges(solved)), frozenset({"e", *coefficients})
+    )
+
+
+def _given(problem: Problem, part: Part) -> Iterator[Claim]:
+    for step, _, _ in problem.timeline(part):
+        for relation in step.relations if isinstance(step, Given) else ():
+            if not isinstance(relation, Compare):
+                continue
+            links = zip(relation.operands, relation.operators, relation.operands[1:], strict=False)
+            yield from (Claim(*link) for link in links if link[1] != "=")
+
+
+def _ranges(solved: PartSolution) -> Iterator[tuple[str, tuple[float, float]]]:
+    """The letters of which a part asks the range, where that is one interval of numbers."""
+    for item in solved.items:
+        subject = item.item.expression if isinstance(item.item, Range) else None
+        if not isinstance(subject, Letter) or len(item.answers) != 1:
+            continue
+        value = item.answers[0].value
+        if getattr(value, "is_Interval", False):
+            ends = value.start, value.end
+            if all(end.is_extended_real and not end.free_symbols for end in ends):
+                yield subject.name, (float(ends[0]), float(ends[1]))
+
+
+class _OpenError(Exception):
+    """A side that is worth nothing here."""
+
+
+def bounded_by(
+    entry: Entry,
+    entries: Sequence[Entry],
+    conditions: Sequence[Claim],
+    known: Mapping[str, float],
+    coefficients: frozenset[str],
+) -> int | None:
+    """The number of the line whose value, under a condition, gives an inequality; None if none.
+
+    ``conditions`` compare a letter with a number; ``known`` are values of the statement's letters,
+    of which those in the inequality are varied. ``coefficients`` lie between 0 and 1.
+    """
+    claim = entry.claim
+    names = sorted(letters(claim.left) | letters(claim.right))
+    if claim.sign not in _COMPARISONS or claim.others or not names:
+        return None
+    if any(name not in known for name in names):
+        return None
+    rng = np.random.default_rng(5)
+    put: dict[str, Array] = {name: np.float64(value) for name, value in known.items()}
+    for name in names:
+        put[name] = rng.uniform(0, 1.0 if name in coefficients else _LARGEST, _POINTS)
+    own = _region(claim, put)
+    if own is None or own.all() or not own.any():
+        return None
+    stated = [_usual(each.claim) for each in entries if each.claim.sign in _COMPARISONS]
+    usual = [Claim(Letter(name), "<=", Number(Fraction(1))) for name in sorted(coefficients)]
+    for condition in (*stated, *conditions, *usual):
+        if not isinstance(condition.left, Letter):
+            continue
+        for other in reversed(entries):
+            if other.claim.sign != "=" or other.claim.others:
+                continue
+            value = _value_of(condition.left.name, other.claim, put)
+            if value is None:
+                continue
+            region = _COMPARISONS[condition.sign](value, _worth(condition.right, put))
+            if np.mean(region == own) > 1 - 1 / _POINTS:
+                return other.number
+    return None
+
+
+def _usual(claim: Claim) -> Claim:
+    """A comparison with its letter on the left."""
+    if isinstance(claim.left, Letter):
+        return claim
+    return replace(claim, left=claim.right, right=claim.left, sign=_TURNED[claim.sign])
+
+
+def _region(claim: Claim, put: Mapping[str, Array]) -> Array | None:
+    """Where a comparison holds."""
+    try:
+        with np.errstate(all="ignore"):
+            left, right = _worth(claim.left, put), _worth(claim.right, put)
+    except _OpenError:
+        return None
+    return np.broadcast_to(_COMPARISONS[claim.sign](left, right), (_POINTS,))
+
+
+def _value_of(name: str, claim: Claim, put: Mapping[str, Array]) -> Array | None:
+    """What a linear equation gives a letter; None where it is another equation."""
+    inside = letters(claim.left) | letters(claim.right)
+    if name not in inside:
+        return None
+    apart = []
+    try:
+        with np.errstate(all="ignore"):
+            for x in (0.0, 1.0, 2.0):
+                there = {**put, name: np.float64(x)}
+                apart.append(_worth(claim.left, there) - _worth(claim.right, there))
+            slope = apart[1] - apart[0]
+            linear = np.abs(apart[2] - apart[1] - slope) <= _NEAR * (1 + np.abs(slope))
+            if not np.all(linear) or np.any(slope == 0):
+                return None
+            return np.broadcast_to(-apart[0] / slope, (_POINTS,))
+    except _OpenError:
+        return None
+
+
+def _worth(tree: Expression, put: Mapping[str, Array]) -> Array:
+    match tree:
+        case Number(value):
+            return np.float64(value)
+        case Degrees(value):
+            return np.radians(np.float64(value))
+        case Letter(name) if name in put:
+            return put[name]
+        case Negate(operand):
+            return -_worth(operand, put)
+        case Binary(op, left, right):
+            a, b = _worth(left, put), _worth(right, put)
+            match op:
+                case "+":
+                    return a + b
+                case "-":
+                    return a - b
+                case "*":
+                    return a * b
+                case "/":
+                    return a / b
+            return a**b
+        case Apply(function, argument) if function in _FUNCTIONS:
+            return _FUNCTIONS[function](_worth(argument, put))
+    raise _OpenError
+
+
+def conditions_of(
+    given: Iterable[Claim], letters_of: Callable[[Expression], Iterable[tuple[str, int]]]
+) -> Iterator[Claim]:
+    """Comparisons of quantities with numbers as those of the student's letters for them.
+
+    ``letters_of`` gives the letters that are worth a quantity, with 1, or its opposite, with -1.
+    """
+    for claim in given:
+        if claim.sign not in _COMPARISONS:
+            continue
+        for name, sense in letters_of(claim.left):
+            if sense > 0:
+                yield replace(claim, left=Letter(name))
+            else:
+                yield Claim(Letter(name), _TURNED[claim.sign], Negate(claim.right))
