@@ -320,3 +320,46 @@ def test_letters_of_the_question_are_no_words() -> None:
 def test_the_number_of_an_equation_is_no_factor() -> None:
     assert first("(1) -a = u/8") == ["-a = u/8"]
     assert first("(2)(3) + 3(4) = 18") == ["2*3 + 3*4 = 18"]
+
+
+@pytest.mark.parametrize(
+    ("typed", "readings"),
+    [
+        ("v = u/3√2 (1-2e)", {"v = (u/(3√2))(1 − 2e)", "v = (u/3)√2(1 − 2e)"}),
+        ("v = u/2√2(1-e)", {"v = (u/(2√2))(1 − e)", "v = u/(2√2(1 − e))"}),
+    ],
+)
+def test_a_denominator_may_end_before_brackets(typed: str, readings: set[str]) -> None:
+    (link,) = line(typed).links
+    assert readings <= {write_claim(claim) for claim in link.readings}
+
+
+@pytest.mark.parametrize(
+    ("typed", "claims"),
+    [
+        ("v = -2u (v = 2u means no collision)", ["v = −2u"]),
+        ("v = -2u, v = 2u impossible", ["v = −2u"]),
+        ("v = 3u rejected", []),
+        ("e = 1/2 not 2", ["e = ½"]),
+        ("e = 1 equal masses so A stops", ["e = 1"]),
+        ("1 - 4e < 0, e > 1/4", ["1 − 4e < 0", "e > ¼"]),
+        ("comps along 2i-j: A before (12-2)/√5 = 10/√5", ["(12 − 2)/√5 = 10/√5"]),
+    ],
+)
+def test_what_is_said_to_be_impossible_is_not_claimed(typed: str, claims: list[str]) -> None:
+    assert [write_claim(link.readings[0]) for link in line(typed).links] == claims
+
+
+def test_a_line_goes_on_from_the_value_of_a_remark() -> None:
+    script = read_working("w = 4v\nafter: mv² + 3/2mw²\n= 2mu²", problem()).lines
+    written = [write_claim(claim) for claim in script[2].links[0].readings]
+    assert written[0] == "mv² + (3/2)mw² = 2mu²"
+    assert "4v = 2mu²" in written
+
+
+def test_a_declared_letter_is_no_alias() -> None:
+    alias, own = (
+        read_working("tan a = 3/4", problem(WALLS), declared).lines[0] for declared in ((), ("a",))
+    )
+    assert write_claim(alias.links[0].readings[0]) == "tan α = ¾"
+    assert write_claim(own.links[0].readings[0]) == "tan a = ¾"

@@ -270,12 +270,14 @@ class _Examiner:
         """Whether a line gives a letter, in its first line, a value and no more."""
         if not self.values.is_quoted(line):
             return False
-        left = line.line.links[0].readings[0].left
+        lefts = {link.readings[0].left for link in line.line.links}
         above = [each for each in self.lines if each.line.number < line.line.number]
         return not any(
-            left in (*walk(link.readings[0].left), *walk(link.readings[0].right))
+            tree in lefts
             for each in above
             for link in each.line.links
+            for side in (link.readings[0].left, link.readings[0].right)
+            for tree in walk(side)
         )
 
     def _roots(self, line: JudgedLine) -> list[JudgedLine]:

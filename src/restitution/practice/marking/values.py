@@ -239,12 +239,11 @@ class Values:
         return not kinds or bool(kinds & _KINDS_OF_FACTS.get(principle, kinds))
 
     def is_quoted(self, line: JudgedLine) -> bool:
-        """Whether a line gives a quantity its value and no more, without a calculation."""
+        """Whether a line gives quantities their values and no more, without a calculation."""
         claims = [link.readings[0] for link in line.line.links]
-        return (
-            len(claims) == 1
-            and isinstance(claims[0].left, Letter | Quantity)
-            and not is_worked(claims[0].right)
+        return all(
+            isinstance(claim.left, Letter | Quantity) and not is_worked(claim.right)
+            for claim in claims
         )
 
     def is_formula(self, line: JudgedLine) -> bool:

@@ -467,11 +467,11 @@ def _is_worked_out(node: Binary) -> bool:
         case "*":
             return all(map(_is_plain, sides))
         case "/":
-            one, other = map(_number_of, sides)
-            if one is None or other is None:
+            above, below = map(_number_of, sides)
+            if above is None or below is None:
                 return False
-            whole = one.denominator == other.denominator == 1
-            return not whole or gcd(one.numerator, other.numerator) > 1
+            whole = above.denominator == below.denominator == 1
+            return not whole or gcd(above.numerator, below.numerator) > 1
     return False
 
 

@@ -1,0 +1,237 @@
+"""On what a line rests: true ones above it, his own values, a condition, or nothing true."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import pytest
+
+import restitution
+
+RANGE = """
+sphere A: mass m, velocity 3u at 60°
+sphere B: mass 2m, velocity u at 60° from -i
+A hits B: along i
+given along(velocity(A), i) < 0
+find range of e
+"""
+TURNED = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass lambda m, velocity -u i
+A hits B: along i, e = 1/2
+given along(velocity(A), i) < 0, tan(alpha) = 3/4
+find range of lambda
+"""
+SHOWN = """
+sphere A, B: mass m
+sphere A: velocity u at alpha
+sphere B: at rest
+A hits B: along i, e = 1/3
+show tan(angle(velocity(A), line_of_centres)) = 3 tan(alpha)
+"""
+WALLS = """
+wall W: along i
+wall X: along -60°
+sphere P: velocity u at -30°
+P hits W: e = 1/3
+P hits X: e = 1/2
+part a
+find speed(P, 1), direction(P, 1)
+part b
+find speed(P)
+"""
+EITHER = """
+sphere A: mass m, velocity u at 45°
+sphere B: mass 2m, at rest
+A hits B: along i
+given angle(velocity(A), line_of_centres) = arctan(4)
+find e
+"""
+ACROSS = """
+sphere A: mass 2, velocity 3i + 4j
+sphere B: mass 4, velocity i - 2j
+A hits B: along j, e = 1/2
+find velocity(A), velocity(B)
+"""
+OBLIQUE = """
+sphere A: mass 3, velocity 5 at alpha
+sphere B: mass 2, velocity -3i + 4j
+given tan(alpha) = 3/4
+A hits B: along i, e = 3/7
+part a
+find velocity(A), velocity(B)
+part b
+find energy_lost
+part c
+find deflection(B)
+"""
+LETTERS = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+
+
+@cache
+def solved(statement: str) -> restitution.Solution:
+    return restitution.solve(restitution.parse(statement))
+
+
+def marked(
+    statement: str, working: str, letters: dict[str, str] | None = None, part: str | None = None
+) -> dict[str, Any]:
+    marking = restitution.mark(solved(statement), working, part=part, letters=letters or LETTERS)
+    found: dict[str, Any] = marking.json()
+    return found
+
+
+def verdicts(found: dict[str, Any]) -> list[str]:
+    return [line["verdict"] for line in found["lines"]]
+
+
+def points(found: dict[str, Any]) -> dict[str, str]:
+    return {each["id"]: each["state"] for each in found["marks"]["points"]}
+
+
+def test_an_inequality_follows_from_his_value_and_the_condition() -> None:
+    working = """1.5u + 2(0.5u) = v + 2w
+w - v = e(1.5u + 0.5u)
+v = (2.5 - 4e)u/3
+v < 0 => e > 5/8
+so 5/8 < e <= 1"""
+    said = verdicts(marked(RANGE, working))
+    assert said == ["false", "true", "follows", "follows", "follows"]
+
+
+def test_an_inequality_that_his_value_does_not_give_is_a_mistake_of_its_own() -> None:
+    working = """1.5u + 2(0.5u) = v + 2w
+w - v = e(1.5u + 0.5u)
+v = (2.5 - 4e)u/3
+e < 5/8"""
+    assert verdicts(marked(RANGE, working))[-1] == "false"
+
+
+@pytest.mark.parametrize(
+    ("typed", "verdict"), [("λ > 8/19", "true"), ("λ > 8/9", "false"), ("λ > 1/9", "true")]
+)
+def test_a_part_of_the_range_is_not_the_range(typed: str, verdict: str) -> None:
+    assert verdicts(marked(TURNED, typed)) == [verdict]
+
+
+def test_two_inequalities_with_a_comma_are_no_vector() -> None:
+    found = marked(RANGE, "3v = 0.5u - 4eu\nv<0 so 0.5 - 4e < 0, e > 1/8")
+    assert verdicts(found) == ["true", "true"]
+    assert found["lines"][1]["read_as"] == "v < 0, 0.5 − 4e < 0, e > ⅛"
+
+
+def test_the_condition_used_is_earned_where_the_range_is_wrong() -> None:
+    working = "0.5u = v + 2w\nw - v = 2eu\n3v = 0.5u - 4eu\n0.5 - 4e < 0\ne < 1/8"
+    found = marked(RANGE, working)
+    assert verdicts(found)[-1] == "false"
+    assert found["marks"]["lost"] == 1
+
+
+def test_a_true_value_from_a_false_law_earns_no_accuracy() -> None:
+    broken = "mu cosα = mv + mw\nw + v = 1/3ucosα\nv = 1/3ucosα"
+    sound = "mu cosα = mv + mw\nw - v = 1/3ucosα\nv = 1/3ucosα"
+    states = points(marked(SHOWN, broken)), points(marked(SHOWN, sound))
+    value = next(
+        each["id"]
+        for each in marked(SHOWN, sound)["marks"]["points"]
+        if each["for"] == "correct value"
+    )
+    assert [each[value] for each in states] == ["lost", "earned"]
+
+
+def test_a_value_follows_through_from_another_part_alone() -> None:
+    whole = OBLIQUE.replace("part b\n", "").replace("part c\nfind deflection(B)\n", "")
+    lost = "v = 0, w = 5\nKE lost = 1/2*3*16 + 1/2*2*(9 - 25) = 8"
+    found = marked(OBLIQUE, lost, part="b"), marked(whole, "w - v = 5\n" + lost, part="a")
+    states = [
+        next(
+            each["state"]
+            for each in reversed(one["marks"]["points"])
+            if each["kind"].startswith("A")
+        )
+        for one in found
+    ]
+    assert states == ["earned", "lost"]
+
+
+def test_what_follows_from_a_wrong_angle_at_a_second_wall() -> None:
+    working = """angle with X = 60 - 10.9 = 49.1
+para = 0.882ucos49.1 = 0.577u
+perp = 0.5 x 0.882u sin49.1 = 0.333u
+speed = √(0.577² + 0.333²)u = 0.666u"""
+    found = marked(WALLS, working, {"q": "speed(P)"}, part="b")
+    assert verdicts(found) == ["false", "follows", "follows", "follows"]
+    assert found["lines"][0]["mistake"]["id"] is None
+    assert [each["state"] for each in found["marks"]["points"] if each["kind"] == "B1"] == [
+        "earned",
+        "earned",
+    ]
+
+
+def test_one_of_two_values_is_not_the_answer() -> None:
+    start = "u/√2 = v + 2w\nw - v = eu/√2\n"
+    one = marked(EITHER, start + "1 - 2e = 3/4\ne = 1/8")
+    both = marked(EITHER, start + "1 - 2e = ±3/4\ne = 1/8 or 7/8")
+    assert set(verdicts(one)) == set(verdicts(both)) == {"true"}
+    assert both["marks"]["lost"] == 0
+    assert one["marks"]["lost"] > 0
+
+
+def test_momenta_across_the_line_of_centres_are_no_law() -> None:
+    found = marked(ACROSS, "2*3 + 4*1 = 2v + 4w")
+    assert found["lines"][0]["verdict"] == "true"
+    assert found["lines"][0]["principle"] == "unchanged"
+    assert all(
+        each["state"] == "lost"
+        for each in found["marks"]["points"]
+        if "momentum" in each["for"] or "Newton" in each["for"]
+    )
+
+
+def test_given_angles_solve_nothing() -> None:
+    found = marked(OBLIQUE, "sinα=3/5 cosα=4/5\n12 - 6 = 3v + 2w", part="a")
+    earned = [each["kind"] for each in found["marks"]["points"] if each["state"] == "earned"]
+    assert earned == ["M1", "A1"]
+
+
+def test_an_angle_to_a_line_may_be_the_acute_one() -> None:
+    letters = {
+        "a": "angle(velocity(B, 0), line_of_centres)",
+        "b": "angle(velocity(B), line_of_centres)",
+    }
+    working = "tan a = 4/3, a = 53.1\ntan b = 4/3, b = 53.1\ndeflection = a + b = 106"
+    found = marked(OBLIQUE, working, letters, part="c")
+    assert verdicts(found) == ["true", "true", "false"]
+    assert found["lines"][2]["mistake"]["id"] == "deflection-difference"
+
+
+def test_the_part_of_an_energy_along_a_line_is_that_part() -> None:
+    found = marked(
+        OBLIQUE, "KE along i before = 24 + 9 = 33\nKE along i after = 9\nloss = 24", part="b"
+    )
+    assert verdicts(found) == ["true", "true", "true"]
+    assert verdicts(marked(OBLIQUE, "KE before = 24 + 9 = 33", part="b")) == ["false"]
+
+
+def test_a_letter_of_one_body_means_no_relative_velocity() -> None:
+    statement = """
+sphere A: mass m, velocity 2u i + u j
+sphere B: mass m, velocity -u i + 2u j
+A hits B: along i, e = 1/3
+find velocity(A), velocity(B)
+"""
+    found = marked(statement, "u = v + w\nu = w - v\nvA = uj\nvB = ui + uj")
+    assert verdicts(found)[-1] == "false"
+
+
+def test_an_impulse_is_not_named_after_momentum() -> None:
+    statement = """
+sphere A: mass 2, velocity 3i + 4j
+sphere B: mass 3, velocity -2i + j
+A hits B: along i
+given impulse = 9
+find velocity(A), velocity(B)
+"""
+    mistake = marked(statement, "9 = 2(v - 3)\nv = 7.5")["lines"][0]["mistake"]
+    assert mistake["id"] in ("impulse-sign", "sign", None)
