@@ -133,6 +133,17 @@ given energy_lost = 9
 find e
 """
 
+THREE_DISCS = """
+point N: (75, 65)
+sphere A: at (8, 14), velocity a i + b j, radius 5
+sphere B: at (40, 30), at rest
+sphere C: at (66, 53), at rest
+A hits B
+B hits C
+C reaches N
+given speed(A, 0) = 13
+find velocity(A, 0)
+"""
 SENT_ACROSS = """
 sphere A: mass 3m, velocity u at alpha
 sphere B: mass 5m, at rest
@@ -165,6 +176,7 @@ SAYS = [
         ASIDE,
         "B moves along the line of centres: angle from 𝐢 to 𝐯_B = 30° A1 speed of B = ",
     ),
+    (THREE_DISCS, "Solving (1) and (2): a = 12 m s⁻¹ b = 5 m s⁻¹"),
     (SENT_ACROSS, "8 = 5 + 5e"),
     (BLOW_OF_A_SIZE, "As sin² + cos² = 1: 5 = 16 cos θ"),
     (LOSS_AS_A_NUMBER, " = 12(1 − e²)"),

@@ -166,6 +166,9 @@ class Rows:
             sides_[0] = self._away(links[0].left)
             sides_[1:] = [lay.split_sign(side)[1] for side in sides_[1:]]
         reasons: tuple[Sentence, ...] = ()
+        if line.move.id == "solve" and not last and _is_value(links[0].left):
+            unit = self._measures.unit(links[0].left)
+            sides_[-1] = with_unit(sides_[-1], unit) if is_plain(sides_[-1]) else sides_[-1]
         if signs[-1] in ("=", "≈") and last:
             self._ended(line, links, sides_, signs)
             reasons = self._placed(line, links, sides_, signs)
