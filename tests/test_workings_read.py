@@ -144,6 +144,13 @@ C reaches N
 given speed(A, 0) = 13
 find velocity(A, 0)
 """
+LONG_LOSS = """
+sphere S: mass 3m, velocity 5u at theta
+sphere T: mass 4m, velocity u at 180° - theta
+S hits T: along i, e = 1/3
+given energy_lost = 7 m u^2
+find cos(theta)
+"""
 SENT_ACROSS = """
 sphere A: mass 3m, velocity u at alpha
 sphere B: mass 5m, at rest
@@ -212,3 +219,10 @@ def test_a_working_does_not_say(statement: str, words: str) -> None:
 
 def test_an_equation_among_words_goes_to_the_next_line_as_a_whole() -> None:
     assert "Let\n𝐧 = ((√2 + √6)/4)𝐢 + ((√2 − √6)/4)𝐣 be the unit vector" in text(SLANTED)
+
+
+def test_a_link_after_a_broken_side_has_its_sign_below_the_one_above() -> None:
+    lines = text(LONG_LOSS).splitlines()
+    last = next(n for n, line in enumerate(lines) if "cos²θ" in line and line.lstrip()[0] == "=")
+    assert lines[last - 1].lstrip().startswith("+")
+    assert lines[last].index("=") == lines[last - 2].index("=")

@@ -204,6 +204,7 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
     # Behind a line that is alone, marks need no more room than they have.
     own = width - (columns(row.mark) + 2 if row.mark else 0)
     room_behind = own if row.number or not (row.mark and goes_on(row.note)) else limit
+    cut = False
     for index, (sign, operand) in enumerate(zip(row.signs, row.operands[1:], strict=True), 1):
         piece = f" {sign} {_operand(operand)}"
         last = index == len(row.signs)
@@ -212,9 +213,10 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
         # The last piece goes to a line of its own, if what stands behind it fits there.
         far = columns(current + piece) + behind > room_behind
         apart = far and columns(start + piece) + behind <= room_behind and sign in ("=", "≈")
-        if (columns(current + piece) > limit or (behind and apart)) and not fresh:
+        if (columns(current + piece) > limit or (behind and apart) or cut) and not fresh:
             lines.append(current)
             current = start
+        cut = False
         # Rather than to be broken, a side takes the room of the marks.
         if columns(current + piece) > (own if last else width) and operand is not None:
             broken = _broken(operand, limit - columns(current) - columns(sign) - 2)
@@ -222,6 +224,7 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
             for more in broken[1:]:
                 lines.append(current)
                 current = f"{start} {' ' * columns(sign)} {more}"
+            cut = len(broken) > 1  # what follows has its sign below the one above
             continue
         current += piece
     lines.append(current)
