@@ -37,6 +37,11 @@ SAYS = {
         WALL.format(e="") + "given energy_lost = 1/3 energy(0)\nfind range of e",
         ["1/(3(1 − e²)) < 1", "e² < ⅔"],
     ),
+    "the greatest deflection of a sphere, over e": (
+        REST.format(k="", e="").replace("mass m, velocity", "mass 3m, velocity")
+        + "given tan(alpha) = 1/2\nfind maximum of deflection(A) over e",
+        ["as (1 + e)/(2(4 − e)) increases with e and e ≤ 1", "δ ≤ arctan(1/3), as 0° ≤ δ ≤ 180°"],
+    ),
     "an obtuse deflection": (
         REST.format(k="4", e=", e = 1/2") + "given deflection(A) > 90°\nfind range of tan(alpha)",
         ["the angle of deflection of A is more than 90°, so the scalar product is negative:"],
@@ -289,4 +294,21 @@ def test_an_angle_is_bounded_by_its_tangent(bound: str, right: bool) -> None:
         (Move("fact"), ("given 1",), "tan(beta) <= 1/tan(alpha)"),
         (Move("compare"), (1, "0° <= beta <= 90°", "acute: alpha"), bound),
     )
+    assert ("does-not-follow" not in found) == right
+
+
+@pytest.mark.parametrize(
+    ("least", "right"), [("0", True), ("1/3", True), ("-1", False), ("-1/2", False)]
+)
+def test_an_angle_of_up_to_180_is_below_a_bound_where_its_tangent_is_positive(
+    least: str, right: bool
+) -> None:
+    found = reasons(
+        REST.format(k="", e="")
+        + f"let delta = deflection(A)\ngiven tan(delta) < 1/2, tan(delta) > {least}\nfind e",
+        (Move("fact"), ("given 1",), "tan(delta) < 1/2"),
+        (Move("fact"), ("given 2",), f"tan(delta) > {least}"),
+        (Move("compare"), (1, 2, "0° <= delta <= 180°"), "delta < arctan(1/2)"),
+    )
+    assert "not-known-of-letters" not in found
     assert ("does-not-follow" not in found) == right

@@ -97,8 +97,8 @@ def is_certain(step: Step, relation: Relation) -> bool:
 def between_tangents(step: Step, relation: Relation) -> bool:
     """An angle of up to 180° between bounds of which its tangent is between the tangents.
 
-    What bounds it is at least 0 and less than 90°, and the least tangent is not negative: so the
-    angle is acute too, and grows with its tangent.
+    What bounds it is at least 0 and less than 90°, and the least tangent is not negative, or the
+    tangent is cited as positive: so the angle is acute too, and grows with its tangent.
     """
     if len(relation.options) != 1:
         return False
@@ -125,7 +125,9 @@ def between_tangents(step: Step, relation: Relation) -> bool:
             tangents = [r for a, r in ratios if a == named.get(angle, angle) and r.sign == own.sign]
             if not any(_is_tangent_below_90(step, own.right, r.right) for r in tangents):
                 return False
+            above = (r.right for a, r in ratios if a == named.get(angle, angle) and r.sign == ">")
             positive = positive or own.sign[0] == ">" or role.high == sp.pi / 2
+            positive = positive or any(_is_never_negative(step, each) for each in above)
             break
         else:
             return False
@@ -151,6 +153,11 @@ def _is_tangent_below_90(step: Step, angle: Expression, ratio: Expression) -> bo
             Claim(sp.pi / 2 - bound, ">")
         )
     return inside and equal_in(step, tangent, value)
+
+
+def _is_never_negative(step: Step, tree: Expression) -> bool:
+    value = step.world.expression(step.world.scalar(tree), step.roles)
+    return step.oracle.proves(Claim(value, ">="))
 
 
 MOST_COMPARED = 3
