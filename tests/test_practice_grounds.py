@@ -235,3 +235,27 @@ find velocity(A), velocity(B)
 """
     mistake = marked(statement, "9 = 2(v - 3)\nv = 7.5")["lines"][0]["mistake"]
     assert mistake["id"] in ("impulse-sign", "sign", None)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "A: KE before = 1/2 x 3 x 25 = 37.5",
+        "perp to loc for A: (4i + 3j).(-2j) = -6 and (3j).(-2j) = -6",
+        "e = sep/app = 3/7",
+    ],
+)
+def test_true_lines_with_labels_of_bodies_and_directions(line: str) -> None:
+    assert verdicts(marked(OBLIQUE, line, part="a"))[0] == "true"
+
+
+def test_masses_of_which_nothing_is_given_have_a_ratio() -> None:
+    statement = """
+sphere A: velocity 3i + j
+sphere B: velocity -2i
+A hits B: along i
+given velocity(A) = -i + j, velocity(B) = i
+find mass(A)/mass(B), e
+"""
+    found = restitution.mark(solved(statement), "3m - 2km = -m + km\n4m = 3km\nk = 4/3").json()
+    assert verdicts(found) == ["true", "true", "true"]

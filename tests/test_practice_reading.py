@@ -363,3 +363,18 @@ def test_a_declared_letter_is_no_alias() -> None:
     )
     assert write_claim(alias.links[0].readings[0]) == "tan α = ¾"
     assert write_claim(own.links[0].readings[0]) == "tan a = ¾"
+
+
+@pytest.mark.parametrize(
+    ("typed", "claims"),
+    [
+        ("resolve: A 5cos 60 = 2.5, B -3", ["5 cos 60° = 2.5"]),
+        ("A 5sin 30 = 2.5 B 4", ["5 sin 30° = 2.5"]),
+        ("mass x vel before: A 6i - 8j, B 6i + 9j", []),
+        ("j direction: 2v + 3w = 4", ["2v + 3w = 4"]),
+        ("v = 2u would give w = -3u", ["w = −3u"]),
+        ("mA : mB = 3:4", ["m_A/m_B = ¾"]),
+    ],
+)
+def test_what_only_announces_is_no_part_of_a_claim(typed: str, claims: list[str]) -> None:
+    assert [write_claim(link.readings[0]) for link in line(typed).links] == claims

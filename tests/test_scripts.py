@@ -69,6 +69,29 @@ def test_a_sample_of_scripts_is_judged_as_by_hand() -> None:
     assert measures.share("mistakes called false") >= 0.8, measures.offences
 
 
+TYPED = scripts_of(SCRIPTS / "typed")
+
+
+@pytest.mark.parametrize("script", sample(TYPED, 4), ids=lambda script: script.name)
+def test_a_sample_of_true_lines_in_many_spellings_is_not_accused(script: MarkedScript) -> None:
+    for declared in (True, False):
+        measures = measure([script], declared)
+        assert measures.counts["true lines called false"] == 0, measures.offences
+        assert measures.counts["crashed"] == 0, measures.offences
+
+
+@pytest.mark.nightly
+@pytest.mark.timeout(1800)
+@pytest.mark.parametrize("folder", ["typed", "third", "sealed"])
+def test_no_true_line_is_accused(folder: str) -> None:
+    scripts = scripts_of(SCRIPTS / folder)
+    for declared in (True, False):
+        measures = measure(scripts, declared)
+        assert measures.counts["true lines called false"] == 0, measures.offences
+        assert measures.counts["correct scripts accused"] == 0, measures.offences
+        assert measures.counts["crashed"] == 0, measures.offences
+
+
 @cache
 def measured(declared: bool) -> Measures:
     return measure(scripts_of(), declared)

@@ -126,7 +126,9 @@ class Names:
         mended = tuple(_mending(entry, judge))
         at = text_of(mended[0].part) if mended else None
         variants = self._explaining(entry, judge, mended)
-        near = () if judge.uses_of_entry(entry) else _near(entry, judge, mended)
+        uses = judge.uses_of_entry(entry)
+        idle = all(use.principle == "arithmetic" for use in uses)
+        near = _near(entry, judge, mended) if idle else ()
         return Explained(variants, _slip(entry, judge, mended), at, near)
 
     def named(self, explained: Explained, stated: Stated, confirmed: frozenset[str]) -> Mistake:

@@ -191,7 +191,8 @@ class Judge:
             return replace(line, mistake=Mistake(None))
         confirmed = frozenset(self._confirmed.get(line.line.number, ()))
         mistake = self.naming.named(explained, self.stated(), confirmed)
-        uses = line.uses or explained.near
+        idle = all(use.principle == "arithmetic" for use in line.uses)
+        uses = (explained.near or line.uses) if idle else line.uses
         if mistake.variants and not any(use.altered in mistake.variants for use in uses):
             uses = tuple(dict.fromkeys((*_uses_of_variants(explained.variants, mistake), *uses)))
         return replace(line, mistake=mistake, uses=uses)
@@ -344,8 +345,9 @@ class Judge:
         for claim in link.readings:
             if not isinstance(claim.left, Letter) or not is_phrase(claim.left.name):
                 continue
-            for meant in self._meanings_of(claim.left.name, line.scope.event):
-                for each in (meant, Negate(meant)) if _is_signed(meant) else (meant,):
+            for meant in self._meanings_under(claim.left.name, line):
+                senses = (meant, Negate(meant)) if _is_signed(meant) else (meant,)
+                for each in (*senses, *_times_sizes(senses, claim.right)):
                     other = replace(claim, left=each)
                     grade = next(
                         (g for w in worlds if (g := self.accuracy(other, w, line, link))), None
@@ -370,6 +372,12 @@ class Judge:
                         meant = tuple((name, angle) for name in unnamed_in(claim))
                         return JudgedLink(verdict, each, grade, sources, meant=meant)
         return None
+
+    def _meanings_under(self, phrase: str, line: ScriptLine) -> Iterator[Expression]:
+        """The quantities that a phrase may name: of the body that labels its line as well."""
+        yield from self._meanings_of(phrase, line.scope.event)
+        if line.scope.body is not None and line.scope.body not in phrase.split():
+            yield from self._meanings_of(f"{phrase} of {line.scope.body}", line.scope.event)
 
     def _meanings_of(self, phrase: str, event: int | None) -> tuple[Expression, ...]:
         """The quantities that a phrase may name, at every stage where it tells none."""
@@ -935,6 +943,17 @@ def _kind(tree: Expression) -> object:
 def _is_signed(tree: Expression) -> bool:
     """Whether a quantity has a sense that may be turned."""
     return isinstance(tree, Quantity) and tree.kind in ("along", "across")
+
+
+def _times_sizes(senses: Sequence[Expression], side: Expression) -> Iterator[Expression]:
+    """Components times the size of a direction in a scalar product: ``(4i + 2j).(i - 3j)``."""
+    if not _is_signed(senses[0]):
+        return
+    for node in walk(side):
+        if isinstance(node, Quantity) and node.kind == "dot":
+            for vector in node.arguments:
+                for each in senses:
+                    yield Binary("*", Apply("abs", vector), each)
 
 
 def _of_sizes(claim: Claim, meanings: Meanings) -> Iterator[Claim]:

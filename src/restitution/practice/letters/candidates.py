@@ -110,6 +110,16 @@ def _all(problem: Problem, events: Sequence[Event]) -> Iterator[Candidate]:
     for number, event in enumerate(events, 1):
         yield from _of_event(problem, event, number)
     yield from _of_the_whole(problem, events)
+    yield from _of_free_masses(problem)
+
+
+def _of_free_masses(problem: Problem) -> Iterator[Candidate]:
+    """The ratios of two masses of which nothing is given: m and km."""
+    free = [sphere.name for sphere in problem.spheres if sphere.mass is None]
+    if len(free) == 2:
+        for one, other in (free[::-1], free):
+            masses = (Quantity("mass", (Name(one),)), Quantity("mass", (Name(other),)))
+            yield Candidate(Binary("/", *masses), "ratio", "scalar")
 
 
 def bodies_of(event: Event) -> tuple[str, ...]:

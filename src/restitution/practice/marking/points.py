@@ -204,6 +204,9 @@ class _Examiner:
                 return self._earned(point, line, "")
             lost = lost or PointMark(point, "lost", line.line.number, self._reason(line))
         value = self._value(point)
+        seen = next((each for each in self.lines if self.values.is_seen(point, each)), None)
+        if value.state != "earned" and seen is not None:
+            return self._earned(point, seen, "seen here")
         if value.state == "earned" or lost is not None:
             return value if value.state == "earned" else lost or value
         used = next((line for line in self.lines if self.values.carries(point, line)), None)

@@ -489,6 +489,10 @@ class _Reader:
         if len(spheres) > 1 and features.direction is None and features.axis is None:
             first, second = (self.of("velocity", each, event) for each in spheres[:2])
             yield Quantity("angle", (first, second))
+        if features.axis is not None and "centres" in (features.direction or ""):
+            own = Quantity("angle", (line, features.axis))
+            yield own
+            yield Binary("-", Degrees(Fraction(180)), own)
         for body in self.bodies(event):
             velocity = self.of("velocity", body, event)
             other = self.other_direction(event, line)

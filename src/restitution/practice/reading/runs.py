@@ -60,7 +60,7 @@ def piece(run: str, offset: int, usage: Usage) -> tuple[str, str]:
             return "greek", run[offset : offset + len(name)]
     if low.startswith("mu") and "mu" in usage.letters and "u" not in usage.letters:
         return "greek", run[offset : offset + 2]
-    if low.startswith("pi") and len(run) == 2:
+    if low.startswith("pi") and len(run) == 2 and "p" not in usage.letters:
         return "pi", run[offset : offset + 2]
     return "letter", run[offset]
 

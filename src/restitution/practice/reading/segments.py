@@ -18,8 +18,10 @@ _CLOSING = frozenset(("number", "letter", "name", "unit", "pi", ")", "phrase", "
 
 
 # Words that say of the relation before them that it cannot be, and those that lead to them.
-_REJECTING = frozenset(("impossible", "rejected", "reject", "invalid", "discard", "ignore"))
-_LEADING = frozenset(("is", "means", "would", "mean", "so", "but", "gives", "therefore"))
+_REJECTING = frozenset(
+    ("impossible", "rejected", "reject", "invalid", "discard", "ignore", "would")
+)
+_LEADING = frozenset(("is", "means", "mean", "so", "but", "gives", "therefore"))
 
 
 @dataclass(frozen=True)
@@ -118,18 +120,30 @@ def _separates(tokens: Sequence[Token], place: int, depth: int, pending: Sequenc
 
 
 def _begins_body(tokens: Sequence[Token], place: int, pending: Sequence[Token]) -> bool:
-    """Whether the name of another body begins a relation: ``A = 3i + j  B = 2i``."""
+    """Whether the name of another body begins a relation: ``A = 3i + j  B = 2i``.
+
+    Behind a relation it does so without a sign as well: ``A 5 sin α = 3  B 4``.
+    """
     token = tokens[place]
     if token.kind != "name" or not token.gap or place + 1 >= len(tokens):
         return False
-    sign = tokens[place + 1].kind in ("relation", ":")
-    return sign and len(pending) > 1 and pending[-1].kind in (*_CLOSING, "measure")
+    behind = tokens[place + 1].kind
+    ended = len(pending) > 1 and pending[-1].kind in (*_CLOSING, "measure")
+    stated = any(each.kind == "relation" for each in pending)
+    return ended and (behind in ("relation", ":") or (stated and behind in ("number", "function")))
 
 
 def _is_proportion(tokens: Sequence[Token], place: int) -> bool:
     """Whether a colon is one between numbers or letters: ``3:5``, ``w:u``."""
     if not 0 < place < len(tokens) - 1:
         return False
+    letters = tokens[place - 1].kind == tokens[place + 1].kind == "letter"
+    if letters and place + 5 < len(tokens) + 1 and tokens[place + 2].kind == "relation":
+        behind = [each.kind for each in tokens[place + 3 : place + 6]]
+        if behind == ["number", ":", "number"]:
+            return True  # m_A : m_B = 3 : 4
+    if [each.kind for each in tokens[place - 1 : place + 2]] == ["number", ":", "number"]:
+        return True
     if tokens[place].gap or tokens[place + 1].gap:
         return False
     kinds = {tokens[place - 1].kind, tokens[place + 1].kind}

@@ -69,6 +69,12 @@ def _ends_in_a_way(label: Token) -> bool:
     return label.kind == "phrase" and label.name.split()[-1] in _WAYS
 
 
+def _is_way(label: Token) -> bool:
+    """Whether a label names a way and no quantity: ``j direction: 2v + 3w = 4``."""
+    heads = {HEADS[word] for word in label.name.split() if word in HEADS}
+    return label.kind == "phrase" and heads <= {"direction", "component"}
+
+
 @dataclass(frozen=True)
 class Past:
     """What a line may go on from: the last right side, and a left side that waits for one."""
@@ -153,6 +159,7 @@ class _Reader:
         self.waiting_sign: Sign = "="
         self.before: tuple[Side, ...] = ()
         self.worth: tuple[Side, ...] = ()
+        self.titled = False
         self.last_label = ""
         self.declared = Declarations(usage, problem)
         self.pending_letters: list[Letter] = []
@@ -197,11 +204,19 @@ class _Reader:
         if segment.is_phrase and self._is_label(segment, following):
             self.label = segment.tokens[0]
             return
+        if sum(each.kind == "phrase" for each in segment.tokens) > 1 and not segment.has_relation:
+            self.titled = True  # mass x velocity: A 12i, B -3i
+            return
         if segment.tokens[0].kind == "phrase":
             self.last_label = segment.tokens[0].name
         label = self._label(segment)
         if label is not None:
             self.label, segment = label, replace(segment, tokens=segment.tokens[1:])
+        if self._is_of_a_body(segment):
+            segment = replace(segment, tokens=segment.tokens[1:])
+            if not segment.has_relation:
+                self.statements.values += (self.sides(segment.tokens)[0].tree,)
+                return
         if not segment.has_relation:
             self.value(segment)
             return
@@ -280,6 +295,17 @@ class _Reader:
             return first if tight else None
         return first if segment.tokens[1].kind in (*_OPERANDS, "|") else None
 
+    def _is_of_a_body(self, segment: Segment) -> bool:
+        """Whether a body's name only says whose the numbers are: ``A 5 cos α = 4``, ``B -3``."""
+        tokens = segment.tokens
+        if len(tokens) < 2 or tokens[0].kind != "name":
+            return False
+        if any(each.kind == "unit" for each in tokens):
+            return False  # a velocity
+        loose = tokens[1].kind == "-" and tokens[1].gap > 0
+        tight = loose and len(tokens) > 2 and not tokens[2].gap
+        return tight or (tokens[1].kind in ("number", "function") and tokens[1].gap > 0)
+
     def sides(self, tokens: Sequence[Token]) -> tuple[Side, ...]:
         """The readings of a side."""
         end = tokens[-1] if tokens else None
@@ -343,7 +369,10 @@ class _Reader:
         if not all(is_vector(each[0].tree, self.usage.vectors) for each in read):
             return False
         for place, stretch, sides in zip(places, stretches, read):
-            self.labelled(tokens[place], sides, stretch)
+            if self.titled:
+                self.statements.values += (sides[0].tree,)
+            else:
+                self.labelled(tokens[place], sides, stretch)
         return True
 
     def _waiting(self, segment: Segment) -> tuple[tuple[Side, ...], Sign]:
@@ -508,10 +537,16 @@ class _Reader:
         known = frozenset[str]().union(*(letters(each.tree) for each in read[0]))
         evaluates = all(letters(each[0].tree) <= known for each in read[1:])
         evaluates = evaluates and set(signs) == {"="} and not is_law(read)
+        evaluates = evaluates and not (_is_way(label) and self._is_sum_of_letters(first))
         if label.name == _LAW:
             return
         if evaluates and not isinstance(first, Letter) and not is_function(first):
             self.link((Side(Letter(label.name)),), "=", read[0], sides[0], label)
+
+    def _is_sum_of_letters(self, tree: Expression) -> bool:
+        """Whether a side adds letters of the student's own: it is no value of a component."""
+        own = letters(tree) - self.usage.letters
+        return isinstance(tree, Binary) and tree.op in ("+", "-") and len(own) > 1
 
     def alternative(
         self, segment: Segment, read: Sequence[tuple[Side, ...]], signs: Sequence[Sign]
