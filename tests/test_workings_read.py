@@ -151,6 +151,25 @@ S hits T: along i, e = 1/3
 given energy_lost = 7 m u^2
 find cos(theta)
 """
+APART = """
+sphere A, B: radius 1/4
+sphere A: mass 1, velocity 2i - 4j
+sphere B: mass 3, velocity i + 2j
+A hits B: along j, e = 1/2
+find distance(A, B, at 3)
+"""
+ACROSS_THE_LINE = """
+sphere A: mass m, velocity u i, radius r
+sphere B: mass 3m, at rest, radius r
+A hits B: offset -r, e = 1/3
+find direction(A)
+"""
+BALANCE = """
+sphere A: mass 2, velocity 5i + j
+sphere B: mass 3, velocity -i + 2j
+A hits B: along i, e = 1/2
+show momentum = momentum(0)
+"""
 SENT_ACROSS = """
 sphere A: mass 3m, velocity u at alpha
 sphere B: mass 5m, at rest
@@ -184,6 +203,9 @@ SAYS = [
         "B moves along the line of centres: angle from 𝐢 to 𝐯_B = 30° A1 speed of B = ",
     ),
     (THREE_DISCS, "Solving (1) and (2): a = 12 m s⁻¹ b = 5 m s⁻¹"),
+    (APART, "the centres of A and B are ½ m apart, so B is then at −½𝐣 m."),
+    (ACROSS_THE_LINE, "angle from 𝐢 to 𝐯_A = −30° + 90° = 60°"),
+    (BALANCE, "From (3) and (4): total momentum = total momentum before the impact"),
     (SENT_ACROSS, "8 = 5 + 5e"),
     (BLOW_OF_A_SIZE, "As sin² + cos² = 1: 5 = 16 cos θ"),
     (LOSS_AS_A_NUMBER, " = 12(1 − e²)"),

@@ -433,6 +433,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "At the impact with {wall} the centre of {body} is {radius} from {wall}, so its "
         "{axis}-coordinate is {value}."
     ),
+    "touch.spheres": (
+        "At the impact the centres of {one} and {other} are {distance} apart, so {other} is then "
+        "at {place}."
+    ),
     "touch.meet": "{one} and {other} meet when their coordinates are equal:",
     "touch.apart": "{one} and {other} touch when their centres are {distance} apart:",
     # --- conditions, ranges, extrema --------------------------------------------------------------

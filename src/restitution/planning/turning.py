@@ -347,7 +347,7 @@ def _along_the_centres(scene: Scene, asked: Quantity) -> int | None:
         angle = _in_whole_degrees(frame)
     if angle is None:
         return None
-    if along.value == 0 and isinstance(angle, Letter):
+    if along.value == 0 and across.value != 0:
         return _across_the_centres(scene, asked, angle, (along, across))
     if across.value != 0 or scene.model.proved_sign(scene.model.in_data(along.value)) != 1:
         return None
@@ -373,7 +373,7 @@ def _in_whole_degrees(frame: Frame) -> Expression | None:
 
 
 def _across_the_centres(
-    scene: Scene, asked: Quantity, angle: Letter, parts: Components
+    scene: Scene, asked: Quantity, angle: Expression, parts: Components
 ) -> int | None:
     """The line of a direction perpendicular to a line of centres that is told by its angle."""
     body, stage = body_and_stage(scene, asked)
@@ -382,10 +382,13 @@ def _across_the_centres(
         return None
     turn = sp.pi / 2 if sign > 0 else -sp.pi / 2
     right = Binary("+" if sign > 0 else "-", angle, Degrees(Fraction(90)))
-    known = scene.desk.known(angle)
+    known = scene.desk.known(angle) if isinstance(angle, Letter) else None
     steps: list[tuple[Expression, MoveId | None]] = [(right, None)]
     if known is not None:
         steps.append((tree_of(tidy(known.value + turn), angle=True, as_it_is=True), "put"))
+    elif not isinstance(angle, Letter):
+        whole = tidy(scene.scalar(angle) + turn)
+        steps.append((tree_of(whole, angle=True, as_it_is=True), "rearrange"))
     relation, move = chain(asked, *steps), Move("define", "parallel", stage, (body,))
     refs = () if known is None else known.refs
     pool = together(*(part.whole for part in parts), scene.frame(stage).refs, refs)

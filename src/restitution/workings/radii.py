@@ -1,20 +1,24 @@
-"""How far from a wall the centre of a ball is that touches it: said before a line needs it."""
+"""Where the centre of a ball is that touches a wall, or another: said before a line needs it."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from restitution.explaining.derivation import Derivation, Line, Link
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Derivation, Event, Fact, Line, Link
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Expression, Quantity, Unit
+from restitution.expression.tree import Binary, Expression, Quantity, Unit
 from restitution.planning.forms import tree_of
 from restitution.render import layout as lay
-from restitution.workings.measured import with_its_unit, worth
+from restitution.vector import Vector
+from restitution.workings.measured import vector_worth, with_its_unit, worth
 from restitution.workings.naming import Naming
 
 
 class Radii:
-    """What is said of the radii of balls at straight walls, each once."""
+    """What is said of the radii of balls at straight walls, and of two balls, each once."""
 
     def __init__(self, derivation: Derivation, naming: Naming) -> None:
         self._derivation = derivation
@@ -33,16 +37,40 @@ class Radii:
         for ref in line.premises:
             if not isinstance(ref, str) or ref.partition(" ")[0] != "contact" or ref in self._done:
                 continue
-            sentence = self._sentence(ref)
+            sentence = self._sentence(line, ref)
             if sentence is not None:
                 self._done.add(ref)
                 yield sentence
 
-    def _sentence(self, ref: str) -> Sentence | None:
+    def _of_spheres(self, event: Event, fact: Fact) -> Sentence | None:
+        """Where the second sphere is at an impact, from the place of the first."""
+        one, other = event.bodies
+        (link,) = fact.relation.only
+        match link.left, link.right:
+            case Quantity("position"), Binary("+" | "-" as op, Quantity("position"), gap):
+                away = vector_worth(gap)
+            case _:
+                return None
+        if away is None:
+            return None
+        place = Vector(-away.x, -away.y) if op == "+" else away
+        size = tidy(sp.sqrt(away.dot(away)))
+        return say(
+            "touch.spheres",
+            one=one,
+            other=other,
+            distance=self._length(self._naming.laid(tree_of(size))),
+            place=self._length(self._naming.laid(tree_of(place))),
+        )
+
+    def _sentence(self, line: Line, ref: str) -> Sentence | None:
         fact = self._derivation.fact(ref)
         event = self._naming.events.get(int(ref.partition(" ")[2]))
-        if fact is None or event is None or not event.wall:
+        if fact is None or event is None:
             return None
+        if not event.wall:
+            second = "origin" in line.premises and line.move.bodies == event.bodies[1:]
+            return self._of_spheres(event, fact) if second else None
         radius = self._radii.get(event.bodies[0])
         match fact.relation.only[0]:
             case Link(Quantity("along", (Quantity("position"), Unit(axis))), "=", right):

@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Negate,
     Number,
     Quantity,
     Unit,
@@ -298,6 +299,20 @@ class Sources:
             and any(isinstance(subject, Quantity) for subject in subjects)
         )
 
+    def _are_equal(self, line: Line, cited: list[int]) -> bool:
+        """Whether a line says that two quantities are equal, or opposite, which two lines tell."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.only:
+            case (Link(Quantity() as one, "=", Quantity() as other),):
+                sides = {one, other}
+            case (Link(Quantity() as one, "=", Negate(Quantity() as other)),):
+                sides = {one, other}
+            case _:
+                return False
+        lines = [own for each in cited if (own := self._derivation.line(each)) is not None]
+        subjects = [e.relation.only[0].left for e in lines if isinstance(e.relation, Relation)]
+        return len(cited) == 2 and set(subjects) == sides
+
     def _put(self, line: Line, cited: list[int], above: int | None) -> Source | None:
         first, *_ = line.premises
         target = first if isinstance(first, int) and first in cited else None
@@ -313,6 +328,8 @@ class Sources:
             return Source("times")
         if not facts and self._is_made_of(line, cited):
             return Source("made")
+        if not facts and self._are_equal(line, cited):
+            return Source("add", tuple(cited))
         numbered = () if target is None or target == above else (target,)
         last = bool(values) and values == [above]
         if not (numbered or letters or facts):
