@@ -151,6 +151,22 @@ S hits T: along i, e = 1/3
 given energy_lost = 7 m u^2
 find cos(theta)
 """
+SLOW_BLOW = """
+wall W: along i
+sphere P: mass m, velocity 4u i - 6u j
+P receives lambda m u j
+P hits W: e = 1/2
+given 0 < lambda < 6, speed(P) = sqrt(17) u
+find lambda
+"""
+ONE_SECOND = """
+point T: (12, 6)
+wall W: along i, through (0, 0)
+sphere P: at (0, 3), velocity 4i - 3j
+P hits W
+P reaches T
+find e, time(2)
+"""
 APART = """
 sphere A, B: radius 1/4
 sphere A: mass 1, velocity 2i - 4j
@@ -203,6 +219,8 @@ SAYS = [
         "B moves along the line of centres: angle from 𝐢 to 𝐯_B = 30° A1 speed of B = ",
     ),
     (THREE_DISCS, "Solving (1) and (2): a = 12 m s⁻¹ b = 5 m s⁻¹"),
+    (SLOW_BLOW, "6 − λ = 2, as 0 < λ < 6"),
+    (ONE_SECOND, "x-coordinate of P at the impact = 4 × 1 = 4 m"),
     (APART, "the centres of A and B are ½ m apart, so B is then at −½𝐣 m."),
     (ACROSS_THE_LINE, "angle from 𝐢 to 𝐯_A = −30° + 90° = 60°"),
     (BALANCE, "From (3) and (4): total momentum = total momentum before the impact"),

@@ -79,6 +79,8 @@ class Reasons:
             *self._silent(line),
         )
         reasons = reasons or tuple(self._positive_sum(line))
+        if self._is_root(line):
+            reasons = reasons or tuple(self._given_ranges(line))
         if line.move.id == "inverse":
             # An angle of up to 90° is what the arc functions give.
             reasons = self._beyond_a_right_angle(line, reasons)
@@ -281,6 +283,20 @@ class Reasons:
         names = sorted(letters(whole))
         for name in (n for n in names if n in self._roles and self._roles[n].kind == "restitution"):
             yield self._laid(Relation(((Link(Letter(name), ">=", ZERO),),)))
+
+    def _given_ranges(self, line: Line) -> Iterator[lay.Layout]:
+        """The ranges that the statement gives of the letters in a root, which tell its sign."""
+        assert isinstance(line.relation, Relation)
+        names = letters(line.relation.only[0].left)
+        bounds = [
+            link
+            for fact in self._derivation.facts
+            if fact.kind == "range" and len(fact.relation.options) == 1
+            for link in fact.relation.only
+            if link.sign in (*_UP, *_DOWN)
+            and any(letters(side) & names for side in (link.left, link.right))
+        ]
+        yield from (self._laid(each) for each in _merged(bounds))
 
     def _monotone(self, line: Line) -> Iterator[Sentence]:
         """That a quantity increases, or decreases, between the ends that are cited."""
