@@ -118,17 +118,17 @@ def _rewritten(
     With ``ratios`` in its facts alone, and where a quotient is asked for.
     """
     parts = []
-    told = 0
+    count = 0
     for part in problem.parts:
         steps: list[Step] = []
         for step in part.steps:
             if step in part.events:
-                told += 1
+                count += 1
                 steps.append(step)
                 continue
 
             def change(
-                tree: Expression, now: int = told, given: bool = isinstance(step, Given)
+                tree: Expression, now: int = count, given: bool = isinstance(step, Given)
             ) -> Expression:
                 if ratios and not given and not (isinstance(tree, Binary) and tree.op == "/"):
                     return tree

@@ -224,9 +224,9 @@ def _worlds(
     One that takes long leaves time for the others.
     """
     seconds = _SECONDS if time_limit is None else min(_SECONDS, time_limit / 4)
-    found = misconception(name)
-    for variant in found.variants:
-        if name not in (variant.id, found.id):
+    record = misconception(name)
+    for variant in record.variants:
+        if name not in (variant.id, record.id):
             continue
         try:
             world = altered_world(solution, variant, only, seconds)
@@ -242,11 +242,13 @@ def _worlds(
 
 def _none(solution: Solution, name: str, reasons: Iterable[str]) -> tuple[AlteredWorld, ...]:
     """Raises UnsupportedError: why there is no world, and which mistakes apply."""
-    found = misconception(name)
-    if found.world == "none":
-        why = f"{name} has no world of its own: {found.sentence[:1].lower()}{found.sentence[1:-1]}"
+    record = misconception(name)
+    if record.world == "none":
+        why = (
+            f"{name} has no world of its own: {record.sentence[:1].lower()}{record.sentence[1:-1]}"
+        )
     else:
-        wanted = [each for each in found.variants if name in (each.id, found.id)]
+        wanted = [each for each in record.variants if name in (each.id, record.id)]
         why = _why_not(name, wanted, list(reasons) or [_LATE])
     raise UnsupportedError(f"{why}; {_those_that_apply(solution.problem)}")
 

@@ -211,8 +211,10 @@ def _moving_off(step: Step, event: Event | None) -> Iterator[Link]:
         if not still or not later:
             continue
         there, here = (Quantity("position", (body,), each) for each in (min(later), number))
-        way = Binary("-", there, here) if name == event.bodies[1] else Binary("-", here, there)
-        yield Link(axis, "parallel to", way)
+        separation = (
+            Binary("-", there, here) if name == event.bodies[1] else Binary("-", here, there)
+        )
+        yield Link(axis, "parallel to", separation)
 
 
 def _beside(step: Step, event: Event | None) -> Iterator[Link]:
@@ -239,13 +241,17 @@ def _circle(step: Step, body: Name, number: int) -> tuple[Expression | None, Exp
     place = Quantity("position", (body,), number)
     for link in step.links:
         match link:
-            case Link(Quantity("dot", (way, other)), "=", Binary("^", radius, Number())) if (
-                way == other
-            ):
-                if way == place:
+            case Link(
+                Quantity("dot", (radius_vector, other)), "=", Binary("^", radius, Number())
+            ) if radius_vector == other:
+                if radius_vector == place:
                     return None, radius
-                if isinstance(way, Binary) and way.op == "-" and way.left == place:
-                    return way.right, radius
+                if (
+                    isinstance(radius_vector, Binary)
+                    and radius_vector.op == "-"
+                    and radius_vector.left == place
+                ):
+                    return radius_vector.right, radius
     return None
 
 
@@ -256,12 +262,12 @@ def _radius_to(
     start = Quantity("position", (body,), number)
     for link in step.links:
         if link.left == start and link.sign == "=":
-            way = link.right if centre is None else Binary("-", link.right, centre)
-            value = step.world.value(way)
+            radius_vector = link.right if centre is None else Binary("-", link.right, centre)
+            value = step.world.value(radius_vector)
             if isinstance(value, Plane):
                 size = step.world.scalar(radius)
                 square = step.world.reduced(value.x * value.x + value.y * value.y - size * size)
-                return way if square.vanishes else None
+                return radius_vector if square.vanishes else None
     return None
 
 

@@ -185,8 +185,11 @@ class _Facts:
                 if theirs is not None:
                     yield own, theirs
                 elif (both := self._touching(step)) is not None:
-                    way = _between(step, number)
-                    yield Quantity("dot", (way, way)), Binary("^", both, Number(Fraction(2)))
+                    centres = _between(step, number)
+                    yield (
+                        Quantity("dot", (centres, centres)),
+                        Binary("^", both, Number(Fraction(2))),
+                    )
             elif isinstance(place := self._place(step.target), Expression):
                 yield own, place
             return
@@ -214,9 +217,12 @@ class _Facts:
     ) -> Iterator[tuple[Expression, Expression]]:
         """That a centre is at the distance of the radius from that of a circular wall."""
         size, side = self._radius(body, wall), self._side(body, wall)
-        way = self._from_centre(body, wall, number)
-        if size is not None and side is not None and way is not None:
-            yield Quantity("dot", (way, way)), Binary("^", size, Number(Fraction(2)))
+        radius_vector = self._from_centre(body, wall, number)
+        if size is not None and side is not None and radius_vector is not None:
+            yield (
+                Quantity("dot", (radius_vector, radius_vector)),
+                Binary("^", size, Number(Fraction(2))),
+            )
 
     def _from_centre(self, body: str, wall: Any, number: int) -> Expression | None:
         """The way from the centre of a circular wall to a body, at an event."""
@@ -245,9 +251,11 @@ class _Facts:
         place, centre = self._place(self._sphere(body).position), self._place(wall.centre)
         if not isinstance(place, Pair) or not isinstance(centre, Pair):
             return None
-        way = Binary("-", place, centre)
+        radius_vector = Binary("-", place, centre)
         gap = Binary(
-            "-", Quantity("dot", (way, way)), Binary("^", wall.radius, Number(Fraction(2)))
+            "-",
+            Quantity("dot", (radius_vector, radius_vector)),
+            Binary("^", wall.radius, Number(Fraction(2))),
         )
         side = self._sign(gap)
         if side is None:
@@ -359,8 +367,8 @@ class _Facts:
         if not all(isinstance(place, Pair) for place in places) or self.radius is None:
             return None
         first, second = places
-        way = Pair(_difference(second.x, first.x), _difference(second.y, first.y))
-        side = self._sign(Quantity("dot", (way, unit)))
+        displacement = Pair(_difference(second.x, first.x), _difference(second.y, first.y))
+        side = self._sign(Quantity("dot", (displacement, unit)))
         if side is None:
             return None
         apart = Binary("*", Binary("*", Number(Fraction(2)), self.radius), unit)
@@ -469,11 +477,13 @@ class _Facts:
         if len(directions) != 3 or any(isinstance(node, Letter | Polar) for node in nodes):
             return False
         world = _world_of(self.problem)
-        way, *both = (world.value(each) for each in directions)
-        if not hasattr(way, "x") or not any(hasattr(each, "x") for each in both):
+        centres, *both = (world.value(each) for each in directions)
+        if not hasattr(centres, "x") or not any(hasattr(each, "x") for each in both):
             return False
         # Who is at rest has 0 for its velocity.
-        first, second = (_dot(world, way, each) if hasattr(each, "x") else each for each in both)
+        first, second = (
+            _dot(world, centres, each) if hasattr(each, "x") else each for each in both
+        )
         approach = first - second
         if not (approach.above.is_ground and approach.below.is_ground) or approach.vanishes:
             return False
@@ -497,14 +507,14 @@ class _Facts:
 
     def _of_touching(self, step: Impact, number: int) -> Iterator[Fact]:
         """The line of centres of spheres that touch, by their places, and that they approach."""
-        way = _between(step, number)
+        centres = _between(step, number)
         axis = Quantity("line_of_centres", (), number)
-        yield self._fact(f"axis {number}", axis, way, step.place, "parallel to", "geometry")
+        yield self._fact(f"axis {number}", axis, centres, step.place, "parallel to", "geometry")
         first, second = (
             settled(Quantity("velocity", (Name(each),), number - 1), self.events)
             for each in (step.first, step.second)
         )
-        towards = Quantity("dot", (Binary("-", first, second), way))
+        towards = Quantity("dot", (Binary("-", first, second), centres))
         zero = Number(Fraction(0))
         yield self._fact(f"towards {number}", towards, zero, step.place, ">", "geometry")
 
@@ -515,16 +525,25 @@ class _Facts:
         comes to the wall after the last event; who is outside moves towards it.
         """
         wall = self.walls[step.second]
-        side, way = self._side(step.first, wall), self._from_centre(step.first, wall, number)
-        if side is None or way is None:
+        side, radius_vector = (
+            self._side(step.first, wall),
+            self._from_centre(step.first, wall, number),
+        )
+        if side is None or radius_vector is None:
             return
         axis = Quantity("line_of_centres", (), number)
         if side > 0:
-            way = Binary("-", way.right, way.left) if isinstance(way, Binary) else Negate(way)
-        yield self._fact(f"axis {number}", axis, way, step.place, "parallel to", "geometry")
+            radius_vector = (
+                Binary("-", radius_vector.right, radius_vector.left)
+                if isinstance(radius_vector, Binary)
+                else Negate(radius_vector)
+            )
+        yield self._fact(
+            f"axis {number}", axis, radius_vector, step.place, "parallel to", "geometry"
+        )
         if side > 0:
             velocity = Quantity("velocity", (Name(step.first),), number - 1)
-            towards = settled(Quantity("dot", (velocity, way)), self.events)
+            towards = settled(Quantity("dot", (velocity, radius_vector)), self.events)
             zero = Number(Fraction(0))
             yield self._fact(f"towards {number}", towards, zero, step.place, ">", "geometry")
         else:

@@ -450,12 +450,12 @@ def misconception(name: str) -> Misconception:
         near = get_close_matches(base, MISCONCEPTIONS, 1)
         hint = f"did you mean {near[0]}?" if near else f"there are {', '.join(MISCONCEPTIONS)}"
         raise StatementError(f"there is no mistake '{base[:40]}': {hint}")
-    found = MISCONCEPTIONS[base]
-    if name != base and all(each.id != name for each in found.variants):
-        count = len(found.variants)
+    record = MISCONCEPTIONS[base]
+    if name != base and all(each.id != name for each in record.variants):
+        count = len(record.variants)
         known = f"its variants are {base}/1 to {base}/{count}" if count else "it has no variants"
         raise StatementError(f"there is no mistake '{name}': {known}")
-    return found
+    return record
 
 
 def alteration(id_: str) -> Alteration:
@@ -511,12 +511,12 @@ def _last_wall(event: Event, events: Iterable[Event]) -> int | None:
 
 @cache
 def _variants_at(event: Event, last_wall: int | None) -> tuple[VariantAt, ...]:
-    made = (
+    variants = (
         _made(each, event, last_wall)
         for mistake in MISCONCEPTIONS.values()
         for each in mistake.variants
     )
-    return tuple(each for each in made if each is not None)
+    return tuple(each for each in variants if each is not None)
 
 
 def _made(each: Alteration, event: Event, last_wall: int | None) -> VariantAt | None:

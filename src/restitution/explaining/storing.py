@@ -176,13 +176,13 @@ def _alone(link: Link) -> Relation:
 def _object(relation: Relation | Meaning, vectors: frozenset[str]) -> dict[str, Any]:
     if isinstance(relation, Meaning):
         own = frozenset((relation.letter,)) if relation.vector else vectors
-        laid: layout.Layout = layout.Relation(
+        formula: layout.Layout = layout.Relation(
             (of_tree(Letter(relation.letter), own), of_tree(relation.quantity)), ("=",)
         )
         text = write_meaning(relation)
     else:
-        laid, text = of_relation(relation, vectors), write_relation(relation)
-    return {"text": text, "latex": latex.to_latex(laid), "mathml": mathml.to_mathml(laid)}
+        formula, text = of_relation(relation, vectors), write_relation(relation)
+    return {"text": text, "latex": latex.to_latex(formula), "mathml": mathml.to_mathml(formula)}
 
 
 # --- reading back --------------------------------------------------------------------------------

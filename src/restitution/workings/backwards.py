@@ -51,11 +51,11 @@ def _contacts(branch: Branch) -> Iterator[Sentence]:
             else:
                 yield say("backwards.wall-at", first=first, second=second, point=point)
         elif point is not None:
-            way = _vector(event.oriented())
-            yield say("backwards.sphere-at", first=first, second=second, way=way, point=point)
+            centres = _vector(event.oriented())
+            yield say("backwards.sphere-at", first=first, second=second, way=centres, point=point)
         elif fixed:
-            way = _vector(event.oriented())
-            yield say("backwards.sphere-along", first=first, second=second, way=way)
+            centres = _vector(event.oriented())
+            yield say("backwards.sphere-along", first=first, second=second, way=centres)
         else:
             yield say("backwards.sphere", first=first, second=second)
 

@@ -237,8 +237,8 @@ class BoldLetters:
         for kind in kinds:
             letter = lay.Bold("n" if kind == "along" else "t", subscript)
             self._units[number, kind] = letter
-            way = direction if kind == "along" else direction.turned_left()
-            value = self.laid(_tree_of_unit(way))
+            axis = direction if kind == "along" else direction.turned_left()
+            value = self.laid(_tree_of_unit(axis))
             equations.append(lay.Relation((letter, value), ("=",)))
         event = self._events[number]
         which = kinds[0] if len(kinds) == 1 else "both"
@@ -263,8 +263,15 @@ class BoldLetters:
         for line in self.derivation.lines:
             match line.relation:
                 case Relation(
-                    ((Link(Quantity("along", (Quantity("velocity", _, int(stage)), way))), *_),)
-                ) if way == axis:
+                    (
+                        (
+                            Link(
+                                Quantity("along", (Quantity("velocity", _, int(stage)), direction))
+                            ),
+                            *_,
+                        ),
+                    )
+                ) if direction == axis:
                     value = _of_acute_angles(line.relation.only[-1].right, letters_)
                     into = -value if stage == event.number else value
                     return bool(into.is_nonnegative)
@@ -342,9 +349,9 @@ def _at(tree: Expression) -> Vector | None:
         angle = sp.sympify(evaluate(tree, sp.Symbol), strict=True)
     except RestitutionError:
         return None
-    way = Vector(*(tidy(each) for each in (sp.cos(angle), sp.sin(angle))))
-    plain = angle.free_symbols or not any(each.has(sp.sin, sp.cos, sp.pi) for each in way)
-    return way if plain and all(way) else None
+    unit_vector = Vector(*(tidy(each) for each in (sp.cos(angle), sp.sin(angle))))
+    plain = angle.free_symbols or not any(each.has(sp.sin, sp.cos, sp.pi) for each in unit_vector)
+    return unit_vector if plain and all(unit_vector) else None
 
 
 def _of_acute_angles(tree: Expression, open_: Container[str]) -> sp.Expr:
@@ -358,19 +365,19 @@ def _of_acute_angles(tree: Expression, open_: Container[str]) -> sp.Expr:
     return value.subs({ratio: sp.Dummy(positive=True) for ratio in ratios})
 
 
-def _tree_of_unit(way: Vector) -> Expression:
+def _tree_of_unit(direction: Vector) -> Expression:
     """A unit vector as whole numbers of **i** and **j** over its length, where it is one."""
-    whole, length = _whole(way)
+    whole, length = _whole(direction)
     tree = tree_of(whole)
     return tree if length == 1 else Binary("/", tree, tree_of(length))
 
 
-def _whole(way: Vector) -> tuple[Vector, sp.Expr]:
+def _whole(direction: Vector) -> tuple[Vector, sp.Expr]:
     """A unit vector as one without a denominator, where there is one, and its length."""
-    length = sp.fraction(sp.together(way.x))[1]
-    if not length.free_symbols or sp.fraction(sp.together(way.y))[1] != length:
-        return whole_direction(way)
-    return Vector(*(tidy(each * length) for each in way)), length
+    length = sp.fraction(sp.together(direction.x))[1]
+    if not length.free_symbols or sp.fraction(sp.together(direction.y))[1] != length:
+        return whole_direction(direction)
+    return Vector(*(tidy(each * length) for each in direction)), length
 
 
 __all__ = ["BoldLetters", "Used"]

@@ -88,11 +88,11 @@ class DataAngles:
             return
         self._turned.add(fact.id)
         link = Link(Binary("-", Degrees(angle), Degrees(direction)), "=", Degrees(turn))
-        laid = self._naming.relation(Relation(((link,),)))
+        equation = self._naming.relation(Relation(((link,),)))
         if event.wall:
-            yield say("given.turned-wall", body=body, wall=event.bodies[1], angle=laid)
+            yield say("given.turned-wall", body=body, wall=event.bodies[1], angle=equation)
         else:
-            yield say("given.turned-centres", body=body, angle=laid)
+            yield say("given.turned-centres", body=body, angle=equation)
 
     def _ratios(self, arc: Apply) -> Iterator[Sentence]:
         try:
@@ -100,14 +100,14 @@ class DataAngles:
         except RestitutionError:
             return
         angle = {"arctan": sp.atan, "arcsin": sp.asin, "arccos": sp.acos}[arc.function](value)
-        laid = self._naming.laid(arc.argument)
+        written = self._naming.laid(arc.argument)
         sine, cosine = (self._naming.laid(tree_of(tidy(f(angle)))) for f in (sp.sin, sp.cos))
         if arc.function == "arctan":
-            yield say("given.tangent", value=laid, sine=sine, cosine=cosine)
+            yield say("given.tangent", value=written, sine=sine, cosine=cosine)
         elif arc.function == "arcsin":
-            yield say("given.sine", value=laid, cosine=cosine)
+            yield say("given.sine", value=written, cosine=cosine)
         else:
-            yield say("given.cosine", value=laid, sine=sine)
+            yield say("given.cosine", value=written, sine=sine)
 
 
 def _is_of_velocity(fact: Fact) -> bool:

@@ -31,9 +31,9 @@ def growth(
         own = [end for end in ends if name in letters(end.left) | letters(end.right)]
         if len(names) > 1 and not _is_end(tree, name, own, bound, name in positive):
             continue
-        way = way_of(tree, name, own, bound)
-        if way:
-            return name, way
+        sense = way_of(tree, name, own, bound)
+        if sense:
+            return name, sense
     return None
 
 

@@ -334,18 +334,18 @@ class Leads:
         factor = factor_cancelled(self._derivation, line) if line.move.id == "cancel" else None
         known = self._reasons.known(line) if factor is not None else ()
         if factor is not None and known:
-            laid = self._naming.laid(factor)
+            formula = self._naming.laid(factor)
             equations = () if source is None else self._numbers(source)
             if len(equations) > 1:
                 yield say(
                     "derived.cancel-by",
-                    factor=laid,
+                    factor=formula,
                     reasons=known,
                     first=equations[0],
                     equations=equations[1:],
                 )
             else:
-                yield say("derived.cancel", factor=laid, reasons=known)
+                yield say("derived.cancel", factor=formula, reasons=known)
             return
         rearranged = self._angles_given(line) if line.move.id == "rearrange" else None
         if rearranged is not None and line.premises == (rearranged.id,):
@@ -580,11 +580,11 @@ class Leads:
         if event is None:
             return None
         bold = self._naming.bold
-        way = None if bold.has_unit(event.number) else bold.way(event.number, "across")
-        if stage < event.number and way is not None:
+        direction = None if bold.has_unit(event.number) else bold.way(event.number, "across")
+        if stage < event.number and direction is not None:
             if event.wall:
-                return say("resolved-wall.before-sense", wall=event.bodies[1], axis=way)
-            return say("resolved-spheres.before-sense", axis=way)
+                return say("resolved-wall.before-sense", wall=event.bodies[1], axis=direction)
+            return say("resolved-spheres.before-sense", axis=direction)
         if not event.wall and self._is_turned(line, event.number):
             return say("resolved-spheres.before-turned")
         return say(_RESOLVED[event.wall, stage < event.number])
@@ -597,10 +597,10 @@ class Leads:
         zero = [links for links in equations if is_zero(links[-1].right)]
         if line.relation.only[0].sign not in ("parallel to", "perpendicular to") or len(zero) != 1:
             return None
-        told = Link(zero[0][0].left, "=", zero[0][-1].right)
-        if not isinstance(told.left, Letter):
+        equation = Link(zero[0][0].left, "=", zero[0][-1].right)
+        if not isinstance(equation.left, Letter):
             return say("so")
-        return say("derived.since", facts=(self._naming.relation(Relation(((told,),))),))
+        return say("derived.since", facts=(self._naming.relation(Relation(((equation,),))),))
 
     def _is_turned(self, line: Line, number: int) -> bool:
         """Whether components are those of an earlier impact, at right angles to this one's line."""
@@ -637,13 +637,13 @@ class Leads:
         for meaning in meanings:
             match meaning:
                 case Quantity("angle", (Quantity("velocity") as velocity, Unit() as axis)):
-                    laid, way = self._naming.laid(velocity), self._naming.laid(axis)
-                    return say("given.none-in", velocity=laid, axis=way)
+                    formula, direction = self._naming.laid(velocity), self._naming.laid(axis)
+                    return say("given.none-in", velocity=formula, axis=direction)
                 case Quantity("angle", (Quantity("velocity") as velocity, Quantity() as axis)) if (
                     axis.kind == "line_of_centres" and self._naming.side(axis) is not None
                 ):
-                    laid = self._naming.laid(velocity)
-                    return say("given.none-along", velocity=laid, line=self._naming.side(axis))
+                    formula = self._naming.laid(velocity)
+                    return say("given.none-along", velocity=formula, line=self._naming.side(axis))
         return None
 
     def _apart(self, line: Line) -> Sentence | None:
@@ -725,13 +725,17 @@ class Leads:
                     meeting = self._meeting(source.facts[0], line)
                     yield meeting or say("given.fact", fact=facts[0])
                 elif moves is not None and not equations:
-                    body, way, moving = moves
+                    body, direction, moving = moves
                     if letters and not source.last:
                         yield say(
-                            "derived.moves-put", body=body, way=way, fact=moving, letters=letters
+                            "derived.moves-put",
+                            body=body,
+                            way=direction,
+                            fact=moving,
+                            letters=letters,
                         )
                     else:
-                        yield say("derived.moves", body=body, way=way, fact=moving)
+                        yield say("derived.moves", body=body, way=direction, fact=moving)
                 elif facts and letters and not source.last and not equations:
                     yield say("derived.since-put", facts=facts, letters=letters)
                 elif facts and equations:
@@ -774,9 +778,9 @@ class Leads:
 
     def _named(self, tree: Expression) -> Sentence | lay.Layout:
         """What is put in: a letter, or words with an article."""
-        laid = self._naming.laid(tree)
-        words = isinstance(laid, lay.Words | lay.Phrase)
-        return say("derived.the", quantity=laid) if words else laid
+        formula = self._naming.laid(tree)
+        words = isinstance(formula, lay.Words | lay.Phrase)
+        return say("derived.the", quantity=formula) if words else formula
 
     def _numbers(self, source: Source) -> tuple[Sentence, ...]:
         """The numbers of the equations from which a line comes, in their order."""
@@ -850,9 +854,9 @@ class Leads:
                 pass
             case _:
                 return None
-        way = self._naming.laid(axis if sign == ">" else Negate(axis))
+        direction = self._naming.laid(axis if sign == ">" else Negate(axis))
         sentence = self._naming.fact(sense)
-        return body, way, sentence
+        return body, direction, sentence
 
     def _fact(self, name: str) -> Sentence | lay.Layout:
         fact = self._derivation.fact(name)

@@ -235,8 +235,8 @@ def _broken(sign: str, operand: Layout | None, piece: str, room: int) -> list[st
             groups[-1].append(term)
     first, *others = groups
     lines = [f"{SIGNS.get(sign, sign)} {_operand(Sum(tuple(first)))}"]
-    for (way, middle), *rest in others:
-        lines.append(rf"\qquad {{}}{way} {_operand(Sum((('+', middle), *rest)))}")
+    for (sign_of_rest, middle), *rest in others:
+        lines.append(rf"\qquad {{}}{sign_of_rest} {_operand(Sum((('+', middle), *rest)))}")
     return lines
 
 
@@ -275,6 +275,6 @@ def _sign(c: str) -> str:
         above, _, below = (chr(int(each, 16)) for each in parts.replace(" 2044 ", " 2f ").split())
         return rf"$\tfrac{{{above}}}{{{below}}}$"
     if kind in ("<super>", "<sub>") and len(parts) == 4:
-        way = "^" if kind == "<super>" else "_"
-        return f"${way}{{{chr(int(parts, 16))}}}$"
+        mark = "^" if kind == "<super>" else "_"
+        return f"${mark}{{{chr(int(parts, 16))}}}$"
     return c

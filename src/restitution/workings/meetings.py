@@ -35,11 +35,11 @@ def condition_of(
     one, other = relation.first.name, relation.second.name
     if naming.bodies.get(other) == "wall":
         again = say("again") if relation.again else ""
-        way = "towards" if relation.happens else "away"
+        sense = "towards" if relation.happens else "away"
         topic = "condition" if inequality else "meeting"
         if inequality and written is not None:
-            return say(_MEETINGS["letter", way], body=one, wall=other, again=again, told=written)
-        return say(_MEETINGS[topic, way], body=one, wall=other, again=again)
+            return say(_MEETINGS["letter", sense], body=one, wall=other, again=again, told=written)
+        return say(_MEETINGS[topic, sense], body=one, wall=other, again=again)
     met = [event for event in naming.events.values() if set(event.bodies) == {one, other}]
     if not met:
         return None

@@ -263,12 +263,12 @@ class Naming:
     def _early(self, tree: Quantity) -> lay.Layout:
         """The letter that a later line has for an angle of which a sine or the like stands here."""
         letter = self._letters[tree]
-        laid = lay.letter(letter)
-        meaning = say("derived.meaning", letter=laid, quantity=self.quantity(tree))
-        self._own[tree] = laid
+        symbol = lay.letter(letter)
+        meaning = say("derived.meaning", letter=symbol, quantity=self.quantity(tree))
+        self._own[tree] = symbol
         self.introduced_early.add(letter)
         self._pending.append(say("derived.let", meanings=(meaning,)))
-        return laid
+        return symbol
 
     def _lettered(self, tree: Quantity, letter: str, subscript: str = "") -> lay.Layout:
         """A letter for a quantity without a short name; words where the letter is taken."""
@@ -277,11 +277,11 @@ class Naming:
         if name in self._used:
             return operand(words)
         self._used.add(name)
-        laid = lay.letter(name)
-        self._own[tree] = laid
-        meaning = say("derived.meaning", letter=laid, quantity=words)
+        symbol = lay.letter(name)
+        self._own[tree] = symbol
+        meaning = say("derived.meaning", letter=symbol, quantity=words)
         self._pending.append(say("derived.let", meanings=(meaning,)))
-        return laid
+        return symbol
 
     def _velocity(self, tree: Quantity, body: str) -> lay.Layout:
         number = self._settled(tree)
@@ -420,12 +420,12 @@ class Naming:
 
     def extreme(self, tree: Expression, *, greatest: bool) -> Sentence:
         """The greatest or the least value of a quantity."""
-        laid = self.laid(tree)
-        if isinstance(laid, lay.Words | lay.Phrase):
+        formula = self.laid(tree)
+        if isinstance(formula, lay.Words | lay.Phrase):
             name = "derived.greatest-named" if greatest else "derived.least-named"
         else:
             name = "derived.greatest" if greatest else "derived.least"
-        return say(name, quantity=laid)
+        return say(name, quantity=formula)
 
     def _end(self, tree: Expression) -> Sentence | lay.Layout | str:
         """What a distance is measured from."""
@@ -504,8 +504,8 @@ class Naming:
                 both = self._both_radii(one, other, radius)
                 if both is None:
                     return say("circle.at", body=one, wall=other, radius=length)
-                told = lay.Relation((self.laid(both), length), ("=",))
-                return say("circle.centre-at", body=one, wall=other, radius=told)
+                equation = lay.Relation((self.laid(both), length), ("=",))
+                return say("circle.centre-at", body=one, wall=other, radius=equation)
         return None
 
     def _both_radii(self, body: str, wall: str, distance: Expression) -> Expression | None:
@@ -515,7 +515,7 @@ class Naming:
         if not isinstance(shape, Circle) or not isinstance(radius, Expression) or not worth(radius):
             return None
         ways = Binary("-", shape.radius, radius), Binary("+", shape.radius, radius)
-        return next((way for way in ways if worth(way) == worth(distance)), None)
+        return next((radii for radii in ways if worth(radii) == worth(distance)), None)
 
     def _line_of(self, contact: Link) -> lay.Layout | None:
         """The equation of the line of a straight wall; None where x or y stands for something."""
@@ -563,10 +563,10 @@ class Naming:
                 return say("derived.component-unit", axis=self.laid(axis), of=of)
             if kind == "along":
                 return say("derived.component-along-vector", axis=self.laid(axis), of=of)
-            way = self.bold.across_wall(axis.name) if isinstance(axis, Name) else None
-            if way is not None:
+            direction = self.bold.across_wall(axis.name) if isinstance(axis, Name) else None
+            if direction is not None:
                 own = self.laid(axis)
-                return say("derived.component-across-sense", axis=own, way=way, of=of)
+                return say("derived.component-across-sense", axis=own, way=direction, of=of)
             return say("derived.component-across-vector", axis=self.laid(axis), of=of)
         if event.wall and kind == "along":
             return say("derived.component-towards", of=of, wall=event.bodies[1])
@@ -698,10 +698,10 @@ class Naming:
 
     def _after_by(self, time: Expression, event: Sentence) -> Sentence:
         """How long after an event: *2 s after the impact*, *at time r/u after the impact*."""
-        laid = self._in_seconds(time)
+        duration = self._in_seconds(time)
         return say(
-            "derived.later" if laid != self.laid(time) else "derived.later-at",
-            time=laid,
+            "derived.later" if duration != self.laid(time) else "derived.later-at",
+            time=duration,
             event=event,
         )
 
@@ -715,11 +715,11 @@ class Naming:
 
     def _in_seconds(self, time: Expression) -> lay.Layout:
         """A plain number of seconds with its unit, where the statement has units."""
-        laid = self.laid(time)
+        duration = self.laid(time)
         if not all(isinstance(node, Number | Binary) for node in walk(time)):
-            return laid
+            return duration
         unit = self.unit(Quantity("time", (), 1))
-        return with_unit(laid, unit)
+        return with_unit(duration, unit)
 
     @staticmethod
     def _timeless(tree: Expression) -> Expression:

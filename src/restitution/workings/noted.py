@@ -98,17 +98,19 @@ class Notes:
         value, bound = note.premises
         relation = self._relation(value)
         link = relation.only[-1]
-        laid = lay.equation(self._naming.laid(relation.only[0].left), self._naming.laid(link.right))
+        equation = lay.equation(
+            self._naming.laid(relation.only[0].left), self._naming.laid(link.right)
+        )
         over = "<=" in str(bound)
         if self._ends_in(note):
             after = self._naming.laid(relation.only[0].left)
             more = say("note.goes-on", letter=after) if self._goes_on(note) else ""
-            return say("note.above-one" if over else "note.below-zero", value=laid, more=more)
+            return say("note.above-one" if over else "note.below-zero", value=equation, more=more)
         if any(each.premises == note.premises and self._ends_in(each) for each in self._all):
             return say("note.none-either", items=items)
         if isinstance(value, int):
             name = "note.none-above-one" if over else "note.none-below-zero"
-            return say(name, items=items, value=laid)
+            return say(name, items=items, value=equation)
         name = "note.none-data-above-one" if over else "note.none-data-below-zero"
         return say(name, items=items, value=self._naming.laid(link.right))
 

@@ -70,12 +70,15 @@ def _path(naming: Naming, one: str, other: str, origin: Expression | None) -> Se
     """The path of the one sphere, relative to the other where that moves across it or faster."""
     match origin:
         case Binary("-", own, _):
-            way = vector_worth(origin)
+            displacement = vector_worth(origin)
             first = vector_worth(own)
-            if way is None or first is None:
+            if displacement is None or first is None:
                 return say("offset.relative", body=one, other=other, direction=naming.laid(origin))
-            if tidy(first.cross(way)) != 0 or tidy(first.dot(way)).as_coeff_Mul()[0] < 0:
-                direction = naming.laid(tree_of(way))
+            if (
+                tidy(first.cross(displacement)) != 0
+                or tidy(first.dot(displacement)).as_coeff_Mul()[0] < 0
+            ):
+                direction = naming.laid(tree_of(displacement))
                 return say("offset.relative", body=one, other=other, direction=direction)
     return say("offset.path", body=one)
 

@@ -93,6 +93,6 @@ class Radii:
             value=sides[0] if len(sides) == 1 else lay.Relation(tuple(sides), ("=",)),
         )
 
-    def _length(self, laid: lay.Layout) -> lay.Layout:
+    def _length(self, formula: lay.Layout) -> lay.Layout:
         """A length, with its unit where it is a number."""
-        return with_its_unit(laid, self._naming.unit(Quantity("distance", ())))
+        return with_its_unit(formula, self._naming.unit(Quantity("distance", ())))

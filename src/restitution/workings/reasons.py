@@ -122,8 +122,8 @@ class Reasons:
                     sign = "<" if isinstance(right, Negate) else ">"
                     ratios = [Apply(each, link.left) for each in ("sin", "cos")]
                     for each in (e for e in ratios if e in set(walk(left))):
-                        told = Link(each, sign, Number(Fraction(0)))  # type: ignore[arg-type]
-                        signs.append(self._laid(Relation(((told,),))))
+                        comparison = Link(each, sign, Number(Fraction(0)))  # type: ignore[arg-type]
+                        signs.append(self._laid(Relation(((comparison,),))))
         return tuple(signs) or known
 
     @staticmethod
@@ -335,24 +335,24 @@ class Reasons:
         positive = {name for name, role in self._roles.items() if role.kind == "positive"}
         grown = growth(above[0].right, line.relation, ends, positive)
         if grown is not None:
-            name, way = grown
+            name, sense = grown
             whole = above[0].right
             if not _is_short(whole):
                 part = _part_with(whole, name)
                 turn = 0 if part is None else way_of(part, name, ends, line.relation)
-                whole, way = (above[0].left, way) if part is None or not turn else (part, turn)
-            id_ = "derived.increases" if way > 0 else "derived.decreases"
+                whole, sense = (above[0].left, sense) if part is None or not turn else (part, turn)
+            id_ = "derived.increases" if sense > 0 else "derived.decreases"
             quantity = self._naming.laid(whole)
             letter = self._naming.laid(Letter(name))
             yield say(id_, quantity=quantity, letter=letter)
-            far = _far_end(line.relation, above[0].left, name, way, ends)
+            far = _far_end(line.relation, above[0].left, name, sense, ends)
             if name in positive and far is not None:
                 yield say("derived.tends", value=self._naming.laid(far), letter=letter)
 
     def _shape(self, line: Line) -> tuple[Sentence, ...]:
         """What bounds a value by its form, the plainest that fits."""
         ways = (self._square, self._positive_square, self._factor, self._wave, self._share)
-        return next((reasons for way in ways if (reasons := tuple(way(line)))), ())
+        return next((reasons for reason in ways if (reasons := tuple(reason(line)))), ())
 
     def _square(self, line: Line) -> Iterator[Sentence]:
         """That a square is not negative, where a bound is what is left without it."""
@@ -589,7 +589,7 @@ def _bounds_below(relation: Relation | None, letter: Letter) -> bool:
 
 
 def _far_end(
-    bound: Relation, subject: Expression, name: str, way: int, ends: list[Link]
+    bound: Relation, subject: Expression, name: str, sense: int, ends: list[Link]
 ) -> Expression | None:
     """The bound that is approached as a letter grows, where nothing cited bounds it above."""
     for end in ends:
@@ -598,8 +598,8 @@ def _far_end(
             return None
     for link in bound.only:
         for side, other, signs in (
-            (link.left, link.right, _UP if way > 0 else _DOWN),
-            (link.right, link.left, _DOWN if way > 0 else _UP),
+            (link.left, link.right, _UP if sense > 0 else _DOWN),
+            (link.right, link.left, _DOWN if sense > 0 else _UP),
         ):
             if side == subject and link.sign in signs:
                 return other

@@ -47,11 +47,11 @@ def claim_of(note: Note, naming: Naming, ends: Ends) -> Sentence | lay.Layout | 
     if isinstance(asked, Show) and isinstance(asked.relation, Meets):
         return claim_of_meeting(asked.relation, naming)
     if note.claim is not None and isinstance(asked, Show) and isinstance(asked.relation, Compare):
-        laid, named = naming.relation(note.claim), ends.named(note.item)
+        formula, named = naming.relation(note.claim), ends.named(note.item)
         # The letters that the question has for quantities may be others in the working.
         lettered = "where" in (named if isinstance(named, str) else to_text(named)).split()
-        if lettered or not _in_words(laid):
-            return _with_article(laid)
+        if lettered or not _in_words(formula):
+            return _with_article(formula)
     return ends.named(note.item)
 
 
@@ -66,11 +66,13 @@ def _in_words(layout: Any) -> bool:
     )
 
 
-def _with_article(laid: lay.Layout) -> Sentence | lay.Layout:
+def _with_article(formula: lay.Layout) -> Sentence | lay.Layout:
     """An equation among words: where it begins with words, they have their article."""
-    if isinstance(laid, lay.Relation) and isinstance(laid.operands[0], lay.Words | lay.Phrase):
-        return say("derived.the", quantity=laid)
-    return laid
+    if isinstance(formula, lay.Relation) and isinstance(
+        formula.operands[0], lay.Words | lay.Phrase
+    ):
+        return say("derived.the", quantity=formula)
+    return formula
 
 
 def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -> Sentence:

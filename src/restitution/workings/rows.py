@@ -140,39 +140,39 @@ class Rows:
                 self._measures.decimals
             ):
                 trees[1] = Binary("/", as_decimal(above), as_decimal(below))
-        sides_ = [self._naming.laid(tree) for tree in trees]
+        rounded = [self._naming.laid(tree) for tree in trees]
         match trees:
             case [Binary("/", Quantity(), Quantity()), Binary("/", Number() as above, below), *_]:
                 # A quotient of two numbers stands as it is before its decimal.
-                sides_[1] = lay.Fraction(*map(self._naming.laid, (above, below)))
+                rounded[1] = lay.Fraction(*map(self._naming.laid, (above, below)))
         if is_vector(links[0].left):
-            sides_ = [
-                lay.ZERO_VECTOR if is_zero(t) else s for t, s in zip(trees, sides_, strict=True)
+            rounded = [
+                lay.ZERO_VECTOR if is_zero(t) else s for t, s in zip(trees, rounded, strict=True)
             ]
         for n, each in enumerate(links, 1):
             if each.sign == "≈":
-                sides_[n] = to_three_figures(trees[n]) or sides_[n]
+                rounded[n] = to_three_figures(trees[n]) or rounded[n]
         signs = [_sign(link) for link in links]
         angle = self._tangent_of(line, links[0])
         if angle is not None:
-            sides_[:0], signs[:0] = [self._naming.laid(Apply("tan", angle))], ["="]
-        for n in range(len(sides_) - 1, 1, -1):
-            if sides_[n] == sides_[n - 1] and signs[n - 1] == "=":
-                del sides_[n], signs[n - 1]
+            rounded[:0], signs[:0] = [self._naming.laid(Apply("tan", angle))], ["="]
+        for n in range(len(rounded) - 1, 1, -1):
+            if rounded[n] == rounded[n - 1] and signs[n - 1] == "=":
+                del rounded[n], signs[n - 1]
         quotient = _quotient(line, links[0])
-        if quotient is not None and isinstance(sides_[1], lay.Number):
-            sides_[1:1], signs[:0] = [quotient], ["="]
-        if self._towards(line, links, sides_):
-            sides_[0] = self._away(links[0].left)
-            sides_[1:] = [lay.split_sign(side)[1] for side in sides_[1:]]
+        if quotient is not None and isinstance(rounded[1], lay.Number):
+            rounded[1:1], signs[:0] = [quotient], ["="]
+        if self._towards(line, links, rounded):
+            rounded[0] = self._away(links[0].left)
+            rounded[1:] = [lay.split_sign(side)[1] for side in rounded[1:]]
         reasons: tuple[Sentence, ...] = ()
         if line.move.id == "solve" and not last and _is_value(links[0].left):
             unit = self._measures.unit(links[0].left)
             sides_[-1] = with_unit(sides_[-1], unit) if is_plain(sides_[-1]) else sides_[-1]
         if signs[-1] in ("=", "≈") and last:
-            self._ended(line, links, sides_, signs)
-            reasons = self._placed(line, links, sides_, signs)
-        return Row(tuple(sides_), tuple(signs), reasons=reasons)
+            self._ended(line, links, rounded, signs)
+            reasons = self._placed(line, links, rounded, signs)
+        return Row(tuple(rounded), tuple(signs), reasons=reasons)
 
     def _tangent_of(self, line: Line, link: Link) -> Expression | None:
         """The given sum or difference of angles of which a row is the tangent, if it is left out.
@@ -319,11 +319,11 @@ class Rows:
         sides = [links[0].left, *(link.right for link in links)]
         ends = [rounded(side) if _has_function(side) else None for side in sides]
         exact = tuple(self._naming.laid(side) for side in sides)
-        laid = tuple(new or each for new, each in zip(ends, exact, strict=True))
-        if laid == exact:
+        rounded = tuple(new or each for new, each in zip(ends, exact, strict=True))
+        if rounded == exact:
             return None
         figures = (say("shown.figures", figures="3"),)
-        return Row(laid, tuple(_sign(link) for link in links), reasons=figures)
+        return Row(rounded, tuple(_sign(link) for link in links), reasons=figures)
 
     def _alternatives(self, options: tuple[tuple[Link, ...], ...], asked: bool) -> Row:
         """``t = 1 or t = −1``, set at the first sign; opposite roots as ``t = ±1``."""
@@ -346,15 +346,15 @@ class Rows:
             return Row((operand(say(words, left=left, right=either)),), (), alternatives=True)
         if isinstance(first[0].left, Quantity) and first[0].left.kind in _VECTORS:
             asked = False  # the line above has the value
-        laid = self._bare(first, asked)
+        row = self._bare(first, asked)
         others: list[lay.Layout] = [self._bare(each, asked) for each in rest]
         if isinstance(first[0].left, Quantity) and all(len(option) == 1 for option in options):
             # A quantity in words stands once.
             others = [
                 _without_subject(other) for other in others if isinstance(other, lay.Relation)
             ]
-        final = lay.Phrase((laid.operands[-1], *others), str(say("list.or")))
-        return Row((*laid.operands[:-1], final), laid.signs, alternatives=True)
+        final = lay.Phrase((row.operands[-1], *others), str(say("list.or")))
+        return Row((*row.operands[:-1], final), row.signs, alternatives=True)
 
     def _extreme(self, line: Line) -> Row:
         """The greatest or the least value and where it is reached, or what is only approached."""

@@ -91,7 +91,7 @@ def is_certain(step: Step, relation: Relation) -> bool:
         for each in walk(side)
     ):
         ways.reverse()
-    return any(way(step, relation) for way in ways)
+    return any(proof(step, relation) for proof in ways)
 
 
 def between_tangents(step: Step, relation: Relation) -> bool:

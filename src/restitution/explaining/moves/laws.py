@@ -115,8 +115,8 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
 def _note_pace(step: Step, link: Link, rules: Rules) -> None:
     """What goes some way that is not zero has a speed there that is not zero: it is divided by."""
     match link:
-        case Link(way, "=", Binary("*", pace, _)):
-            length, speed = (rules.put_into(step.world.value(each)) for each in (way, pace))
+        case Link(distance, "=", Binary("*", pace, _)):
+            length, speed = (rules.put_into(step.world.value(each)) for each in (distance, pace))
             if isinstance(length, Plane) or isinstance(speed, Plane) or length.vanishes:
                 return
             if step.signs.of(length, sure=False) is not None:

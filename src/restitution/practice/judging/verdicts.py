@@ -654,9 +654,9 @@ class Judge:
         A letter whose lines are all below a mistake cannot be known from true values.
         """
         claim = link.readings[0]
-        found = letters(claim.left) | letters(claim.right)
+        names_in_claim = letters(claim.left) | letters(claim.right)
         known = self.meanings(line.number).keys() | self._base.letters.keys()
-        names = [name for name in found if name not in known]
+        names = [name for name in names_in_claim if name not in known]
         if len(names) != 1 or claim.sign != "=" or not self.wrong or is_phrase(names[0]):
             return None
         (name,) = names
@@ -689,10 +689,10 @@ class Judge:
             return None
         entry = replace(self._entry_of(line, link, link.readings[0]), right=False, wrong=True)
         again = {_family(use.altered) for use in self.uses_of_entry(entry) if use.altered}
-        for number, found in self._explained.items():
-            if again & {_family(each.id) for each in found.variants}:
+        for number, mistake in self._explained.items():
+            if again & {_family(each.id) for each in mistake.variants}:
                 continue
-            for variant in found.variants[:_ALTERED]:
+            for variant in mistake.variants[:_ALTERED]:
                 world = self.altered(variant)
                 if world is None:
                     continue

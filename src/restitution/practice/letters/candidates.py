@@ -207,8 +207,8 @@ def _of_motion(
                     tangent, "tangent", "scalar", body, stage, None, start, cost + late + 0.2
                 )
     name = Name(body)
-    way = Quantity("direction", (name,), stage)
-    yield Candidate(way, "angle", "angle", body, stage, None, start, far + 0.4)
+    direction = Quantity("direction", (name,), stage)
+    yield Candidate(direction, "angle", "angle", body, stage, None, start, far + 0.4)
     speed, energy = Quantity("speed", (name,), stage), Quantity("energy", (name,), stage)
     yield Candidate(speed, "speed", "scalar", body, stage, None, start, far + 0.1)
     yield Candidate(v, "velocity", "vector", body, stage, None, start, far)

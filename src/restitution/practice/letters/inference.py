@@ -171,9 +171,9 @@ def _swaps(
     for places, _ in slots[place].values.values():
         ways = [_with_option(state.options, place, option) for option in places]
         swaps = [
-            State(way, 0.0, rest, {n: x for n, x in state.broken.items() if n not in own})
-            for way in ways
-            if way != state.options and _allowed(way, slots, [place])
+            State(options, 0.0, rest, {n: x for n, x in state.broken.items() if n not in own})
+            for options in ways
+            if options != state.options and _allowed(options, slots, [place])
         ]
         for number in own if swaps else ():
             swaps = _with_item(swaps, number, items[number], slots, tester, broken)
@@ -331,10 +331,10 @@ def _breaking(
 ) -> Iterator[State]:
     """The interpretations in which an item is an instance of an altered law."""
     used = sorted(set(item.slots.values()))
-    for state, (way, share) in product(states, ways.items()):
+    for state, (choice, share) in product(states, ways.items()):
         free = [s for s in used if state.options[s] < 0]
         options = list(state.options)
-        for s, option in zip(used, way, strict=True):
+        for s, option in zip(used, choice, strict=True):
             if options[s] not in (-1, option):
                 break
             options[s] = option
@@ -491,7 +491,7 @@ def _tried(
     truth = np.broadcast_to(held, (len(states), *sizes))
     for row, state in enumerate(states):
         ways = list(_ways(state, number, item, slots, chosen, truth[row]))
-        ways.sort(key=lambda way: -way.score)
+        ways.sort(key=lambda interpretation: -interpretation.score)
         yield from ways[:_WAYS]
 
 
@@ -512,16 +512,16 @@ def _ways(
     truth: Array,
 ) -> Iterator[State]:
     free = list(chosen)
-    for way in np.argwhere(truth)[: 20 * _WAYS]:
+    for choice in np.argwhere(truth)[: 20 * _WAYS]:
         options = list(state.options)
-        for s, row in zip(free, way, strict=True):
+        for s, row in zip(free, choice, strict=True):
             options[s] = slots[s].values[chosen[s]][0][row]
         if not _allowed(options, slots, free):
             continue
         cost = COST * sum(slots[s].options[options[s]].cost for s in free)
         yield State(
             tuple(options),
-            state.score + _worth(item, options, slots) * float(truth[tuple(way)]) - cost,
+            state.score + _worth(item, options, slots) * float(truth[tuple(choice)]) - cost,
             state.satisfied | {number},
             state.broken,
         )

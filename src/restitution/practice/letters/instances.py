@@ -196,8 +196,8 @@ def _usual(slot: Slot, nature: Nature) -> list[int]:
 
 def _chosen(total: Array, places: Sequence[Sequence[int]]) -> list[tuple[int, ...]]:
     return [
-        tuple(own[k] for own, k in zip(places, way, strict=True))
-        for way in np.argwhere(total)[:200]
+        tuple(own[k] for own, k in zip(places, choice, strict=True))
+        for choice in np.argwhere(total)[:200]
     ]
 
 

@@ -276,14 +276,14 @@ class _Search:
 
     def _dotted(self) -> frozenset[str]:
         """The letters in scalar products with n or t, these among them, that no line defines."""
-        found: set[str] = set()
+        factors: set[str] = set()
         for line in self.lines:
             for link in line.links:
                 for claim in link.readings:
                     for side in (claim.left, claim.right):
                         for tree in walk(side):
-                            found |= self._factors(tree)
-        return frozenset(found - self.definitions.keys() - self.certain.keys())
+                            factors |= self._factors(tree)
+        return frozenset(factors - self.definitions.keys() - self.certain.keys())
 
     def _factors(self, tree: Expression) -> frozenset[str]:
         """The letters of a scalar product of which one stands alone and is a direction."""

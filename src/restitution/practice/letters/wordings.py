@@ -131,14 +131,14 @@ def _way(kind: str, axis: Expression, problem: Problem, turned: bool) -> str:
         case Negate(Unit(name)) if kind == "along":
             return f"in the direction of {'' if turned else '−'}{name}"
         case Name(name):
-            way = "along" if kind == "along" else "perpendicular to"
-            return f"{way} {name}{_arrow(turned)}"
+            relation = "along" if kind == "along" else "perpendicular to"
+            return f"{relation} {name}{_arrow(turned)}"
         case Quantity("line_of_centres", (), int(number)):
             if kind == "along":
                 return f"along {_towards(number, problem, turned)}"
             return f"perpendicular to the line of centres{_arrow(turned)}"
-    way = "in the direction of" if kind == "along" else "at 90° anticlockwise from"
-    return f"{way} {'−' if turned else ''}{write_expression(axis)}"
+    relation = "in the direction of" if kind == "along" else "at 90° anticlockwise from"
+    return f"{relation} {'−' if turned else ''}{write_expression(axis)}"
 
 
 def _arrow(turned: bool) -> str:

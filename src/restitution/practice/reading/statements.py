@@ -406,9 +406,9 @@ class _Reader:
         """A label as a letter; a body's name is its velocity, its speed or a component."""
         if label.kind == "phrase":
             return Letter(label.name)
-        way = _WAY.match(self.line.text, tokens[-1].end) if tokens else None
-        if way is not None:
-            return Letter(f"component of {label.name} {way[1].lower()}")
+        direction = _WAY.match(self.line.text, tokens[-1].end) if tokens else None
+        if direction is not None:
+            return Letter(f"component of {label.name} {direction[1].lower()}")
         vector = is_vector(sides[0].tree, self.usage.vectors)
         return Letter(f"{'velocity' if vector else 'speed'} of {label.name}")
 
