@@ -146,7 +146,7 @@ def test_every_item_has_a_last_line(path: Path) -> None:
             assert "as required" in text
             continue
         for links in end.answer.options:
-            value = one_line(naming.laid(links[-1].right))
+            value = one_line(naming.layout(links[-1].right))
             asked = links[0].left
             if isinstance(asked, Quantity) and asked.kind == "position":
                 value = coordinates(value)
@@ -513,15 +513,15 @@ find speed(P)
 )
 def test_a_quantity_is_called_by_its_time(tree: str, text: str) -> None:
     known = {"P": "sphere", "W": "wall", "N": "point", "restitution": "quantity"}
-    assert one_line(names(BLOW).laid(read_expression(tree, names=known))) == text
+    assert one_line(names(BLOW).layout(read_expression(tree, names=known))) == text
 
 
 def test_a_letter_that_is_taken_is_not_given_again() -> None:
     free, taken = names(BLOW), names(BLOW.replace("velocity 3i", "velocity t_2 i"))
     when = read_expression("time(2)", names={})
-    assert one_line(free.laid(when)) == "t₂"
+    assert one_line(free.layout(when)) == "t₂"
     assert [str(each).count("time of the impact") for each in map(said, free.introduced())] == [1]
-    assert one_line(taken.laid(when)) == "time of the impact"
+    assert one_line(taken.layout(when)) == "time of the impact"
     assert taken.introduced() == ()
 
 
@@ -546,7 +546,7 @@ def test_every_quantity_of_every_statement_has_a_name() -> None:
         derivation = Derivation(facts_of(problem), (), (), events_of(problem))
         naming = Naming(derivation, problem)
         said = [
-            one_line(naming.laid(each))
+            one_line(naming.layout(each))
             for tree in trees_of_problem(problem)
             for each in walk(tree)
             if isinstance(each, Quantity)

@@ -79,13 +79,13 @@ class BoldLetters:
 
     ``used`` are those that it turns out to need, where that is known: then each is introduced with
     those of its time. ``taken`` are letters that stand for something else, ``when`` says a time,
-    ``laid`` prints a tree, and ``circles`` are the walls that are circular.
+    ``layout`` lays a tree out, and ``circles`` are the walls that are circular.
     """
 
     derivation: Derivation
     taken: set[str]
     when: Callable[[int], Sentence]
-    laid: Callable[[Expression], lay.Layout]
+    layout: Callable[[Expression], lay.Layout]
     used: Used | None = None
     circles: frozenset[str] = frozenset()
     part: str | None = None
@@ -200,13 +200,13 @@ class BoldLetters:
         units = {node.axis for node in nodes if isinstance(node, Unit)}
         return len(units) == 2 and not any(isinstance(node, Polar) for node in nodes)
 
-    def way(self, number: int, kind: str) -> lay.Layout | None:
+    def direction(self, number: int, kind: str) -> lay.Layout | None:
         """The direction of the line of an event, or across it, as a vector; None without one."""
         direction = self._directions.get(number)
         if direction is None:
             return None
         whole, _ = _whole(direction if kind == "along" else direction.turned_left())
-        return self.laid(tree_of(whole))
+        return self.layout(tree_of(whole))
 
     def across_wall(self, wall: str) -> lay.Layout | None:
         """The direction of a wall turned to the left, as a vector; None where it is not told."""
@@ -214,7 +214,7 @@ class BoldLetters:
         direction = None if fact is None else _in_numbers(fact.relation.only[-1].right)
         if direction is None:
             return None
-        return self.laid(tree_of(whole_direction(direction.turned_left())[0]))
+        return self.layout(tree_of(whole_direction(direction.turned_left())[0]))
 
     def unit(self, number: int, kind: str) -> lay.Bold | None:
         """The unit vector along the line of an event, or across it; None where there is none."""
@@ -238,7 +238,7 @@ class BoldLetters:
             letter = lay.Bold("n" if kind == "along" else "t", subscript)
             self._units[number, kind] = letter
             axis = direction if kind == "along" else direction.turned_left()
-            value = self.laid(_tree_of_unit(axis))
+            value = self.layout(_tree_of_unit(axis))
             equations.append(lay.Relation((letter, value), ("=",)))
         event = self._events[number]
         which = kinds[0] if len(kinds) == 1 else "both"

@@ -100,8 +100,8 @@ class DataAngles:
         except RestitutionError:
             return
         angle = {"arctan": sp.atan, "arcsin": sp.asin, "arccos": sp.acos}[arc.function](value)
-        written = self._naming.laid(arc.argument)
-        sine, cosine = (self._naming.laid(tree_of(tidy(f(angle)))) for f in (sp.sin, sp.cos))
+        written = self._naming.layout(arc.argument)
+        sine, cosine = (self._naming.layout(tree_of(tidy(f(angle)))) for f in (sp.sin, sp.cos))
         if arc.function == "arctan":
             yield say("given.tangent", value=written, sine=sine, cosine=cosine)
         elif arc.function == "arcsin":

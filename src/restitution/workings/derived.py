@@ -276,10 +276,10 @@ class _Writer:
         """What a line says of its left side, as a row."""
         assert isinstance(line.relation, Relation)
         left = line.relation.only[0].left
-        value = self.naming.laid(line.relation.only[-1].right)
+        value = self.naming.layout(line.relation.only[-1].right)
         if is_plain(value) and value != lay.Number("0"):
             value = with_unit(value, self.measures.unit(left))
-        return Row((self.naming.laid(left), value), ("=",))
+        return Row((self.naming.layout(left), value), ("=",))
 
     @staticmethod
     def _is_recalled(line: Line) -> bool:
@@ -303,7 +303,7 @@ class _Writer:
             return step
         assert isinstance(line.relation, Relation)
         first, *rest = step.rows
-        left = self.naming.laid(line.relation.options[0][0].left)
+        left = self.naming.layout(line.relation.options[0][0].left)
         first = replace(first, operands=(left, *first.operands[1:]))
         return replace(step, rows=(first, *rest))
 

@@ -40,7 +40,7 @@ def extreme(
     none: SentenceId = "extremum.no-greatest" if greatest else "extremum.no-least"
     name: SentenceId = "extremum.approached" if shown else none
     return (
-        naming.laid(link.left),
+        naming.layout(link.left),
         "→",
         tuple(say(name, place=_approached(naming, place)) for place in places),
     )
@@ -62,5 +62,5 @@ def _approached(naming: Naming, place: Link) -> lay.Layout:
     """To where a letter goes: to an end of its range, or on without limit."""
     match place:
         case Link(Binary("/", Number(), Letter() as letter), _, right) if is_zero(right):
-            return lay.Relation((naming.laid(letter), lay.Words("∞")), ("→",))
-    return lay.Relation((naming.laid(place.left), naming.laid(place.right)), ("→",))
+            return lay.Relation((naming.layout(letter), lay.Words("∞")), ("→",))
+    return lay.Relation((naming.layout(place.left), naming.layout(place.right)), ("→",))

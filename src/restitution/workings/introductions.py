@@ -45,7 +45,7 @@ class Introductions:
                     "derived.name",
                     equations=tuple(
                         lay.Relation(
-                            (self._letter(meaning), self._naming.laid(meaning.quantity)), ("=",)
+                            (self._letter(meaning), self._naming.layout(meaning.quantity)), ("=",)
                         )
                         for meaning in meanings
                     ),
@@ -83,12 +83,12 @@ class Introductions:
             for velocity, each in parts.items()
         }
         return tuple(
-            lay.Relation((self._naming.laid(velocity), self._naming.laid(total)), ("=",))
+            lay.Relation((self._naming.layout(velocity), self._naming.layout(total)), ("=",))
             for velocity, total in sums.items()
         )
 
     def _letter(self, meaning: Meaning) -> lay.Layout:
-        return self._naming.laid(Letter(meaning.letter))
+        return self._naming.layout(Letter(meaning.letter))
 
     def _kind(self, meaning: Meaning) -> Any:
         """Letters that are introduced in one sentence: components of one impact; the others."""
@@ -121,7 +121,7 @@ class Introductions:
         letters = tuple(self._letter(meaning) for meaning in meanings)
         bodies = tuple(meaning.quantity.arguments[0].arguments[0].name for meaning in meanings)  # type: ignore[union-attr]
         if kind[0] == "axis":
-            axis = self._naming.laid(kind[1])
+            axis = self._naming.layout(kind[1])
             if len(letters) > 1:
                 yield say("let.components", letters=letters, bodies=bodies, axis=axis)
             else:
@@ -172,12 +172,12 @@ class Introductions:
         if isinstance(axis, Polar) or by_places:
             return None
         if isinstance(axis.operand if isinstance(axis, Negate) else axis, Degrees | Letter):
-            unit = self._naming.laid(Negate(Unit("i")) if turned else Unit("i"))
-            return _AT, {"axis": self._naming.laid(axis), "unit": unit}
+            unit = self._naming.layout(Negate(Unit("i")) if turned else Unit("i"))
+            return _AT, {"axis": self._naming.layout(axis), "unit": unit}
         sense: Expression = axis
         if turned:
             sense = _reversed(axis)
-        return _TOWARDS, {"axis": self._naming.laid(sense)}
+        return _TOWARDS, {"axis": self._naming.layout(sense)}
 
 
 def _reversed(direction: Expression) -> Expression:

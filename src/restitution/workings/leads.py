@@ -111,8 +111,8 @@ class Leads:
             case Link(Quantity("direction", (Name() as body,), stage), "=", angle) if (
                 abs(_degrees(angle)) == 90
             ):
-                velocity = self._naming.laid(Quantity("velocity", (body,), stage))
-                axis = self._naming.laid(Unit("i"))
+                velocity = self._naming.layout(Quantity("velocity", (body,), stage))
+                axis = self._naming.layout(Unit("i"))
                 return (say("given.direction", fact=sentence, velocity=velocity, axis=axis),)
         if isinstance(facts[0].relation.options[0][0].left, Letter) and not isinstance(
             sentence, Sentence
@@ -126,7 +126,7 @@ class Leads:
             case Link(Quantity("velocity"), "perpendicular to", Unit() as unit), (link,) if (
                 line.move.record == "perpendicular" and is_zero(link.right)
             ):
-                return (say("given.component", fact=sentence, axis=self._naming.laid(unit)),)
+                return (say("given.component", fact=sentence, axis=self._naming.layout(unit)),)
         if line.move.record in ("sum", "difference") and len(line.move.bodies) == 1:
             turned = self._turned(line)
             if turned is not None:
@@ -147,7 +147,7 @@ class Leads:
                     return (say("given.product", fact=sentence),)
         other = _across(facts[0].relation.options[0][0].right)
         if line.move.record == "parallel" and nothing and other is not None:
-            return (say("given.component", fact=sentence, axis=self._naming.laid(other)),)
+            return (say("given.component", fact=sentence, axis=self._naming.layout(other)),)
         if line.move.record == "parallel":
             return (say("given.proportion", fact=sentence),)
         return (*self._sine_of_an_offset(line), say("given.fact", fact=sentence))
@@ -321,7 +321,7 @@ class Leads:
                 yield say(which, body=body)
                 return
             none = Unit("i" if size == Degrees(Fraction(90)) else "j")
-            yield say("derived.along-axis", body=body, axis=self._naming.laid(none))
+            yield say("derived.along-axis", body=body, axis=self._naming.layout(none))
             return
         if line.move.record in ("perpendicular", "parallel") and self.title(line) is None:
             apart = self._apart(line) if line.move.record == "perpendicular" else None
@@ -334,7 +334,7 @@ class Leads:
         factor = factor_cancelled(self._derivation, line) if line.move.id == "cancel" else None
         known = self._reasons.known(line) if factor is not None else ()
         if factor is not None and known:
-            formula = self._naming.laid(factor)
+            formula = self._naming.layout(factor)
             equations = () if source is None else self._numbers(source)
             if len(equations) > 1:
                 yield say(
@@ -394,7 +394,7 @@ class Leads:
         """That an offset is known by now, from which the line of centres follows."""
         angles = [e for e in walk(fact.relation.only[0].right) if isinstance(e, Apply)]
         names = {node for each in angles for node in walk(each) if isinstance(node, Letter)}
-        letters = tuple(map(self._naming.laid, sorted(names, key=lambda each: each.name)))
+        letters = tuple(map(self._naming.layout, sorted(names, key=lambda each: each.name)))
         return say("derived.put", letters=letters) if letters else say("so")
 
     def _divided(self, line: Line) -> Sentence | None:
@@ -416,7 +416,7 @@ class Leads:
             if isinstance(each, Letter | Apply) and tidy(
                 worth(top) - worth(rest) * worth(each)
             ).equals(0):
-                return say("derived.divided", factor=self._naming.laid(each))
+                return say("derived.divided", factor=self._naming.layout(each))
         return None
 
     def _sine_of_an_offset(self, line: Line) -> Iterator[Sentence]:
@@ -486,7 +486,7 @@ class Leads:
             meaning = self._naming.meanings.get(each.name) if isinstance(each, Letter) else None
             match None if meaning is None else meaning.quantity:
                 case Quantity("angle", (Quantity("velocity"), Unit() as axis)):
-                    return say("turned.from", body=body, axis=self._naming.laid(axis))
+                    return say("turned.from", body=body, axis=self._naming.layout(axis))
         form = self._form_of(first)
         alone = len(line.move.bodies) == 1
         if not alone:
@@ -580,7 +580,7 @@ class Leads:
         if event is None:
             return None
         bold = self._naming.bold
-        direction = None if bold.has_unit(event.number) else bold.way(event.number, "across")
+        direction = None if bold.has_unit(event.number) else bold.direction(event.number, "across")
         if stage < event.number and direction is not None:
             if event.wall:
                 return say("resolved-wall.before-sense", wall=event.bodies[1], axis=direction)
@@ -637,12 +637,12 @@ class Leads:
         for meaning in meanings:
             match meaning:
                 case Quantity("angle", (Quantity("velocity") as velocity, Unit() as axis)):
-                    formula, direction = self._naming.laid(velocity), self._naming.laid(axis)
+                    formula, direction = self._naming.layout(velocity), self._naming.layout(axis)
                     return say("given.none-in", velocity=formula, axis=direction)
                 case Quantity("angle", (Quantity("velocity") as velocity, Quantity() as axis)) if (
                     axis.kind == "line_of_centres" and self._naming.side(axis) is not None
                 ):
-                    formula = self._naming.laid(velocity)
+                    formula = self._naming.layout(velocity)
                     return say("given.none-along", velocity=formula, line=self._naming.side(axis))
         return None
 
@@ -687,7 +687,7 @@ class Leads:
         equations = self._numbers(source)
         match source.kind:
             case "combine":
-                letter = self._naming.laid(read_tree(source.eliminated, self._naming.bodies))
+                letter = self._naming.layout(read_tree(source.eliminated, self._naming.bodies))
                 yield say("derived.combine", letter=letter, equations=equations)
             case "compare" if not equations:
                 yield say("given.compare")
@@ -778,7 +778,7 @@ class Leads:
 
     def _named(self, tree: Expression) -> Sentence | lay.Layout:
         """What is put in: a letter, or words with an article."""
-        formula = self._naming.laid(tree)
+        formula = self._naming.layout(tree)
         words = isinstance(formula, lay.Words | lay.Phrase)
         return say("derived.the", quantity=formula) if words else formula
 
@@ -832,7 +832,7 @@ class Leads:
                 above = [each for each in map(self._cited, line.premises) if each is not None]
                 holds = any(each.move.id in ("put", "rearrange", "cancel") for each in above)
                 name = "range.every-holds" if holds else "range.every"
-                yield say(name, letter=self._naming.laid(letter))
+                yield say(name, letter=self._naming.layout(letter))
         for ref in line.premises if line.move.id == "compare" else ():
             own = self._derivation.line(ref) if isinstance(ref, int) else None
             if own is None or own.shown != "silent" or own.move.id != "put":
@@ -854,7 +854,7 @@ class Leads:
                 pass
             case _:
                 return None
-        direction = self._naming.laid(axis if sign == ">" else Negate(axis))
+        direction = self._naming.layout(axis if sign == ">" else Negate(axis))
         sentence = self._naming.fact(sense)
         return body, direction, sentence
 

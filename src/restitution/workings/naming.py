@@ -87,7 +87,7 @@ class Naming:
             self.derivation,
             self._used,
             self._plain_when,
-            self.laid,
+            self.layout,
             self.used,
             frozenset(self._circles),
         )
@@ -125,7 +125,7 @@ class Naming:
 
     # --- for the writer -------------------------------------------------------------------------
 
-    def laid(self, tree: Expression) -> lay.Layout:
+    def layout(self, tree: Expression) -> lay.Layout:
         """A tree as it stands in a line."""
         for node in walk(tree):
             match node:
@@ -175,10 +175,10 @@ class Naming:
                 case Quantity() if isinstance(right, lay.Words | lay.Phrase):
                     return say("derived.same", quantity=left, value=right)
                 case Binary("*", size, Quantity() as whole) if _is_share(size):
-                    share = _percentage(self.laid(size))
+                    share = _percentage(self.layout(size))
                     return say("derived.share", quantity=left, share=share, value=self.side(whole))
                 case Binary("*", Letter() as size, Quantity() as whole):
-                    share = self.laid(size)
+                    share = self.layout(size)
                     return say("derived.times", quantity=left, share=share, value=self.side(whole))
             return say("derived.is", quantity=left, value=self._measured(link, right))
         if link.sign in _BOUNDS and isinstance(left, lay.Words | lay.Phrase):
@@ -187,7 +187,7 @@ class Naming:
                 case Quantity() if isinstance(right, lay.Words | lay.Phrase):
                     bound = say("derived.called", quantity=right)
                 case Binary("*", size, Quantity() as whole) if _is_share(size):
-                    share = _percentage(self.laid(size))
+                    share = _percentage(self.layout(size))
                     bound = say("derived.part", share=share, value=self.side(whole))
             return say(_BOUNDS[link.sign], quantity=left, value=bound)
         return self.relation(fact.relation)
@@ -296,7 +296,7 @@ class Naming:
         event = None if isinstance(axis, Negate) else self.event_of_axis(axis)
         if event is None or not self.bold.has_unit(event.number):
             return None
-        velocity = self.laid(vector)
+        velocity = self.layout(vector)
         unit = self.bold.unit(event.number, kind)
         return None if unit is None else lay.product(velocity, unit, sign="·")
 
@@ -372,12 +372,12 @@ class Naming:
                     return between
                 return self._at(say("derived.distance", of=tuple(map(self._end, arguments))), stage)
             case Quantity("line_of_centres", _, stage):
-                is_bold = isinstance(stage, int) and self.bold.way(stage, "along") is not None
+                is_bold = isinstance(stage, int) and self.bold.direction(stage, "along") is not None
                 return say("derived.line-unit") if is_bold else say("derived.line")
             case Quantity("direction", (Name(),), int()):
                 velocity = Quantity("velocity", tree.arguments, tree.stage)
-                unit = self.laid(Unit("i"))
-                return say("derived.direction", velocity=self.laid(velocity), unit=unit)
+                unit = self.layout(Unit("i"))
+                return say("derived.direction", velocity=self.layout(velocity), unit=unit)
             case Quantity(_, _, stage) if stage is not None:
                 words = say("derived.value", value=lay.from_tree(self._timeless(tree)))
                 return self._at(words, stage)
@@ -420,7 +420,7 @@ class Naming:
 
     def extreme(self, tree: Expression, *, greatest: bool) -> Sentence:
         """The greatest or the least value of a quantity."""
-        formula = self.laid(tree)
+        formula = self.layout(tree)
         if isinstance(formula, lay.Words | lay.Phrase):
             name = "derived.greatest-named" if greatest else "derived.least-named"
         else:
@@ -434,7 +434,7 @@ class Naming:
                 return name
             case Quantity():
                 return say("derived.the", quantity=self.quantity(tree))
-        return self.laid(tree)
+        return self.layout(tree)
 
     def side(self, tree: Expression) -> Sentence | lay.Layout | str:
         """A direction or a vector among words."""
@@ -445,7 +445,7 @@ class Naming:
                 return name
             case Quantity("line_of_centres", _, stage):
                 return self._centres(stage)
-        return self.laid(tree)
+        return self.layout(tree)
 
     def _centres(self, stage: Stage) -> Sentence:
         """The line of centres of an event: at a wall the normal, at a circular one the radius."""
@@ -496,7 +496,7 @@ class Naming:
                 return say("contact.wall-line", body=body, wall=wall, line=line)
             case Link(Quantity("dot"), "=", Binary("^", radius, _)) if event is not None:
                 one, other = event.bodies
-                length = self.laid(radius)
+                length = self.layout(radius)
                 if is_plain(length):
                     length = with_unit(length, self.unit(Quantity("distance", ())))
                 if other not in self._circles:
@@ -504,7 +504,7 @@ class Naming:
                 both = self._both_radii(one, other, radius)
                 if both is None:
                     return say("circle.at", body=one, wall=other, radius=length)
-                equation = lay.Relation((self.laid(both), length), ("=",))
+                equation = lay.Relation((self.layout(both), length), ("=",))
                 return say("circle.centre-at", body=one, wall=other, radius=equation)
         return None
 
@@ -544,7 +544,7 @@ class Naming:
     def _component(self, kind: str, vector: Expression, axis: Expression) -> Sentence:
         match vector:
             case Quantity("velocity", (Name(),), _):
-                of = self.laid(vector)
+                of = self.layout(vector)
             case Quantity("position", (Name(body),), stage) if isinstance(axis, Unit):
                 words = (
                     say("derived.coordinate-x", body=body)
@@ -553,21 +553,21 @@ class Naming:
                 )
                 return self._at(words, stage)
             case _:
-                of = self.laid(vector)
+                of = self.layout(vector)
         event = self.event_of_axis(axis)
         unit = None if isinstance(axis, Negate) else self.unit_of(event, kind)
         if unit is not None and event is not None and not event.wall:
-            return say("derived.component-unit", axis=self.laid(unit), of=of)
+            return say("derived.component-unit", axis=self.layout(unit), of=of)
         if event is None:
             if kind == "along" and isinstance(axis, Unit):
-                return say("derived.component-unit", axis=self.laid(axis), of=of)
+                return say("derived.component-unit", axis=self.layout(axis), of=of)
             if kind == "along":
-                return say("derived.component-along-vector", axis=self.laid(axis), of=of)
+                return say("derived.component-along-vector", axis=self.layout(axis), of=of)
             direction = self.bold.across_wall(axis.name) if isinstance(axis, Name) else None
             if direction is not None:
-                own = self.laid(axis)
+                own = self.layout(axis)
                 return say("derived.component-across-sense", axis=own, way=direction, of=of)
-            return say("derived.component-across-vector", axis=self.laid(axis), of=of)
+            return say("derived.component-across-vector", axis=self.layout(axis), of=of)
         if event.wall and kind == "along":
             return say("derived.component-towards", of=of, wall=event.bodies[1])
         if event.wall:
@@ -659,7 +659,7 @@ class Naming:
         event = self.events[stage]
         if event.kind == "arrival":
             step = self._arrivals().get(stage)
-            target = self.laid(step.target) if step is not None else lay.Words("")
+            target = self.layout(step.target) if step is not None else lay.Words("")
             return say("event.arrival", body=event.bodies[0], target=target)
         named = self._event(event)
         return say("derived.of", event=named) if of else say("event.during", event=named)
@@ -691,7 +691,7 @@ class Naming:
                 return self._after_by(length, self._started(number))
         fact = self.derivation.fact("start")
         if any(isinstance(node, Quantity) for node in walk(time)) or fact is None:
-            return say("derived.at-time", time=self.laid(time))
+            return say("derived.at-time", time=self.layout(time))
         left = fact.relation.only[0].left
         begins = left.stage if isinstance(left, Quantity) else None
         return self._after_by(time, self._started(begins if isinstance(begins, int) else 0))
@@ -700,7 +700,7 @@ class Naming:
         """How long after an event: *2 s after the impact*, *at time r/u after the impact*."""
         duration = self._in_seconds(time)
         return say(
-            "derived.later" if duration != self.laid(time) else "derived.later-at",
+            "derived.later" if duration != self.layout(time) else "derived.later-at",
             time=duration,
             event=event,
         )
@@ -715,7 +715,7 @@ class Naming:
 
     def _in_seconds(self, time: Expression) -> lay.Layout:
         """A plain number of seconds with its unit, where the statement has units."""
-        duration = self.laid(time)
+        duration = self.layout(time)
         if not all(isinstance(node, Number | Binary) for node in walk(time)):
             return duration
         unit = self.unit(Quantity("time", (), 1))

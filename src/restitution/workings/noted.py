@@ -99,11 +99,11 @@ class Notes:
         relation = self._relation(value)
         link = relation.only[-1]
         equation = lay.equation(
-            self._naming.laid(relation.only[0].left), self._naming.laid(link.right)
+            self._naming.layout(relation.only[0].left), self._naming.layout(link.right)
         )
         over = "<=" in str(bound)
         if self._ends_in(note):
-            after = self._naming.laid(relation.only[0].left)
+            after = self._naming.layout(relation.only[0].left)
             more = say("note.goes-on", letter=after) if self._goes_on(note) else ""
             return say("note.above-one" if over else "note.below-zero", value=equation, more=more)
         if any(each.premises == note.premises and self._ends_in(each) for each in self._all):
@@ -112,7 +112,7 @@ class Notes:
             name = "note.none-above-one" if over else "note.none-below-zero"
             return say(name, items=items, value=equation)
         name = "note.none-data-above-one" if over else "note.none-data-below-zero"
-        return say(name, items=items, value=self._naming.laid(link.right))
+        return say(name, items=items, value=self._naming.layout(link.right))
 
     def _ends_in(self, note: Note) -> bool:
         """Whether a note is of the item that its lines are about."""

@@ -44,7 +44,7 @@ def offset_sentence(fact: Fact, naming: Naming, given: bool) -> Sentence:
     elif right:
         beside = tree_of(tidy(-worth(beside)))
     sine = tidy(worth(beside) / worth(apart))
-    sides = naming.laid(Binary("/", beside, apart)), naming.laid(tree_of(sine))
+    sides = naming.layout(Binary("/", beside, apart)), naming.layout(tree_of(sine))
     slots: dict[str, Any] = {
         "other": other,
         "path": path,
@@ -58,12 +58,12 @@ def offset_sentence(fact: Fact, naming: Naming, given: bool) -> Sentence:
     angle = sp.asin(sine) if sine.is_number else sp.nan
     if not (angle / sp.pi).is_Rational:
         return say("offset.sine", **slots)
-    return say("offset.degrees", angle=naming.laid(tree_of(angle, angle=True)), **slots)
+    return say("offset.degrees", angle=naming.layout(tree_of(angle, angle=True)), **slots)
 
 
 def _length(naming: Naming, tree: Expression) -> lay.Layout:
     """A length, with its unit where it is a number."""
-    return with_its_unit(naming.laid(tree), naming.unit(Quantity("distance", ())))
+    return with_its_unit(naming.layout(tree), naming.unit(Quantity("distance", ())))
 
 
 def _path(naming: Naming, one: str, other: str, origin: Expression | None) -> Sentence:
@@ -73,12 +73,14 @@ def _path(naming: Naming, one: str, other: str, origin: Expression | None) -> Se
             displacement = vector_worth(origin)
             first = vector_worth(own)
             if displacement is None or first is None:
-                return say("offset.relative", body=one, other=other, direction=naming.laid(origin))
+                return say(
+                    "offset.relative", body=one, other=other, direction=naming.layout(origin)
+                )
             if (
                 tidy(first.cross(displacement)) != 0
                 or tidy(first.dot(displacement)).as_coeff_Mul()[0] < 0
             ):
-                direction = naming.laid(tree_of(displacement))
+                direction = naming.layout(tree_of(displacement))
                 return say("offset.relative", body=one, other=other, direction=direction)
     return say("offset.path", body=one)
 

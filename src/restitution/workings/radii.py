@@ -79,8 +79,8 @@ class Radii:
                 return None
         if radius is None or worth(radius) == 0:
             return None
-        sides: list[lay.Layout] = [self._naming.laid(right)]
-        value = self._naming.laid(tree_of(worth(right)))
+        sides: list[lay.Layout] = [self._naming.layout(right)]
+        value = self._naming.layout(tree_of(worth(right)))
         if value != sides[0]:
             sides.append(value)
         sides[-1] = self._length(sides[-1])
@@ -88,7 +88,7 @@ class Radii:
             "touch.wall",
             body=event.bodies[0],
             wall=event.bodies[1],
-            radius=self._length(self._naming.laid(radius)),
+            radius=self._length(self._naming.layout(radius)),
             axis="x" if axis == "i" else "y",
             value=sides[0] if len(sides) == 1 else lay.Relation(tuple(sides), ("=",)),
         )

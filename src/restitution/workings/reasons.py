@@ -223,7 +223,7 @@ class Reasons:
             return fact.relation
         head, colon, text = ref.partition(":")
         if colon and head.strip() == "acute":
-            angle = self._naming.laid(read_tree(text, self._naming.bodies))
+            angle = self._naming.layout(read_tree(text, self._naming.bodies))
             return say("derived.acute", angle=angle)
         return read_relation(ref, self._naming.bodies)
 
@@ -264,7 +264,7 @@ class Reasons:
         assert isinstance(line.relation, Relation)
         left = line.relation.options[0][0].left
         if isinstance(left, Letter):
-            yield say("derived.positive", letter=self._naming.laid(left))
+            yield say("derived.positive", letter=self._naming.layout(left))
 
     def _positive_sum(self, line: Line) -> Iterator[lay.Layout]:
         """That coefficients of restitution are not negative, where a sum of them is positive.
@@ -342,12 +342,12 @@ class Reasons:
                 turn = 0 if part is None else way_of(part, name, ends, line.relation)
                 whole, sense = (above[0].left, sense) if part is None or not turn else (part, turn)
             id_ = "derived.increases" if sense > 0 else "derived.decreases"
-            quantity = self._naming.laid(whole)
-            letter = self._naming.laid(Letter(name))
+            quantity = self._naming.layout(whole)
+            letter = self._naming.layout(Letter(name))
             yield say(id_, quantity=quantity, letter=letter)
             far = _far_end(line.relation, above[0].left, name, sense, ends)
             if name in positive and far is not None:
-                yield say("derived.tends", value=self._naming.laid(far), letter=letter)
+                yield say("derived.tends", value=self._naming.layout(far), letter=letter)
 
     def _shape(self, line: Line) -> tuple[Sentence, ...]:
         """What bounds a value by its form, the plainest that fits."""

@@ -109,7 +109,7 @@ def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -
             other = replace(relation, happens=not relation.happens)
             return say("refuted.opposite", claim=claim_of_meeting(other, naming))
     if sides and note.sides == note.instance:
-        letter, value = (naming.laid(each) for each in (note.sides[0].left, note.sides[0].right))
+        letter, value = (naming.layout(each) for each in (note.sides[0].left, note.sides[0].right))
         return say("refuted.possible", claim=claim, letter=letter, value=value)
     sentence = say("refuted.sides", sides=sides)
     if isinstance(relation, Compare):
@@ -159,7 +159,7 @@ def _compared(
         else:
             upper = (link.sign[0] == "<") == (worth == [link.left])
             word = "refuted.not-less-than" if upper else "refuted.not-more-than"
-        return say(word, side=sides[0], bound=naming.laid(other))
+        return say(word, side=sides[0], bound=naming.layout(other))
     return None
 
 
@@ -189,7 +189,7 @@ def _apart(
     if how == "perpendicular to":
         link = Link(Quantity("dot", trees), "=", tree_of(tidy(a.dot(b))))
     elif tidy(a.cross(b)) != 0:
-        left, right = map(naming.laid, worth)
+        left, right = map(naming.layout, worth)
         return say("refuted.no-multiple", claim=denied, left=left, right=right)
     else:
         factor = tree_of(tidy(a.dot(b) / b.dot(b)))
@@ -204,11 +204,11 @@ def _of_subject(
     if isinstance(asked.subject, Extremum) and note.claim is not None:
         link = note.claim.only[0]
         extreme = naming.extreme(link.left, greatest=asked.subject.kind == "maximum")
-        claimed = naming.laid(link.right)
+        claimed = naming.layout(link.right)
         if not note.sides:
             return say("refuted.extreme", quantity=extreme, claimed=claimed)
         (true,) = note.sides
-        value = naming.laid(true.right)
+        value = naming.layout(true.right)
         return say("refuted.value", quantity=extreme, claimed=claimed, value=value)
     if note.sides:
         true_range = naming.relation(Relation((note.sides,)))
@@ -225,13 +225,13 @@ def _value(note: Note, derivation: Derivation, naming: Naming) -> Sentence | Non
     own = _link_of(derivation, note.lines[-1])
     if own.left != link.left:
         return None
-    claimed, value = naming.laid(link.right), naming.laid(own.right)
+    claimed, value = naming.layout(link.right), naming.layout(own.right)
     added = as_answer(own.right)
     if note.sides and note.sides[0].sign == "≈":
-        value = naming.laid(note.sides[0].right)
+        value = naming.layout(note.sides[0].right)
     elif added:
         value = lay.Relation((value, *(e for e, _ in added)), tuple(s for _, s in added))
-    name = naming.laid(link.left)
+    name = naming.layout(link.left)
     plain, general = (
         ("refuted.vector", "refuted.vector-general")
         if isinstance(name, lay.Bold)
@@ -282,7 +282,7 @@ def _side(link: Link, naming: Naming) -> lay.Relation:
     What is worth itself, as ``u/3``, is not said twice.
     """
     added = as_answer(link.right) if link.sign == "=" else ()
-    operands = [naming.laid(link.left), naming.laid(link.right), *(e for e, _ in added)]
+    operands = [naming.layout(link.left), naming.layout(link.right), *(e for e, _ in added)]
     signs = [lay.SIGNS.get(link.sign, link.sign), *(s for _, s in added)]
     if operands[0] == operands[1]:
         del operands[0], signs[0]

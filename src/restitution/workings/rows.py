@@ -140,11 +140,11 @@ class Rows:
                 self._measures.decimals
             ):
                 trees[1] = Binary("/", as_decimal(above), as_decimal(below))
-        rounded = [self._naming.laid(tree) for tree in trees]
+        rounded = [self._naming.layout(tree) for tree in trees]
         match trees:
             case [Binary("/", Quantity(), Quantity()), Binary("/", Number() as above, below), *_]:
                 # A quotient of two numbers stands as it is before its decimal.
-                rounded[1] = lay.Fraction(*map(self._naming.laid, (above, below)))
+                rounded[1] = lay.Fraction(*map(self._naming.layout, (above, below)))
         if is_vector(links[0].left):
             rounded = [
                 lay.ZERO_VECTOR if is_zero(t) else s for t, s in zip(trees, rounded, strict=True)
@@ -155,7 +155,7 @@ class Rows:
         signs = [_sign(link) for link in links]
         angle = self._tangent_of(line, links[0])
         if angle is not None:
-            rounded[:0], signs[:0] = [self._naming.laid(Apply("tan", angle))], ["="]
+            rounded[:0], signs[:0] = [self._naming.layout(Apply("tan", angle))], ["="]
         for n in range(len(rounded) - 1, 1, -1):
             if rounded[n] == rounded[n - 1] and signs[n - 1] == "=":
                 del rounded[n], signs[n - 1]
@@ -214,8 +214,8 @@ class Rows:
             sides[1:], signs[1:] = [each for each, _ in place], [sign for _, sign in place[1:]]
             return ()
         row = tuple(each for each, _ in place)
-        laid = lay.Relation(row, tuple(s for _, s in place[1:])) if len(row) > 1 else row[0]
-        return (say("place.so", body=body, place=laid),)
+        relation = lay.Relation(row, tuple(s for _, s in place[1:])) if len(row) > 1 else row[0]
+        return (say("place.so", body=body, place=relation),)
 
     def _coordinates(self, line: Line, link: Link) -> tuple[tuple[lay.Layout, str], ...]:
         """The coordinates of a place, exactly and as decimals, each with the sign before it."""
@@ -226,10 +226,10 @@ class Rows:
         decimals = self._measures.decimals and self._measures.unit(link.left)
         point = coordinates(as_decimal(link.right) if decimals else link.right)
         if point is not None:
-            shown[0] = (self._naming.laid(Pair(*point)), "=")
+            shown[0] = (self._naming.layout(Pair(*point)), "=")
         if decimals and [sign for _, sign in shown[1:]] == ["="]:
             shown = shown[:1]
-        if is_plain(self._naming.laid(link.right)):
+        if is_plain(self._naming.layout(link.right)):
             unit = self._measures.unit(line.relation.options[0][0].left)
             last, sign = shown[-1]
             shown[-1] = (with_unit(last, unit), sign)
@@ -255,7 +255,7 @@ class Rows:
         vector, axis = tree.arguments
         event = self._naming.event_of_axis(axis)
         assert event is not None
-        of = self._naming.laid(vector)
+        of = self._naming.layout(vector)
         return operand(say("derived.component-away", of=of, wall=event.bodies[1]))
 
     def _ended(
@@ -318,7 +318,7 @@ class Rows:
             return None
         sides = [links[0].left, *(link.right for link in links)]
         ends = [rounded(side) if _has_function(side) else None for side in sides]
-        exact = tuple(self._naming.laid(side) for side in sides)
+        exact = tuple(self._naming.layout(side) for side in sides)
         rounded = tuple(new or each for new, each in zip(ends, exact, strict=True))
         if rounded == exact:
             return None
@@ -330,7 +330,7 @@ class Rows:
         first, *rest = options
         root = None if asked else _opposite(options)
         if root is not None:
-            sides = (self._naming.laid(root.left), self._naming.laid(root.right))
+            sides = (self._naming.layout(root.left), self._naming.layout(root.right))
             return Row((sides[0], lay.Phrase((lay.Words("±"), sides[1]), "")), ("=",))
         if any(len(chains(option)) > 1 for option in options):
             cases = tuple(
@@ -363,13 +363,13 @@ class Rows:
         end = self._ends.of(line)
         shown = end is not None and end.shown
         called, sign, reasons = extreme(self._derivation, self._naming, line, shown)
-        sides, signs = [called, self._naming.laid(link.right)], [sign]
+        sides, signs = [called, self._naming.layout(link.right)], [sign]
         self._ended(line, (Link(link.left, "=", link.right),), sides, signs)
         return Row(tuple(sides), tuple(signs), reasons=reasons)
 
     def _bare(self, links: tuple[Link, ...], asked: bool) -> lay.Relation:
         trees = [links[0].left, *(link.right for link in links)]
-        sides = [self._naming.laid(tree) for tree in trees]
+        sides = [self._naming.layout(tree) for tree in trees]
         signs = [_sign(link) for link in links]
         for side, sign in as_answer(trees[-1]) if asked and signs[-1] == "=" else ():
             sides.append(side)

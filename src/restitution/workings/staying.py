@@ -88,12 +88,12 @@ class Staying:
         assert isinstance(line.relation, Relation)
         match line.relation.only[0].left:
             case Quantity("along", (_, Unit() as own)):
-                return self._naming.laid(own)
+                return self._naming.layout(own)
             case Quantity("across", (_, Quantity())):
                 unit: lay.Layout | None = self._naming.bold.unit(event.number, "across")
-                unit = unit or self._naming.bold.way(event.number, "across")
+                unit = unit or self._naming.bold.direction(event.number, "across")
                 own_ = self._naming.unit_of(event, "across")
-                return unit or (None if own_ is None else self._naming.laid(own_))
+                return unit or (None if own_ is None else self._naming.layout(own_))
         return None
 
     def _rests(self, line: Line) -> bool:
@@ -114,7 +114,7 @@ class Staying:
         values: list[tuple[str, lay.Layout]] = []
         for line in lines:
             assert isinstance(line.relation, Relation)
-            sides = [self._naming.laid(each.right) for each in line.relation.only]
+            sides = [self._naming.layout(each.right) for each in line.relation.only]
             unit = self._measures.unit(line.relation.only[0].left)
             if is_plain(sides[-1]) and sides[-1] != lay.Number("0"):
                 sides[-1] = with_unit(sides[-1], unit)
