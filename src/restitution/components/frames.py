@@ -32,9 +32,9 @@ class Frame:
 def component(v: Vector, direction: Vector) -> sp.Expr:
     """The component of a vector in the direction of a unit vector, which mostly is i or j."""
     terms = [
-        x if way is sp.S.One else -x if way is sp.S.NegativeOne else x * way
-        for x, way in zip(v, direction, strict=True)
-        if way is not sp.S.Zero
+        x if coefficient is sp.S.One else -x if coefficient is sp.S.NegativeOne else x * coefficient
+        for x, coefficient in zip(v, direction, strict=True)
+        if coefficient is not sp.S.Zero
     ]
     return sp.sympify(sum(terms[1:], terms[0]) if terms else sp.S.Zero, strict=True)
 

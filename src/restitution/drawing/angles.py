@@ -41,26 +41,26 @@ def put_angle(
     length of the component across, which starts or ends at the rim; ``index`` counts the angles.
     """
     tail, tip = arrow
-    way = direction(tip - tail)
-    line = _reference(angle, way) * (-1.0 if arriving else 1.0)
+    course = direction(tip - tail)
+    line = _reference(angle, course) * (-1.0 if arriving else 1.0)
     beside = math.hypot(*((tip if arriving else tail) - body.centre)) > RADIUS + 1e-6
     inwards = 1.0 if body.towards is None else line.dot(body.towards)
     if view.kind == "spheres" and not beside and inwards < 1e-6:
         radius, drawn = RADIUS + 2.6 + 2.4 * index, inwards < -1 + 1e-6
-        put_arc(body.centre, RADIUS, radius, angle, way, arriving, drawn, drawing)
+        put_arc(body.centre, RADIUS, radius, angle, course, arriving, drawn, drawing)
         return
-    between = abs(math.atan2(line.cross(way), abs(line.dot(way))))
+    between = abs(math.atan2(line.cross(course), abs(line.dot(course))))
     length = math.hypot(*(tip - tail))
     radius = max(5.0, 1.5 / math.tan(between / 2)) if between > 0.02 else 5.0
     radius = max(3.4, min(radius, 0.6 * length)) + 2.4 * index
     drawn = leg >= radius and abs(line.dot(view.t)) > 1 - 1e-6
-    put_arc(tip if arriving else tail, 0.0, radius, angle, way, arriving, drawn, drawing)
+    put_arc(tip if arriving else tail, 0.0, radius, angle, course, arriving, drawn, drawing)
 
 
-def _reference(angle: Angle, way: Vector) -> Vector:
+def _reference(angle: Angle, course: Vector) -> Vector:
     """The unit vector from which an angle is drawn: no obtuse ones."""
     reference = direction(angle.reference)
-    return -reference if reference.dot(way) < (0 if angle.line else -0.03) else reference
+    return -reference if reference.dot(course) < (0 if angle.line else -0.03) else reference
 
 
 def put_arc(
@@ -68,7 +68,7 @@ def put_arc(
     clear: float,
     radius: float,
     angle: Angle,
-    way: Vector,
+    course: Vector,
     arriving: bool,
     drawn: bool,
     drawing: Drawing,
@@ -77,14 +77,14 @@ def put_arc(
 
     The reference line starts at the distance ``clear`` from the vertex.
     """
-    reference = _reference(angle, way)
-    between = math.atan2(reference.cross(way), reference.dot(way))
+    reference = _reference(angle, course)
+    between = math.atan2(reference.cross(course), reference.dot(course))
     turned = not angle.line and reference.dot(angle.reference) < 0
     label = angle.shown(abs(between), turned=turned)
     right = abs(abs(between) - math.pi / 2) < 1e-6 and label == lay.Degrees(lay.Number("90"))
     if abs(between) < 0.02 or right:
         return
-    line, arrow = (-reference, -way) if arriving else (reference, way)
+    line, arrow = (-reference, -course) if arriving else (reference, course)
     if not drawn:
         drawing.shapes.append(Line("across", vertex + line * clear, vertex + line * (radius + 2.5)))
     a, b = math.atan2(line.y, line.x), math.atan2(arrow.y, arrow.x)
@@ -112,27 +112,27 @@ def put_inclination(view: View, drawing: Drawing) -> None:
     pieces = list(drawing.ink())
     best: tuple[float, Vector, Vector] | None = None
     for end in ends:
-        way = direction(-end)
-        reference = RIGHT if way.x > 0 else -RIGHT
-        between = abs(math.atan2(reference.cross(way), reference.dot(way)))
-        start = end + reference * 2 + direction(reference + way) * (0.5 if between > 0.2 else 0)
+        course = direction(-end)
+        reference = RIGHT if course.x > 0 else -RIGHT
+        between = abs(math.atan2(reference.cross(course), reference.dot(course)))
+        start = end + reference * 2 + direction(reference + course) * (0.5 if between > 0.2 else 0)
         room = room_beside(Arrow("across", start, end + reference * _FOOT), pieces)
         if best is None or room > best[0] + 0.1:
-            best = room, end, way
+            best = room, end, course
     assert best is not None
-    _, end, way = best
-    reference = RIGHT if way.x > 0 else -RIGHT
-    between = math.atan2(reference.cross(way), reference.dot(way))
+    _, end, course = best
+    reference = RIGHT if course.x > 0 else -RIGHT
+    between = math.atan2(reference.cross(course), reference.dot(course))
     label = angle.shown(abs(between))
     if label is None or abs(between) < 0.1:
         return
     radius = min(5.0, max(3.4, 1.5 / math.tan(abs(between) / 2)))
-    a, b = math.atan2(reference.y, reference.x), math.atan2(way.y, way.x)
+    a, b = math.atan2(reference.y, reference.x), math.atan2(course.y, course.x)
     if between < 0:
         a, b = b, a
     drawing.shapes.append(Line("across", end, end + reference * _FOOT))
     drawing.shapes.append(Arc("angle", end, radius, a, b if b > a else b + 2 * math.pi))
-    middle = direction(reference + way)
+    middle = direction(reference + course)
     at, *moves = (end + middle * (radius + out) for out in (0.0, 1.2, 2.4))
     drawing.labels.append(Label(label, at, sides_towards(middle), 0.8, 2.8, moves=tuple(moves)))
 

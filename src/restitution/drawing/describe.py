@@ -124,8 +124,8 @@ def _setting(motion: Motion, number: int) -> str:
     step = happening.step
     if isinstance(step, Kick):
         assert happening.impulse is not None
-        way = _heading(Vector(*(float(x) for x in happening.impulse)))
-        return f"{step.body} receives an impulse {way}."
+        heading = _heading(Vector(*(float(x) for x in happening.impulse)))
+        return f"{step.body} receives an impulse {heading}."
     assert isinstance(step, Impact)
     frame = motion.model.frames[number]
     n, _ = axes(motion, number)

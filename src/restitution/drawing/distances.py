@@ -102,8 +102,10 @@ def _layout(size: Any, branch: Branch) -> Layout | None:
 
 def _alike(one: Distance, start: Vector, end: Vector) -> bool:
     """Whether two dimension lines are parallel and as long as each other: they say the same."""
-    way, other = one.end - one.start, end - start
-    return abs(unit(way).cross(unit(other))) < 1e-6 and abs(length(way) - length(other)) < 1e-6
+    extent, other = one.end - one.start, end - start
+    return (
+        abs(unit(extent).cross(unit(other))) < 1e-6 and abs(length(extent) - length(other)) < 1e-6
+    )
 
 
 # --- what may be measured -------------------------------------------------------------------------
@@ -149,8 +151,10 @@ def _wanted(plan: Plan, story: Story) -> Iterator[_Wanted]:
                 size = exact.story.size(exact.places[name] - centre)
                 yield _Wanted(circle.centre, at, size, name)
         for turn in (130, 220, 50, 310, 100, 250, 160, 20, 280, 70, 190, 340):
-            way = Vector(math.cos(math.radians(turn)), math.sin(math.radians(turn)))
-            yield _Wanted(circle.centre, circle.centre + way * circle.radius, radius, circle.name)
+            radial = Vector(math.cos(math.radians(turn)), math.sin(math.radians(turn)))
+            yield _Wanted(
+                circle.centre, circle.centre + radial * circle.radius, radius, circle.name
+            )
 
 
 def _between(plan: Plan, exact: _Exact, one: Straight, other: Straight) -> Iterator[_Wanted]:
@@ -167,16 +171,18 @@ def _in_line(
     plan: Plan, exact: _Exact, objects: Mapping[str, Vector], walls: Sequence[Straight]
 ) -> Iterator[_Wanted]:
     """Distances along the one line on which everything happens, from each body to the next."""
-    way = plan.legs[0].direction
-    way = -way if way.x < -1e-9 or (abs(way.x) < 1e-9 and way.y < 0) else way
+    axis = plan.legs[0].direction
+    axis = -axis if axis.x < -1e-9 or (abs(axis.x) < 1e-9 and axis.y < 0) else axis
     base = plan.legs[0].start
-    stations: list[tuple[float, str]] = [((p - base).dot(way), name) for name, p in objects.items()]
-    stations += [
-        ((wall.start - base).dot(way), wall.name)
-        for wall in walls
-        if abs(wall.far.cross(way)) < 1e-6
+    stations: list[tuple[float, str]] = [
+        ((p - base).dot(axis), name) for name, p in objects.items()
     ]
-    below = way.turned_left() * -(max(abs(leg.lane) for leg in plan.legs) + 7.5)
+    stations += [
+        ((wall.start - base).dot(axis), wall.name)
+        for wall in walls
+        if abs(wall.far.cross(axis)) < 1e-6
+    ]
+    below = axis.turned_left() * -(max(abs(leg.lane) for leg in plan.legs) + 7.5)
     for (first, name), (second, beside) in itertools.pairwise(sorted(stations)):
         pair = (name, beside) if name in exact.places else (beside, name)
         if pair[0] not in exact.places:
@@ -186,7 +192,7 @@ def _in_line(
             if pair[1] in exact.origins
             else exact.story.size(exact.places[pair[0]] - exact.places[pair[1]])
         )
-        yield _Wanted(base + way * first, base + way * second, size, f"{name} {beside}", below)
+        yield _Wanted(base + axis * first, base + axis * second, size, f"{name} {beside}", below)
 
 
 @dataclass(frozen=True)
@@ -260,21 +266,21 @@ def _has_room(start: Vector, end: Vector, plan: Plan, others: Sequence[Distance]
 
 def _touch(a: Vector, b: Vector, c: Vector, d: Vector) -> bool:
     """Whether two segments cross within both, or lie close along each other."""
-    way, other = b - a, d - c
-    turn = unit(way).cross(unit(other))
+    segment, other = b - a, d - c
+    turn = unit(segment).cross(unit(other))
     if abs(turn) < 0.12:
-        first = sorted((0.0, length(way)))
-        second = sorted(((c - a).dot(unit(way)), (d - a).dot(unit(way))))
+        first = sorted((0.0, length(segment)))
+        second = sorted(((c - a).dot(unit(segment)), (d - a).dot(unit(segment))))
         common = min(first[1], second[1]) - max(first[0], second[0])
         near = min(_beside(p, c, d) for p in (a, b, (a + b) / 2))
         return common > 1.0 and min(near, _beside((c + d) / 2, a, b)) < 2.0
-    cross = way.cross(other)
-    s, t = (c - a).cross(other) / cross, (c - a).cross(way) / cross
+    cross = segment.cross(other)
+    s, t = (c - a).cross(other) / cross, (c - a).cross(segment) / cross
     return bool(0.02 < s < 0.98 and -0.02 < t < 1.02)
 
 
 def _beside(point: Vector, a: Vector, b: Vector) -> float:
     """The distance of a point from a segment."""
-    way = b - a
-    share = (point - a).dot(way) / (way.dot(way) or 1.0)
-    return length(point - (a + way * min(1.0, max(0.0, share))))
+    segment = b - a
+    share = (point - a).dot(segment) / (segment.dot(segment) or 1.0)
+    return length(point - (a + segment * min(1.0, max(0.0, share))))

@@ -98,8 +98,8 @@ def expected(label: Label) -> Box:
     """About where a label stands if its first wish is granted."""
     left, bottom, right, top = (label.size * x for x in outline(label.content).box)
     half = Vector((right - left) / 2, (top - bottom) / 2)
-    way = COMPASS[label.sides[0]]
-    x, y = label.at.x + way.x * (label.gap + half.x), label.at.y + way.y * (label.gap + half.y)
+    side = COMPASS[label.sides[0]]
+    x, y = label.at.x + side.x * (label.gap + half.x), label.at.y + side.y * (label.gap + half.y)
     return x - half.x, y - half.y, x + half.x, y + half.y
 
 

@@ -20,6 +20,6 @@ COMPASS: dict[Side, Vector] = {
 }
 
 
-def sides_towards(way: Vector) -> tuple[Side, ...]:
+def sides_towards(direction: Vector) -> tuple[Side, ...]:
     """All sides, those nearest to a direction first; of two as near, the first anticlockwise."""
-    return tuple(sorted(COMPASS, key=lambda side: -round(COMPASS[side].dot(way), 9)))
+    return tuple(sorted(COMPASS, key=lambda side: -round(COMPASS[side].dot(direction), 9)))

@@ -40,8 +40,8 @@ def put_impulses(view: View, drawing: Drawing) -> None:
     if room < 1.0:
         placed = [
             arrow
-            for body, way in zip(view.bodies, ways)
-            for arrow in _beside_all((body,), (way,), sides, drawing)[1]
+            for body, line_of_action in zip(view.bodies, ways)
+            for arrow in _beside_all((body,), (line_of_action,), sides, drawing)[1]
         ]
     drawing.shapes += [arrow for arrow, _ in placed]
     label = view.sayings.impulses.get(view.number)
@@ -61,8 +61,8 @@ def _beside_all(
     for off, ahead in _NEAR_PLACES if len(sides) > 1 else (*_NEAR_PLACES, *_FAR_PLACES):
         for side in sides:
             arrows = [
-                _impulse(body, way, side * (RADIUS + off) + way * ahead)
-                for body, way in zip(bodies, ways)
+                _impulse(body, direction, side * (RADIUS + off) + direction * ahead)
+                for body, direction in zip(bodies, ways)
             ]
             room = min(room_beside(arrow, pieces) for arrow in arrows)
             if room > best[0] + 0.2:
@@ -72,7 +72,7 @@ def _beside_all(
     return best
 
 
-def _impulse(body: Body, way: Vector, offset: Vector) -> Arrow:
+def _impulse(body: Body, direction: Vector, offset: Vector) -> Arrow:
     back = LENGTH / 2 if body.towards is None else RADIUS - 2.0
-    start = body.centre + offset - way * back
-    return Arrow("impulse", start, start + way * LENGTH)
+    start = body.centre + offset - direction * back
+    return Arrow("impulse", start, start + direction * LENGTH)

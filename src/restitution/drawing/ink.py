@@ -114,9 +114,9 @@ def _ink_of_arrow(role: LineRole, start: Vector, end: Vector, both: bool) -> lis
     pieces: list[Piece] = [stick(start, end, half)]
     head = style.head(role, length)
     for tip, tail in ((end, start), (start, end))[: 1 + both]:
-        way = direction(tip - tail)
-        base = tip - way * head.length
-        side = way.turned_left() * head.half
+        along = direction(tip - tail)
+        base = tip - along * head.length
+        side = along.turned_left() * head.half
         corners = (base + side, tip, base - side)
         pieces.extend(_sticks((*corners, corners[0]), style.STROKES[role].width / 2))
     return pieces
@@ -143,14 +143,14 @@ def arc_points(centre: Vector, radius: float, start: float, end: float) -> list[
 def hatch(wall: StraightWall) -> Iterator[Segment]:
     """Strokes at 45° on the far side, evenly spaced, none beyond the ends of the wall."""
     length = math.hypot(*(wall.end - wall.start))
-    way = direction(wall.end - wall.start)
-    across = way.turned_left()
+    along = direction(wall.end - wall.start)
+    across = along.turned_left()
     into = across if across.dot(wall.far) > 0 else -across
     depth = min(style.HATCH_DEPTH, length)
     count = max(1, round((length - depth) / style.HATCH_SPACING))
     for k in range(count + 1):
-        foot = wall.start + way * (depth + (length - depth) * k / count)
-        yield foot, foot + (into - way) * depth
+        foot = wall.start + along * (depth + (length - depth) * k / count)
+        yield foot, foot + (into - along) * depth
 
 
 def round_hatch(wall: RoundWall) -> Iterator[Segment]:
@@ -201,12 +201,12 @@ def crosses(box: Box, start: Vector, end: Vector) -> bool:
         (start[0], end[0], box[0], box[2]),
         (start[1], end[1], box[1], box[3]),
     ):
-        way = to - at
-        if way == 0:
+        extent = to - at
+        if extent == 0:
             if not least <= at <= most:
                 return False
             continue
-        one, two = (least - at) / way, (most - at) / way
+        one, two = (least - at) / extent, (most - at) / extent
         low, high = max(low, min(one, two)), min(high, max(one, two))
         if low > high:
             return False
@@ -236,10 +236,10 @@ def distance(point: Vector, piece: Piece) -> float:
     """From a point to a piece of ink; nothing within a circle."""
     if isinstance(piece, Ring):
         return max(0.0, math.hypot(*(point - piece.centre)) - piece.radius)
-    way = piece.end - piece.start
-    size = way.dot(way)
-    share = min(1.0, max(0.0, (point - piece.start).dot(way) / size)) if size else 0.0
-    return math.hypot(*(point - piece.start - way * share))
+    segment = piece.end - piece.start
+    size = segment.dot(segment)
+    share = min(1.0, max(0.0, (point - piece.start).dot(segment) / size)) if size else 0.0
+    return math.hypot(*(point - piece.start - segment * share))
 
 
 def overlap(one: Box, two: Box, apart: float = 0.0) -> bool:

@@ -295,8 +295,8 @@ def _offer(
             cost += 2.5
     if not lead or not far or math.hypot(*(point - nearest)) < SHORTEST:
         return _offered(box, size, cost)
-    way = direction(point - nearest)
-    leader = nearest + way * 0.5, point - way * max(0.3, min(gap - 0.4, 0.6 * gap))
+    outward = direction(point - nearest)
+    leader = nearest + outward * 0.5, point - outward * max(0.3, min(gap - 0.4, 0.6 * gap))
     if any(crosses(padded(each, CLEARANCE), *leader) for each in near.solid):
         return None
     return _offered(box, size, cost + 2.0, leader)

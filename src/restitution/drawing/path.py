@@ -216,8 +216,10 @@ class _Drawing:
         if high - low > math.pi:
             low, high = high, low + 2 * math.pi
         self.shapes.append(Arc("angle", corner, _ARC, low, high))
-        way = Vector(math.cos((low + high) / 2), math.sin((low + high) / 2))
-        self.labels.append(Label(label, corner + way * _ARC, sides_towards(way), gap=0.7, size=2.7))
+        bisector = Vector(math.cos((low + high) / 2), math.sin((low + high) / 2))
+        self.labels.append(
+            Label(label, corner + bisector * _ARC, sides_towards(bisector), gap=0.7, size=2.7)
+        )
 
     def _wall_name(self, wall: Straight) -> None:
         letters = _ends_named(wall.name)
@@ -249,13 +251,13 @@ class _Drawing:
                 self._end_name(letters[k], wall, k)
 
     def _end_name(self, letter: str, wall: Straight, end: int) -> None:
-        way = unit(wall.end - wall.start) * (1 if end else -1)
-        self._point_name(letter, (wall.start, wall.end)[end], way)
+        outward = unit(wall.end - wall.start) * (1 if end else -1)
+        self._point_name(letter, (wall.start, wall.end)[end], outward)
 
-    def _point_name(self, letter: str, at: Vector, way: Vector) -> None:
+    def _point_name(self, letter: str, at: Vector, outward: Vector) -> None:
         if letter not in self.named:
             self.named.add(letter)
-            self.labels.append(Label(name_of(letter), at, sides_towards(way), gap=1.6))
+            self.labels.append(Label(name_of(letter), at, sides_towards(outward), gap=1.6))
 
     # --- paths ----------------------------------------------------------------------------
 
@@ -418,9 +420,9 @@ class _Drawing:
             low, high = high, low + 2 * math.pi
         self.shapes.append(Arc("angle", corner, radius, low, high))
         middle = (low + high) / 2
-        way = Vector(math.cos(middle), math.sin(middle))
+        bisector = Vector(math.cos(middle), math.sin(middle))
         self.labels.append(
-            Label(layout, corner + way * radius, sides_towards(way), gap=0.7, size=2.7)
+            Label(layout, corner + bisector * radius, sides_towards(bisector), gap=0.7, size=2.7)
         )
         return True
 

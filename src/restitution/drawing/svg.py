@@ -216,32 +216,32 @@ def _arrow(arrow: Arrow) -> str:
         return ""
     stroke = style.STROKES[arrow.role]
     head = style.head(arrow.role, length)
-    way = direction(arrow.end - arrow.start)
+    along = direction(arrow.end - arrow.start)
     if arrow.role == "impulse":
         data = _double_arrow(arrow.start, arrow.end, head)
         return _path("impulse", data, stroke, ACCENT)
     # A shaft ends within its head, short of the tip, so that the tip alone marks the end.
-    back = way * (0.6 * head.length)
+    back = along * (0.6 * head.length)
     shaft = _polyline((arrow.start + back if arrow.both else arrow.start, arrow.end - back))
-    tips = [(arrow.end, way), (arrow.start, -way)][: 1 + arrow.both]
+    tips = [(arrow.end, along), (arrow.start, -along)][: 1 + arrow.both]
     heads = "".join(_head(tip, direction, head) for tip, direction in tips)
     ink = f' fill="{INK}"{_opacity("fill", stroke.strength)}'
     return _path(arrow.role, shaft, stroke) + f'<path class="head" d="{heads}"{ink}/>'
 
 
-def _head(tip: Vector, way: Vector, head: style.Head) -> str:
-    base = tip - way * head.length
-    side = way.turned_left() * head.half
-    notch = tip - way * (0.82 * head.length)
+def _head(tip: Vector, along: Vector, head: style.Head) -> str:
+    base = tip - along * head.length
+    side = along.turned_left() * head.half
+    notch = tip - along * (0.82 * head.length)
     return _polyline((base + side, tip, base - side, notch)) + "Z"
 
 
 def _double_arrow(start: Vector, end: Vector, head: style.Head) -> str:
     """Two shafts that run into an open head."""
-    way = direction(end - start)
-    side = way.turned_left()
+    along = direction(end - start)
+    side = along.turned_left()
     half = min(style.SHAFT_GAP / 2, 0.6 * head.half)
-    neck = end - way * head.length
+    neck = end - along * head.length
     return _polyline(
         (
             start + side * half,

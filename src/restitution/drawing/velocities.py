@@ -58,12 +58,12 @@ def put_velocity(view: View, body: Body, when: When, scale: float, drawing: Draw
         )
         _sense_of_nothing(view, body, when, body.centre + UP * RADIUS, drawing)
         return
-    way, length = v / size, max(TINY, size * scale)
+    course, length = v / size, max(TINY, size * scale)
     arriving = _arrives(body.towards, v, when)
-    tail = body.centre - way * (RADIUS + length) if arriving else body.centre + way * RADIUS
-    lifted = None if arriving else _lifted(view, body, way, length)
+    tail = body.centre - course * (RADIUS + length) if arriving else body.centre + course * RADIUS
+    lifted = None if arriving else _lifted(view, body, course, length)
     tail = tail if lifted is None else lifted
-    tip = tail + way * length
+    tip = tail + course * length
     drawing.shapes.append(Arrow("velocity", tail, tip))
     along, across = v.dot(view.n) * scale, v.dot(view.t) * scale
     if view.question:
@@ -99,12 +99,12 @@ def _in_one_direction(
     """The label of a velocity along the line of centres, or across it."""
     words = view.words(body.name, when)
     parts = _components(view, body, when)
-    way = direction(tip - tail)
-    along = abs(way.dot(view.n)) > abs(way.dot(view.t))
+    course = direction(tip - tail)
+    along = abs(course.dot(view.n)) > abs(course.dot(view.t))
     axis, part = (view.n, parts[0]) if along else (view.t, parts[1])
-    if abs(way.dot(axis)) < 1 - 1e-9:  # too short for its components to be seen
+    if abs(course.dot(axis)) < 1 - 1e-9:  # too short for its components to be seen
         part = None
-    outward = _clear_side(body, way)
+    outward = _clear_side(body, course)
     label = words.size
     if label is None and view.kind == "blow":
         label = words.vector
@@ -179,25 +179,25 @@ def _own_label(
         drawing.labels.append(beside(label, tail, tip, direction((tail + tip) / 2 - corner)))
 
 
-def _clear_side(body: Body, way: Vector) -> Vector:
+def _clear_side(body: Body, course: Vector) -> Vector:
     """The side of an arrow on which its label has room: above, or away from what is struck."""
-    left = way.turned_left()
+    left = course.turned_left()
     if body.towards is not None and abs(left.dot(body.towards)) > 0.3:
         return left if left.dot(body.towards) < 0 else -left
     return left if left.y > 0 or (abs(left.y) < ZERO and left.x < 0) else -left
 
 
-def _lifted(view: View, body: Body, way: Vector, length: float) -> Vector | None:
+def _lifted(view: View, body: Body, course: Vector, length: float) -> Vector | None:
     """Where an arrow starts that would else run over the other sphere: beside its own."""
     if view.kind != "spheres" or body.towards is None:
         return None
-    start, other = body.centre + way * RADIUS, body.centre + body.towards * (2 * RADIUS)
-    share = min(length, max(0.0, (other - start).dot(way)))
-    if math.hypot(*(start + way * share - other)) > RADIUS + 0.5:
+    start, other = body.centre + course * RADIUS, body.centre + body.towards * (2 * RADIUS)
+    share = min(length, max(0.0, (other - start).dot(course)))
+    if math.hypot(*(start + course * share - other)) > RADIUS + 0.5:
         return None
     side = body.towards.turned_left()
-    if abs(side.dot(way)) > 1e-6:
-        side = side if side.dot(way) > 0 else -side
+    if abs(side.dot(course)) > 1e-6:
+        side = side if side.dot(course) > 0 else -side
     else:
         side = side if side.y > 0 or (abs(side.y) < ZERO and side.x < 0) else -side
     return body.centre + side * (RADIUS + 1.5)

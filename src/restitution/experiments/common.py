@@ -139,9 +139,10 @@ def speed(
     change, error = wider.parameters[1], sample.error_of(wider, 1)
     begin = wider.parameters[0] + change * float(share[np.argmin(speeds)])
     span = f"from {low:.3g} {unit} to {high:.3g} {unit}"
-    way = "falls" if change < 0 else "rises"
+    verb = "falls" if change < 0 else "rises"
     seen = (
-        f"e {way} with speed: {span} it goes from {fixed(begin, 2)} to {fixed(begin + change, 2)}, "
+        f"e {verb} with speed: {span} it goes from {fixed(begin, 2)} to "
+        f"{fixed(begin + change, 2)}, "
         f"a change of {with_error(change, error)} ({probability(p)}). One value of e does not "
         "hold for all these speeds."
     )

@@ -354,10 +354,10 @@ def _alike(words: Words) -> str:
 def _offset(words: Words, fit: Regression, index: int, doubt: str) -> Pattern:
     angle, error, p = (float(each[index]) for each in (fit.coefficients, fit.errors, fit.p_values))
     angle, error = math.degrees(angle), math.degrees(error)
-    way = "anticlockwise" if angle > 0 else "clockwise"
+    sense = "anticlockwise" if angle > 0 else "clockwise"
     seen = (
         f"The velocities do not change along {words.line} that is given: it is turned "
-        f"{way} by {with_error(abs(angle), error, '°')} against the impulse ({probability(p)})."
+        f"{sense} by {with_error(abs(angle), error, '°')} against the impulse ({probability(p)})."
         f"{doubt} Compare with the result without the column {words.column}."
     )
     not_seen = (
@@ -371,13 +371,13 @@ def _offset(words: Words, fit: Regression, index: int, doubt: str) -> Pattern:
 def _friction(words: Words, fit: Regression, index: int, doubt: str) -> Pattern:
     share, error, p = (float(each[index]) for each in (fit.coefficients, fit.errors, fit.p_values))
     size = f"{percent(abs(share))} ± {percent(error)}"
-    way = "slower" if share > 0 else "faster"
+    pace = "slower" if share > 0 else "faster"
     seen = (
-        f"The velocity across {words.line} changes: {words.passing} {size} {way} than before "
+        f"The velocity across {words.line} changes: {words.passing} {size} {pace} than before "
         f"({probability(p)}), though {words.smooth} that as it is.{doubt} What rubs begins to spin."
     )
     not_seen = (
-        f"The velocity across {words.line} stays: {words.passing} {size} {way} than before "
+        f"The velocity across {words.line} stays: {words.passing} {size} {pace} than before "
         f"({probability(p)})."
     )
     return Pattern("friction", share / error if error else 0.0, p, seen, not_seen, -share, error)
@@ -407,11 +407,11 @@ def _momentum(spheres: Spheres, sample: Sample) -> Pattern | Untested:
     p_all = upper_tail_of_squares(square, expected, freedom)
     p_share = 2 * upper_tail(abs(share) / error, freedom)
     p = min(1.0, 2 * min(p_all, p_share))
-    way = "less" if share > 0 else "more"
+    comparison = "less" if share > 0 else "more"
     size = f"{percent(abs(share))} ± {percent(error)}"
     if p_share <= p_all:
         seen = (
-            f"Momentum changes: after the impacts there is {size} {way} of it than before "
+            f"Momentum changes: after the impacts there is {size} {comparison} of it than before "
             f"({probability(p)}). Weigh both spheres again, and look at the scale of the speeds: "
             "with no force from outside, momentum stays."
         )
@@ -425,7 +425,7 @@ def _momentum(spheres: Spheres, sample: Sample) -> Pattern | Untested:
             "and for masses that belong to the other sphere."
         )
     not_seen = (
-        f"Momentum stays: after the impacts there is {size} {way} of it than before "
+        f"Momentum stays: after the impacts there is {size} {comparison} of it than before "
         f"({probability(p)})."
     )
     return Pattern("momentum", square, p, seen, not_seen, -share, error)

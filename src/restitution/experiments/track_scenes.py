@@ -197,12 +197,14 @@ class _Drawing:
         one, other = (self.scale.on_paper(each.impact) for each in self.tracks)
         across = _unit(self.tracks[0].fit.wall).turned_left()
         apart = (other - one).dot(across)
-        way = across if apart > 0 else -across
+        direction = across if apart > 0 else -across
         beyond = max(
             [_CENTRES, *(each.radius + 2.0 for each in self.shapes if isinstance(each, Arc))]
         )
         self.shapes.append(
-            Line("line_of_centres", one - way * beyond, one + way * (abs(apart) + beyond))
+            Line(
+                "line_of_centres", one - direction * beyond, one + direction * (abs(apart) + beyond)
+            )
         )
         if abs(apart) > 2.0:
             for each in self.tracks:
@@ -249,14 +251,14 @@ class _Drawing:
         least = _STILL * self._largest_speed()
         reference = _unit(each.fit.wall)
         reference = reference.turned_left() if self.pair else reference
-        for name, words, way in (("alpha", "before", -before), ("beta", "after", after)):
-            if length(way) < least:
+        for name, words, course in (("alpha", "before", -before), ("beta", "after", after)):
+            if length(course) < least:
                 continue
             legs = length(self.scale.on_paper(each.start if name == "alpha" else each.end) - impact)
             # Both angles of a sphere may lie on one side of the line: then the second is wider.
             least_radius = _ARC + (2.4 if self.pair and name == "beta" else 0.0)
             letter = Letter(name, subscript)
-            angle = self._angle(impact, reference, direction(way), letter, legs, least_radius)
+            angle = self._angle(impact, reference, direction(course), letter, legs, least_radius)
             line = "line of centres" if self.pair else "wall"
             who = f"{each.fit.body} is" if each.fit.body else "the path is"
             self.words.append(f"{words.capitalize()}, {who} at {fixed(angle, 1)}° to the {line}.")
@@ -265,21 +267,21 @@ class _Drawing:
         self,
         at: Vector,
         reference: Vector,
-        way: Vector,
+        course: Vector,
         letter: Layout,
         leg: float,
         least: float,
     ) -> float:
         """An arc between a line and a way from one of its points, with its label, in degrees."""
-        line = reference if reference.dot(way) >= 0 else -reference
-        between = math.atan2(line.cross(way), line.dot(way))
+        line = reference if reference.dot(course) >= 0 else -reference
+        between = math.atan2(line.cross(course), line.dot(course))
         degrees = math.degrees(abs(between))
         if abs(between) < _NARROW:
             return degrees
         radius = max(4.0, min(max(least, 1.5 / math.tan(abs(between) / 2)), 0.6 * leg))
-        a, b = math.atan2(line.y, line.x), math.atan2(way.y, way.x)
+        a, b = math.atan2(line.y, line.x), math.atan2(course.y, course.x)
         self.shapes.append(Arc("angle", at, radius, *((a, b) if between > 0 else (b, a))))
-        middle = direction(line + way)
+        middle = direction(line + course)
         spot, *moves = (at + middle * (radius + out) for out in (0.0, 1.2, 2.4))
         text = Relation((letter, Degrees(Number(fixed(degrees, 1)))), ("=",))
         sides = sides_towards(middle)

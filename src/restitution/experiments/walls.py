@@ -269,9 +269,9 @@ def _friction(wall: Wall, turn: Measured) -> Pattern | Untested:
     mean, error, p = mean_test(logs, variances, slope * (turn.error or 0.0))
     kept = math.exp(mean)
     size = f"{percent(abs(1 - kept))} ± {percent(kept * error)}"
-    way = "less" if kept < 1 else "more"
+    comparison = "less" if kept < 1 else "more"
     seen = (
-        f"The component along the wall changes: v cos β is {size} {way} than u cos α "
+        f"The component along the wall changes: v cos β is {size} {comparison} than u cos α "
         f"({probability(p)}), though a smooth wall leaves it as it is. Then tan β / tan α is not "
         f"e{_by_components(wall, math.degrees(turn.value))}."
     )

@@ -17,7 +17,7 @@ class Rules:
     """Values for generators: what is cited with a letter or a quantity on its left side."""
 
     world: World
-    found: list[tuple[int, int, Quotient]] = field(default_factory=list)
+    substitutions: list[tuple[int, int, Quotient]] = field(default_factory=list)
     apart: frozenset[str] = frozenset()
     """Letters of components: the difference of two of them, as it is cited, tells one of them."""
 
@@ -71,8 +71,10 @@ class Rules:
         result = (value - other) * Quotient(own.below, factor)
         if _uses(result, number):
             return
-        self.found = [(n, p, self._once(each, number, power, result)) for n, p, each in self.found]
-        self.found.append((number, power, self.world.reduced(result)))
+        self.substitutions = [
+            (n, p, self._once(each, number, power, result)) for n, p, each in self.substitutions
+        ]
+        self.substitutions.append((number, power, self.world.reduced(result)))
 
     def _of_a_vector(self, own: Quotient) -> bool:
         """Whether it is made of the components of vectors alone, with numbers and roots."""
@@ -109,7 +111,7 @@ class Rules:
 
         It is for identities: from sin²+ cos² = 1, the square of the cosine is 1/(1 + tan²).
         """
-        for number, power, result in list(self.found):
+        for number, power, result in list(self.substitutions):
             key = self.world.keys_by_number().get(number)
             if key is None or key[0] != "sin" or power != 1:
                 continue
@@ -118,7 +120,7 @@ class Rules:
             tangent = result / cosine
             if not _uses(tangent, own):
                 square = CONSTANT(1) / (CONSTANT(1) + tangent * tangent)
-                self.found.append((own, 2, square))
+                self.substitutions.append((own, 2, square))
 
     def put_into(self, value: Value) -> Value:
         """A value with what is cited put in."""
@@ -127,7 +129,7 @@ class Rules:
         return self._into(value)
 
     def _into(self, value: Quotient) -> Quotient:
-        for number, power, result in self.found:
+        for number, power, result in self.substitutions:
             value = self._once(value, number, power, result)
         return self.world.reduced(value)
 

@@ -233,9 +233,9 @@ def _free_time(
     velocity = (move.before if sense < 0 else move.after)[body]
     if still(velocity):
         return math.inf, ""
-    place, way = stage.where[body, move.number] * stage.scale, unit(velocity) * sense
+    place, course = stage.where[body, move.number] * stage.scale, unit(velocity) * sense
     far = 10 * (WIDTH + HEIGHT)
-    free = {line.name: free_way(place, way, far, [line], move.wall) for line in lines}
+    free = {line.name: free_way(place, course, far, [line], move.wall) for line in lines}
     nearest = min(free, key=lambda name: free[name], default="")
     if free.get(nearest, far) == far:
         return math.inf, ""

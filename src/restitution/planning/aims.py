@@ -89,13 +89,13 @@ def write_centres(scene: Scene, number: int) -> int:
     assert following is not None
     end = _place_of(scene, hit, following)
     start = scene.data(f"position {hit}")
-    way = Binary("-", tree_of(end.value), tree_of(start.value))
+    displacement = Binary("-", tree_of(end.value), tree_of(start.value))
     n = scene.model.frames[number].n
     centres = Quantity("line_of_centres", (), number)
     line = scene.desk.write(
         Move("law", "moves-off", number, (hit,)),
         together((f"velocity {hit}",), start.refs, end.refs),
-        Relation(((Link(centres, "parallel to", way),),)),
+        Relation(((Link(centres, "parallel to", displacement),),)),
     )
     whole, _ = whole_direction(n)
     relation = Relation(((Link(centres, "parallel to", vector(*map(tree_of, whole))),),))

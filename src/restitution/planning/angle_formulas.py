@@ -82,8 +82,8 @@ def angle_formula(scene: Scene, quantity: Quantity) -> Formula:
         above, below, walls = along, across, (f"wall {line.name}", f"wall {frame.wall}")
     elif isinstance(line, Quantity) and line.kind == "line_of_centres":
         above, below = across, along
-    elif isinstance(line, Name) and (told := _by_another(scene, line, frame)) is not None:
-        above, below = (along, across) if told == "across" else (across, along)
+    elif isinstance(line, Name) and (side := _by_another(scene, line, frame)) is not None:
+        above, below = (along, across) if side == "across" else (across, along)
         walls = (f"wall {line.name}", f"axis {frame.number}")
     else:
         raise NotPlannedError(f"an angle to {line}")

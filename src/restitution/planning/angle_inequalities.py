@@ -25,9 +25,9 @@ def write_of_angles(
     if any(quantity.kind not in ("angle", "deflection") for quantity in quantities):
         return None
     mark = claims.worths.mark()
-    for way in (_by_sign, _by_its_tangent, _by_the_other):
+    for proof in (_by_sign, _by_its_tangent, _by_the_other):
         try:
-            line = way(claims, quantities, relation)
+            line = proof(claims, quantities, relation)
         except NotPlannedError:
             line = None
         if line is not None:

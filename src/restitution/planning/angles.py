@@ -50,9 +50,9 @@ def angle_to_a_line(scene: Scene, body: str, line: Expression) -> Expression | N
         across = Binary("-", line, RIGHT) if given.x == 0 else line
         angle, turned = Binary("-", angle, across), turned - scene.scalar(across)
     else:
-        way = scene.model.story.direction(line, 0)
-        if given.cross(way) != 0:
-            if not isinstance(line, Unit) or given.dot(way) != 0:
+        direction = scene.model.story.direction(line, 0)
+        if given.cross(direction) != 0:
+            if not isinstance(line, Unit) or given.dot(direction) != 0:
                 return None
             angle, turned = Binary("-", RIGHT, angle), sp.pi / 2 - turned
         elif not isinstance(line, Unit | Negate) and origin != line:

@@ -48,8 +48,8 @@ def frame_at(scene: Scene, number: int) -> Frame:
         return sided
     if own.angle is not None or not all(each.is_number for each in own.n):
         raise NotPlannedError(f"the line of centres of event {number} is to be worked out")
-    for way in _WAYS:
-        line = way(scene, number)
+    for writer in _WAYS:
+        line = writer(scene, number)
         if line is not None:
             n = -own.n if own.wall is not None else own.n
             number_ = _plainly(scene, number, line, n)

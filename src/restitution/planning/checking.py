@@ -113,8 +113,8 @@ def evaluator(
                 kept[tree] = float(story.happenings[number - 1].e)  # type: ignore[operator]
             elif tree.kind in ("along", "across") and tree.arguments[1] in axes:
                 axis = _floats(numbers.direction(axes[tree.arguments[1]]))
-                way = axis if tree.kind == "along" else axis.turned_left()
-                kept[tree] = own.value(tree.arguments[0]).dot(way) / _size(axis)
+                direction = axis if tree.kind == "along" else axis.turned_left()
+                kept[tree] = own.value(tree.arguments[0]).dot(direction) / _size(axis)
             else:
                 try:
                     kept[tree] = _floats(quantities.quantity(story, tree, events))

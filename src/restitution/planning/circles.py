@@ -20,16 +20,16 @@ def circle_of(scene: Scene, number: int) -> tuple[Expression, Expression] | None
     if fact is None:
         return None
     match fact.relation.only[0]:
-        case Link(Quantity("dot", (way, other)), "=", Binary("^", radius, Number())) if (
-            way == other
+        case Link(Quantity("dot", (radius_vector, other)), "=", Binary("^", radius, Number())) if (
+            radius_vector == other
         ):
-            return way, radius
+            return radius_vector, radius
     return None
 
 
-def centre_of(way: Expression) -> Expression | None:
+def centre_of(radius_vector: Expression) -> Expression | None:
     """The centre of a circle, by the way from there; None for the origin."""
-    return way.right if isinstance(way, Binary) else None
+    return radius_vector.right if isinstance(radius_vector, Binary) else None
 
 
 def from_centre(scene: Scene, number: int, place: Vector) -> Vector:
@@ -59,9 +59,9 @@ def chord_from(scene: Scene, body: str, number: int) -> int | None:
     fact = scene.facts.get(f"position {body}")
     if fact is None or not isinstance(fact.relation.only[0].right, Pair):
         return None
-    way = from_centre(scene, number, scene.vector(fact.relation.only[0].right))
+    radius_vector = from_centre(scene, number, scene.vector(fact.relation.only[0].right))
     radius = scene.scalar(circle[1])
-    return 0 if scene.model.identically_zero(way.dot(way) - radius**2) else None
+    return 0 if scene.model.identically_zero(radius_vector.dot(radius_vector) - radius**2) else None
 
 
 def chord_to_a_point(scene: Scene, body: str, number: int) -> int | None:
@@ -75,6 +75,10 @@ def chord_to_a_point(scene: Scene, body: str, number: int) -> int | None:
     circle = None if since is None else circle_of(scene, since.number)
     if since is None or circle is None or len(scene.spheres(since.number)) > 1:
         return None
-    way = from_centre(scene, since.number, Vector(*scene.value(place_tree(body, number))))
+    radius_vector = from_centre(scene, since.number, Vector(*scene.value(place_tree(body, number))))
     radius = scene.scalar(circle[1])
-    return since.number if scene.model.identically_zero(way.dot(way) - radius**2) else None
+    return (
+        since.number
+        if scene.model.identically_zero(radius_vector.dot(radius_vector) - radius**2)
+        else None
+    )

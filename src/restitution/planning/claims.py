@@ -120,8 +120,8 @@ class Claims:
                 line = self.compared(base, relation)
                 if line is not None:
                     return line
-            for way in (write_of_angles, write_turn):
-                line = way(self, quantities, relation)
+            for proof in (write_of_angles, write_turn):
+                line = proof(self, quantities, relation)
                 if line is not None:
                     return line
             line = self._by_tangents(base, lines, relation)
@@ -507,8 +507,8 @@ class Claims:
         """The ranges of the letters in some lines, where lines above say them."""
         desk = self.scene.desk
         inside = {n for each in lines for n in letters(desk.last_link(each).right)}
-        found = [line for each in sorted(inside) for line in self._bounds_of(Letter(each))]
-        return [each for each in found if len(desk.relation(each).only) == 2]
+        bounds = [line for each in sorted(inside) for line in self._bounds_of(Letter(each))]
+        return [each for each in bounds if len(desk.relation(each).only) == 2]
 
     def _bounds_of(self, subject: Expression) -> list[int]:
         """The lines above that bound a letter, or a ratio of one."""
@@ -727,8 +727,8 @@ class Claims:
         mark = self.worths.mark()
         bound = next(self._bounding(ratio, sign, most), None)
         if bound is None:
-            told = Relation(((Link(ratio, sign, tree_of(most)),),))
-            bound = self.judge.write((Move("compare"), Move("sign")), pool, told)
+            relation_of_ratio = Relation(((Link(ratio, sign, tree_of(most)),),))
+            bound = self.judge.write((Move("compare"), Move("sign")), pool, relation_of_ratio)
         if bound is not None:
             known = self.judge.known([name])
             line = self.judge.write((Move("compare"),), [bound, *known], relation)

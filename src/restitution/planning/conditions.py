@@ -168,9 +168,9 @@ class Conditions:
         positive = proved_sign(self.scene.model.inside, rest)
         if not sums or not positive:
             return first
-        told = Relation(((Link(tree_of(positive * rest), sign, ZERO),),))
+        inequality = Relation(((Link(tree_of(positive * rest), sign, ZERO),),))
         moves = (Move("rearrange"), Move("cancel"))
-        last = self.judge.write(moves, [first, *self.worths.known_in(gap)], told)
+        last = self.judge.write(moves, [first, *self.worths.known_in(gap)], inequality)
         return first if last is None else last
 
     def _past_a_right_angle(
@@ -283,12 +283,12 @@ class Conditions:
                 sp.sympify(self.scene.put(self.scene.scalar(side))[0], strict=True)
                 for side in (link.left, link.right)
             ]
-            way = link.sign
+            relation_sign = link.sign
             if values[1] == 0 and self._stands_turned(pool, values[0]):
                 # As it stands above: the sense turns, and not the terms.
-                way, values[0] = FLIPPED[way], tidy(-values[0])
+                relation_sign, values[0] = FLIPPED[relation_sign], tidy(-values[0])
             trees = [tree_of(value) for value in values]
-            first = Relation(((Link(trees[0], way, trees[1]),),))
+            first = Relation(((Link(trees[0], relation_sign, trees[1]),),))
             if first != relation:
                 line = self._by_the_quotient(link, pool, first)
                 line = self.judge.write(put, pool, first) if line is None else line

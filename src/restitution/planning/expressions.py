@@ -176,7 +176,7 @@ def outermost(tree: Expression) -> list[Expression]:
         if isinstance(each, Apply) and isinstance(each.argument, Letter)
     }
 
-    def found(node: Expression) -> Iterator[Expression]:
+    def unknowns(node: Expression) -> Iterator[Expression]:
         if isinstance(node, Quantity) or is_duration(node):
             yield node
         elif isinstance(node, Letter):
@@ -186,9 +186,9 @@ def outermost(tree: Expression) -> list[Expression]:
             yield node
         else:
             for child in children(node):
-                yield from found(child)
+                yield from unknowns(child)
 
-    return list(dict.fromkeys(found(tree)))
+    return list(dict.fromkeys(unknowns(tree)))
 
 
 def _value_of(scene: Scene, node: Expression) -> Source | None:

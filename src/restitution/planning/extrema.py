@@ -129,10 +129,10 @@ class _Extremum:
         if defined is not None:
             line = defined
             ways.insert(0, self._plain)
-        for way in ways:
+        for method in ways:
             mark = self.claims.worths.mark()
             self.support, self.place = (), None
-            bound = way(line)
+            bound = method(line)
             if bound is not None:
                 last = self._reached(line, bound)
                 if last is not None:
@@ -155,10 +155,10 @@ class _Extremum:
             asked, whole = letter, replace(whole, left=letter)
         self.value = tangent
         self.end = Link(Apply("tan", letter), whole.sign, tree_of(tangent))
-        for way in (self._monotone, self._quotient, self._plain):
+        for method in (self._monotone, self._quotient, self._plain):
             mark = self.claims.worths.mark()
             self.support, self.place = (), None
-            bound = way(line)
+            bound = method(line)
             if bound is not None:
                 own = Relation(((whole,),))
                 last = self.claims.angle_of(bound, line, extent, own, (), self.support)

@@ -17,15 +17,15 @@ from restitution.vector import Vector
 
 def swept_product(scene: Scene, last: sp.Expr, first: sp.Expr, pace: sp.Expr) -> Expression:
     """A way times a component, each written as a positive number as far as values tell."""
-    (way, pace_), minus = _sizes(scene, last, first, pace)
-    tree = swept(product(way, pace_))
+    (distance, pace_), minus = _sizes(scene, last, first, pace)
+    tree = swept(product(distance, pace_))
     return negative(tree) if minus else tree
 
 
 def slope(scene: Scene, last: sp.Expr, first: sp.Expr, pace: sp.Expr, over: sp.Expr) -> Expression:
     """A way in one direction by that in another: each size positive as far as values tell."""
-    (way, *paces), minus = _sizes(scene, last, first, pace, over)
-    tree = product(way, Binary("/", *paces))
+    (distance, *paces), minus = _sizes(scene, last, first, pace, over)
+    tree = product(distance, Binary("/", *paces))
     return negative(tree) if minus else tree
 
 
@@ -44,9 +44,9 @@ def _sizes(
     return sizes, minus
 
 
-def divisor_refs(scene: Scene, way: sp.Expr, pace: sp.Expr) -> tuple[Ref, ...]:
+def divisor_refs(scene: Scene, distance: sp.Expr, pace: sp.Expr) -> tuple[Ref, ...]:
     """What tells that a speed is not zero: nothing, where the way plainly is not."""
-    open_ = [x for x in sp.Mul.make_args(factored(way)) if not _is_plainly_not_zero(scene, x)]
+    open_ = [x for x in sp.Mul.make_args(factored(distance)) if not _is_plainly_not_zero(scene, x)]
     if not open_:
         return ()
     return together(nonzero(scene, pace), *(sign_known(scene, each) for each in open_))
@@ -77,15 +77,15 @@ def time_quotient(
     """
     if scene.model.sign(pace) < 0:
         last, first, pace = first, last, -pace
-    way = difference(tree_of(last), tree_of(first))
-    return Binary("/", way, tree_of(pace) if form is None else form)
+    distance = difference(tree_of(last), tree_of(first))
+    return Binary("/", distance, tree_of(pace) if form is None else form)
 
 
 def added(first: Vector, flight: Expression, pace: Vector) -> Expression:
     """A place and a velocity for some time; a time that is open stands behind a size: ``4t i``."""
     parts = [(each, axis) for each, axis in zip(pace, AXES, strict=True) if each != 0]
-    way = product(flight, tree_of(pace))
+    distance = product(flight, tree_of(pace))
     if len(parts) == 1 and has_quantity(flight):
         ((size, axis),) = parts
-        way = product(tree_of(size), flight, Unit(axis))
-    return swept(total((tree_of(first), way)))
+        distance = product(tree_of(size), flight, Unit(axis))
+    return swept(total((tree_of(first), distance)))

@@ -97,8 +97,8 @@ def in_tangents(value: sp.Expr) -> sp.Expr:
 
 
 def _parted(name: str) -> tuple[str, str]:
-    laid = lay.letter(name)
-    return laid.name, laid.subscript
+    symbol = lay.letter(name)
+    return symbol.name, symbol.subscript
 
 
 def _from_layout(layout: Any, names: dict[tuple[str, str], str]) -> Expression:

@@ -122,8 +122,8 @@ def write_difference(claims: Comparing, line: int, relation: Relation) -> int | 
     for form in sorted(_forms(gap), key=_mixed):
         if start is None or not _is_signed(scene, form):
             continue
-        told = Relation(((Link(Binary("-", *sides), "=", tree_of(form)),),))
-        difference = claims.judge.write(_TO_FORM, [start, *known], told)
+        equation = Relation(((Link(Binary("-", *sides), "=", tree_of(form)),),))
+        difference = claims.judge.write(_TO_FORM, [start, *known], equation)
         if difference is None:
             continue
         last = claims.compared([difference], relation)

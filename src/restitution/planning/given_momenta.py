@@ -254,8 +254,8 @@ def write_impulse(scene: Scene, given: GivenEquation) -> int:
     late, more = scene.put(last.value)
     early = first.value
     a, b = tree_of(early), tree_of(late)
-    way = scene.model.sign(value.dot(frame.n))
-    change = difference(b, a) if way > 0 else difference(a, b)
+    sense = scene.model.sign(value.dot(frame.n))
+    change = difference(b, a) if sense > 0 else difference(a, b)
     return scene.desk.write(
         Move("law", "impulse", event, (body,)),
         together(given.refs, refs, mass.refs, first.whole, last.whole, more),

@@ -138,8 +138,8 @@ def _on_a_chord(scene: Scene, kind: str, body: str, since: int, frame: Frame) ->
         value = neat(-value if kind == "along" else value)
     else:
         place, velocity = scene.data(f"position {body}"), scene.initial(body)
-        way = from_centre(scene, frame.number, place.value)
-        unit = way / scene.model.story.size(way)
+        radius_vector = from_centre(scene, frame.number, place.value)
+        unit = radius_vector / scene.model.story.size(radius_vector)
         direction = -unit if kind == "along" else unit.turned_left()
         value, more = scene.put(velocity.value.dot(direction))
         refs = together(refs, place.refs, velocity.refs, more)
@@ -453,8 +453,8 @@ def _given_after(scene: Scene, kind: str, body: str, frame: Frame) -> Source | N
     given = velocity_given(scene, body, frame.number)
     if given is not None:
         speed = Quantity("speed", velocity.arguments, frame.number)
-        told = any(each.link.left == speed for each in scene.given)
-        along = told and tidy(given[1].cross(frame.direction(kind))) == 0
+        is_given = any(each.link.left == speed for each in scene.given)
+        along = is_given and tidy(given[1].cross(frame.direction(kind))) == 0
         # Along its own direction a velocity has its speed as its component.
         size = tree_of(tidy(given[1].dot(frame.direction(kind)))) if along else None
         return _of_vector(scene, kind, body, frame, Source(given[1], given[2], form=size))

@@ -306,12 +306,12 @@ def _axis(scene: Scene, number: int, name: str) -> None:
 def in_a_frame(scene: Scene, asked: Expression) -> Expression:
     """A component that is asked as lines say it, where its direction is one of its impact."""
     match asked:
-        case Quantity("along" | "across" as kind, (Quantity("velocity", (Name(body),), at), way)):
+        case Quantity("along" | "across" as kind, (Quantity("velocity", (Name(body),), at), axis)):
             stage = scene.last_event(body, at) if isinstance(at, int) else 0
             if stage not in scene.model.frames:
                 return asked
             frame = scene.frame(stage)
-            own = scene.model.story.direction(way, scene.events)
+            own = scene.model.story.direction(axis, scene.events)
             own = own if kind == "along" else own.turned_left()
             for each in ("along", "across"):
                 named, direction = frame.component(each, body, stage), frame.direction(each)
@@ -419,7 +419,7 @@ def _determine_components(scene: Scene, solver: Solver, asked: Expression) -> bo
 
 def _determine_letters(scene: Scene, solver: Solver) -> bool:
     """Finds first what else the part asks: its letters. Returns whether there are any."""
-    found = False
+    progress = False
     for step in scene.part.steps:
         for item in step.items if isinstance(step, Find) else ():
             match item:
@@ -427,8 +427,8 @@ def _determine_letters(scene: Scene, solver: Solver) -> bool:
                     symbol = scene.model.unknowns.letter(name)
                     if symbol in scene.unknown(symbol):
                         solver.determine([symbol])
-                        found = True
-    return found
+                        progress = True
+    return progress
 
 
 def _determine_velocities(scene: Scene, solver: Solver, asked: Expression) -> None:

@@ -57,10 +57,10 @@ def by_the_known(
     where that is not so. ``value`` is the tangent of the given angle, ``refs`` what gives it.
     """
     open_ = [side for side in (turn.first, turn.second) if side.angle is None]
-    told = [side for side in (turn.first, turn.second) if side.angle is not None]
-    if len(open_) != 1 or not told or told[0].angle in (NONE, RIGHT):
+    determined = [side for side in (turn.first, turn.second) if side.angle is not None]
+    if len(open_) != 1 or not determined or determined[0].angle in (NONE, RIGHT):
         return None
-    (side,), other = open_, told[0].angle
+    (side,), other = open_, determined[0].angle
     assert other is not None
     ratio = tidy(side.across.value / side.along.value)
     term = term_of_data(scene, other)
@@ -91,14 +91,14 @@ def _lines(
     turn: Turn,
     side: Direction,
     terms: tuple[Term, Term],
-    made: tuple[Expression, Form, bool],
+    form_of_turn: tuple[Expression, Form, bool],
     refs: tuple[Ref, ...],
     final: Any,
 ) -> int | None:
     own = formula(scene, side.named)
     if own.move.record != "tan":
         return None
-    (given, other), (tree, form, swapped) = terms, made
+    (given, other), (tree, form, swapped) = terms, form_of_turn
     first, letter = tangent_line(scene, side.named, own, own.move)
     _, meaning = letter_of(scene, side.named)
     subject = Letter(letter)

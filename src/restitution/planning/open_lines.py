@@ -109,8 +109,10 @@ def _ray(scene: Scene, body: str, number: int) -> _Ray | None:
                 turn = scene.scalar(angle)
                 if turn.free_symbols:
                     continue
-                way = Vector(tidy(sp.cos(turn)), tidy(sp.sin(turn)))
-                return _Ray(body, Quantity("speed", (Name(body),), number), way, each, POSITIVE)
+                direction = Vector(tidy(sp.cos(turn)), tidy(sp.sin(turn)))
+                return _Ray(
+                    body, Quantity("speed", (Name(body),), number), direction, each, POSITIVE
+                )
             case Link(left, "parallel to" | "perpendicular to" as sign, other) if velocity in (
                 left,
                 other,
@@ -118,13 +120,13 @@ def _ray(scene: Scene, body: str, number: int) -> _Ray | None:
                 tree = other if left == velocity else left
                 if any(isinstance(node, Quantity) for node in walk(tree)):
                     continue
-                way = scene.model.story.direction(tree, scene.events)
+                direction = scene.model.story.direction(tree, scene.events)
                 if sign == "perpendicular to":
-                    way = way.turned_left()
+                    direction = direction.turned_left()
                 # Along i and j the letter is a component.
-                if way.x == 0 or way.y == 0:
-                    unit: Expression = Unit("j" if way.x == 0 else "i")
-                    along = Vector(*(sp.Integer(0 if x == 0 else 1) for x in way))
+                if direction.x == 0 or direction.y == 0:
+                    unit: Expression = Unit("j" if direction.x == 0 else "i")
+                    along = Vector(*(sp.Integer(0 if x == 0 else 1) for x in direction))
                     return _Ray(body, Quantity("along", (velocity, unit)), along, each, REAL)
     return None
 

@@ -51,8 +51,8 @@ def _above(scene: Scene, line: int) -> sp.Expr:
 
 def _background(scene: Scene, lines: Iterable[int]) -> tuple[Any, ...]:
     names = {each.name for line in lines for each in residual(scene, line).free_symbols}
-    told = (each for each in scene.judge.known(names) if each in scene.facts)
-    return (*background(scene, names), *told)
+    facts = (each for each in scene.judge.known(names) if each in scene.facts)
+    return (*background(scene, names), *facts)
 
 
 def _write(scene: Scene, move: Move, lines: Sequence[int], relation: Relation) -> int | None:

@@ -247,10 +247,10 @@ def _by_slope(scene: Scene, path: Path, paces: Sequence[Source]) -> int | None:
         ends = [[coordinate(scene, body, each, AXES[n]) for each in (since, number)] for n in order]
         (start, end), (first, last) = ends
         pace, beside = (paces[n].value for n in order)
-        way = slope(scene, end.value, start.value, beside, pace)
+        distance = slope(scene, end.value, start.value, beside, pace)
         value = tidy((end.value - start.value) * beside / pace)
         left = swept(difference(tree_of(last.value), tree_of(first.value)))
-        relation = chain(left, (swept(way), None), (tree_of(value), "rearrange"))
+        relation = chain(left, (swept(distance), None), (tree_of(value), "rearrange"))
         refs = together(*(each.refs for each in (start, end, first, last, *paces)))
         move = Move("define", "straight-line", number, (body,))
         line = scene.judge.write((move,), refs, relation)

@@ -165,15 +165,15 @@ def _by_the_other(scene: Scene, body: str, stage: int, axis: Axis) -> Source | N
     start_, end = (coordinate(scene, body, each, other) for each in (since, stage))
     first = coordinate(scene, body, since, axis)
     pace, over = velocity(scene, body, since, axis), velocity(scene, body, since, other)
-    way = tidy(end.value - start_.value)
-    value = tidy(first.value + way * pace.value / over.value)
+    distance = tidy(end.value - start_.value)
+    value = tidy(first.value + distance * pace.value / over.value)
     slope_ = slope(scene, end.value, start_.value, pace.value, over.value)
     quantity = coordinate_tree(body, stage, axis)
     number = scene.desk.write(
         Move("define", "straight-line", stage, (body,)),
         together(
             *(each.refs for each in (start_, end, first, pace, over)),
-            divisor_refs(scene, way, over.value),
+            divisor_refs(scene, distance, over.value),
         ),
         chain(
             quantity,
@@ -253,23 +253,23 @@ def write_touch(scene: Scene, body: str, number: int) -> None:
     theirs = spot(scene, other, number)
     assert isinstance(own.right, Binary)
     apart, refs = scene.put(gap)
-    way = _both_radii(scene, own.right.right, apart)
+    between = _both_radii(scene, own.right.right, apart)
     value = tidied(scene, theirs.value + apart)
     line = scene.desk.write(
         Move("fact"),
         together((f"contact {number}",), theirs.refs, refs),
         chain(
             place_tree(body, number),
-            (swept(Binary(own.right.op, tree_of(theirs.value), way)), None),
+            (swept(Binary(own.right.op, tree_of(theirs.value), between)), None),
             (tree_of(value), "rearrange"),
         ),
     )
     _know_place(scene, body, number, value, line)
 
 
-def _both_radii(scene: Scene, way: Expression, apart: Vector) -> Expression:
+def _both_radii(scene: Scene, between: Expression, apart: Vector) -> Expression:
     """The way from one centre to another that it touches: two radii times a unit vector."""
-    match way:
+    match between:
         case Binary("*", both, unit):
             size, _ = scene.put(scene.scalar(both))
             direction = scene.vector(unit)
@@ -629,12 +629,12 @@ def _leg_of_two(scene: Scene, number: int, body: str, other: str) -> tuple[int, 
             spot(scene, each, near)
         place = coordinate(scene, each, near, axis)
         if near == begin:
-            way, constant, refs = flight, place.value, begins
+            duration, constant, refs = flight, place.value, begins
         else:
             early = time_of(scene, near)
-            way = difference(flight, tree_of(early.value))
+            duration = difference(flight, tree_of(early.value))
             constant, refs = place.value - pace.value * early.value, early.refs
-        tree = swept(total((tree_of(place.value), product(tree_of(pace.value), way))))
+        tree = swept(total((tree_of(place.value), product(tree_of(pace.value), duration))))
         return tree, constant, pace, together(place.refs, pace.refs, refs)
 
     own, own_start, pace, refs = there(body)

@@ -177,7 +177,7 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
     if not partial:
         return joined(desk, _drafts(solution, part, desk, ways, _PLANNED))
     for least in (_PLANNED, _SOLVED):
-        ways = {name: max(way, least) for name, way in ways.items()}
+        ways = {name: max(status, least) for name, status in ways.items()}
         before = None
         while ways != before:
             # Every solution is written in the way in which the last one could be.

@@ -45,8 +45,8 @@ def _with_what_holds(claims: Claims, line: int, relation: Relation) -> int:
         return line
     desk.lines.pop()
     conditions = claims.conditions
-    found = (conditions.holding(each) for each in conditions.inequalities())
-    held = [each for each in found if each is not None]
+    lines = (conditions.holding(each) for each in conditions.inequalities())
+    held = [each for each in lines if each is not None]
     move = Move("compare") if held else own.move
     return desk.write(move, (*held, *own.premises), relation)
 
@@ -75,9 +75,9 @@ def _by_its_ratio(claims: Claims, asked: Expression, line: int, relation: Relati
                 for each in relation.only
             )
             if links != relation.only:
-                told = Relation((links,))
-                desk.lines[line - 1] = replace(own, relation=told)
-                return told
+                range_of_ratio = Relation((links,))
+                desk.lines[line - 1] = replace(own, relation=range_of_ratio)
+                return range_of_ratio
     return relation
 
 

@@ -130,24 +130,24 @@ def time_of_touching(scene: Scene, number: int, ways: Sequence[Way]) -> Source:
     flight = difference(t, tree_of(begin.value))
     lines: list[Ref] = []
     at, pace = Vector(sp.Integer(0), sp.Integer(0)), Vector(sp.Integer(0), sp.Integer(0))
-    for way, sign in zip(ways, (1, -1), strict=False):
-        if way.early is None:
-            refs += [*way.first.refs, *way.pace.refs]
-            at += sign * way.first.value
+    for path, sign in zip(ways, (1, -1), strict=False):
+        if path.early is None:
+            refs += [*path.first.refs, *path.pace.refs]
+            at += sign * path.first.value
             continue
-        own = difference(t, tree_of(way.early.value))
+        own = difference(t, tree_of(path.early.value))
         open_ = scene.desk.write(
-            Move("define", "straight-line", number, (way.body,)),
-            together(way.first.refs, way.pace.refs, way.early.refs),
+            Move("define", "straight-line", number, (path.body,)),
+            together(path.first.refs, path.pace.refs, path.early.refs),
             chain(
-                place_tree(way.body, number),
-                (added(way.first.value, own, way.pace.value), None),
+                place_tree(path.body, number),
+                (added(path.first.value, own, path.pace.value), None),
             ),
         )
         lines.append(open_)
-        late = tidy(begin.value - way.early.value)
-        at += sign * (way.first.value + way.pace.value * late)
-        pace += sign * way.pace.value
+        late = tidy(begin.value - path.early.value)
+        at += sign * (path.first.value + path.pace.value * late)
+        pace += sign * path.pace.value
     if len(ways) == 1:
         at = from_centre(scene, number, at)
     sides = []

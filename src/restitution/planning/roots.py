@@ -242,8 +242,8 @@ def _rejected(
     for premises in (*_by_one_law(scene, laws, rest), *_by_laws(laws, rest)):
         if scene.judge.follows(move, (line, *premises), relation):
             return scene.desk.write(move, (line, *premises), relation)
-    told = [each for each in scene.judge.known(names) if each in scene.facts]
-    pool = (*own, *laws, *_values(scene, laws), *rest, *told)
+    facts = [each for each in scene.judge.known(names) if each in scene.facts]
+    pool = (*own, *laws, *_values(scene, laws), *rest, *facts)
     refs = scene.judge.enough(move, (line,), relation, pool)
     if refs is None:
         raise NotPlannedError(f"nothing excludes a value of {symbol}")

@@ -63,9 +63,9 @@ def rounds(scene: Scene) -> Iterator[Round]:
         if not all(map(scene.model.identically_zero, end - start)):
             continue
         first, second = own
-        way, velocity = from_centre(scene, first, start), scene.velocity(body, 0)
+        radius_vector, velocity = from_centre(scene, first, start), scene.velocity(body, 0)
         e, f = (scene.coefficient(n).value for n in own)
-        t = way.cross(velocity) / way.dot(velocity)
+        t = radius_vector.cross(velocity) / radius_vector.dot(velocity)
         residual = tidy(t**2 * (1 + e + e * f) - e**2 * f)
         if scene.unknown(residual):
             candidate = Candidate(f"round {number}", 3.0, (residual,))

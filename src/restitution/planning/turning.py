@@ -702,13 +702,13 @@ def _left_along_the_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | N
     early = Quantity("velocity", (body,), scene.last_event(body.name, frame.number - 1))
     if late.value != 0:
         return None
-    told = _given_angle(scene, early, frame.wall)
-    if told is None:
+    angle = _given_angle(scene, early, frame.wall)
+    if angle is None:
         line = angle_line(scene, Quantity("angle", (early, Name(frame.wall))))
         named = letter_of(scene, Quantity("angle", (early, Name(frame.wall))))[1]
         own, refs = scene.desk.last_link(line).right, together((line, named))
     else:
-        own, refs = tree_of(told.value, angle=True), told.refs
+        own, refs = tree_of(angle.value, angle=True), angle.refs
     sides = [in_direction(scene, "across", body.name, frame.number - n, frame) for n in (0, 1)]
     pool = together(refs, late.whole, *(side.whole for side in sides), frame.refs)
     move, relation = (
@@ -735,17 +735,17 @@ def _given_angle(scene: Scene, velocity: Quantity, wall: str) -> Source | None:
     (body,) = velocity.arguments
     assert isinstance(body, Name)
     fact = scene.facts.get(f"velocity {body.name}")
-    told, line = None, scene.facts.get(f"wall {wall}")
+    given, line = None, scene.facts.get(f"wall {wall}")
     refs = [f"velocity {body.name}"]
     match fact.relation.only[0].right if fact is not None else None:
         case Polar(_, angle, wall=Name(name)) if name == wall:
-            told = angle
+            given = angle
         case _ if line is not None:
-            told = angle_to_a_line(scene, body.name, line.relation.only[0].right)
+            given = angle_to_a_line(scene, body.name, line.relation.only[0].right)
             refs.append(line.id)
-    if told is None:
+    if given is None:
         return None
-    value, more = scene.put(scene.scalar(told))
+    value, more = scene.put(scene.scalar(given))
     return Source(value, together(refs, more))
 
 

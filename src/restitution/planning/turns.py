@@ -146,9 +146,9 @@ def _from_a_unit(
     for side in sides:
         angle: Expression | None = None
         match given.relation.only[0].right if given is not None else None:
-            case Polar(_, told, origin, None) if not side.velocity.stage:
+            case Polar(_, size, origin, None) if not side.velocity.stage:
                 if (origin or Unit("i")) == unit:
-                    angle = told
+                    angle = size
         if angle is None and not side.velocity.stage:
             onward = scene.scalar(Quantity("along", (side.velocity, unit)))
             if scene.model.decide(onward, ">=", 0):

@@ -33,8 +33,8 @@ def write_unfinished(
     premises: list[int] = []
     # Of several solutions only the equations are the same.
     for ways in (_equations,) if scene.others else (_values, _components, _equations):
-        for way in ways(scene, solver, trees):
-            premises += _tried(scene, solver, way)
+        for attempt in ways(scene, solver, trees):
+            premises += _tried(scene, solver, attempt)
         if premises:
             break
     claim = answer_of(scene.problem, item, result, now)

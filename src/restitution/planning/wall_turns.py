@@ -39,8 +39,8 @@ def angle_of_approach(scene: Scene, body: str, frame: Frame) -> Letter | Degrees
         return None
     angle: Expression | None = None
     match fact.relation.only[0].right:
-        case Polar(_, told, wall=Name(name)) if name == frame.wall:
-            angle = told
+        case Polar(_, size, wall=Name(name)) if name == frame.wall:
+            angle = size
         case Polar(wall=None) if wall is not None:
             angle = angle_to_a_line(scene, body, wall.relation.only[0].right)
     return angle if isinstance(angle, Letter | Degrees) else None

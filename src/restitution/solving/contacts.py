@@ -80,12 +80,12 @@ def with_sphere(
     phrase = f"the line of centres of {step.first} and {step.second}"
     c = _hidden(state, number, phrase)
     state.equations.append(Equation(c.dot(c) - 4 * r * r, phrase, kind="direction"))
-    way = other - c - start
+    displacement = other - c - start
     reason = f"{step.first} and {step.second} are separating"
-    state.conditions.append(Condition(way.dot(c), ">", reason, "approach"))
+    state.conditions.append(Condition(displacement.dot(c), ">", reason, "approach"))
     name = step.first
     missed = f"{step.first} passes {step.second} without touching it"
-    return _arriving(state, number, name, way, velocity, c, missed)
+    return _arriving(state, number, name, displacement, velocity, c, missed)
 
 
 def with_circle(
@@ -105,11 +105,11 @@ def with_circle(
         # Along and across the radius to where it was: what is symmetrical shows as such.
         c = out * c.x + out.turned_left() * c.y
     state.equations.append(Equation(sp.expand(c.dot(c) - reach * reach), phrase, kind="direction"))
-    way = c - out
+    displacement = c - out
     reason = f"{name} moves away from {wall}"
-    towards = way.dot(c)
+    towards = displacement.dot(c)
     state.conditions.append(Condition(towards if inside else -towards, ">", reason, "approach"))
-    return _arriving(state, number, name, way, velocity, c, f"{name} passes by {wall}")
+    return _arriving(state, number, name, displacement, velocity, c, f"{name} passes by {wall}")
 
 
 def _hidden(state: State, number: int, phrase: str) -> Vector:
@@ -120,14 +120,22 @@ def _hidden(state: State, number: int, phrase: str) -> Vector:
 
 
 def _arriving(
-    state: State, number: int, name: str, way: Vector, velocity: Vector, c: Vector, missed: str
+    state: State,
+    number: int,
+    name: str,
+    displacement: Vector,
+    velocity: Vector,
+    c: Vector,
+    missed: str,
 ) -> Contact:
     pace = state.unknowns.hidden(f"w_{number}", f"the time that {name} takes", "positive")
-    state.equations.append(Equation(way.cross(velocity), missed))
+    state.equations.append(Equation(displacement.cross(velocity), missed))
     if not pace.is_Symbol:
         return Contact(c, 1 / pace, None)
-    state.equations.append(Equation(pace * way.dot(way) - way.dot(velocity), missed))
-    return Contact(c, 1 / pace, way * pace)
+    state.equations.append(
+        Equation(pace * displacement.dot(displacement) - displacement.dot(velocity), missed)
+    )
+    return Contact(c, 1 / pace, displacement * pace)
 
 
 def velocities_after(

@@ -36,13 +36,18 @@ def time_to_point(state: State, number: int, name: str, point: Vector, step: Arr
     if known is None:
         time = state.unknowns.hidden(f"t_{number}", f"the time of event {number}", "positive")
     else:
-        way = point - known[0]
+        displacement = point - known[0]
         if state.still(velocity):
             raise ImpossibleError(
                 f"{name} is at rest and reaches nothing", *line_and_column(step.place)
             )
-        flight = state.rational(way.dot(velocity) / velocity.dot(velocity))
-        _off(state, way.cross(velocity), f"{name} does not pass through that point", step.place)
+        flight = state.rational(displacement.dot(velocity) / velocity.dot(velocity))
+        _off(
+            state,
+            displacement.cross(velocity),
+            f"{name} does not pass through that point",
+            step.place,
+        )
         _flight(state, name, flight, number, f"{name} moves away from that point")
         time = known[1] + flight
     state.tracks[name].places.append((number, point, time))
@@ -310,11 +315,11 @@ def meeting(
         length = state.size(along)
         sign = _side(state, number, step, approach.dot(along))
         reach = along * (sign * 2 * r / length)
-        way = gap - reach
-        flight = way.dot(approach) / ww
+        displacement = gap - reach
+        flight = displacement.dot(approach) / ww
         _off(
             state,
-            state.rational(way.cross(approach)),
+            state.rational(displacement.cross(approach)),
             f"{step.first} and {step.second} do not meet on that line of centres",
             step.place,
         )

@@ -405,33 +405,33 @@ def _loose_ends(
         first = own[0].before[body] if own else floats(story.velocity(body, 0))
         if body not in given.starts and not still(first):
             end = where[body, own[0].number]
-            way, skip = -unit(first), own[0].wall
-            most = _approach(end, way, _APPROACH * shrunk + radius, where, radius)
-            far = free_way(end, way, most, lines, skip)
+            course, skip = -unit(first), own[0].wall
+            most = _approach(end, course, _APPROACH * shrunk + radius, where, radius)
+            far = free_way(end, course, most, lines, skip)
             lacking += max(0.0, 0.6 * _APPROACH * shrunk - far)
-            legs.append(Leg(body, 0, "approach", end + way * far, end))
+            legs.append(Leg(body, 0, "approach", end + course * far, end))
         last = own[-1].after[body] if own else first
         if not still(last) and not (own and ends_at_wall(own[-1], given, where, body, scale)):
             start = where[body, own[-1].number] if own else given.starts[body] * scale
-            way, skip = unit(last), own[-1].wall if own else None
-            onward = _onward(start, way, lines, skip) if given.placed else None
+            course, skip = unit(last), own[-1].wall if own else None
+            onward = _onward(start, course, lines, skip) if given.placed else None
             far = (
                 onward
                 if onward is not None
-                else free_way(start, way, _EXIT * shrunk + radius, lines, skip)
+                else free_way(start, course, _EXIT * shrunk + radius, lines, skip)
             )
             for centre, rim in given.circles.values():
-                chord = _inside_circle(start - centre * scale, way, rim * scale)
+                chord = _inside_circle(start - centre * scale, course, rim * scale)
                 far = far if chord is None else min(far, 0.6 * chord)
             lacking += max(0.0, 0.6 * _EXIT * shrunk - far)
             since = own[-1].number if own else 0
-            legs.append(Leg(body, since, "exit", start, start + way * far))
+            legs.append(Leg(body, since, "exit", start, start + course * far))
     return legs, lacking
 
 
 def _approach(
     end: Vector,
-    way: Vector,
+    course: Vector,
     usual: float,
     where: Mapping[tuple[str, int], Vector],
     radius: float,
@@ -439,7 +439,7 @@ def _approach(
     """How long the path of a sphere is before its first event: it starts where none other is."""
     others = [at for at in where.values() if length(at - end) > 1e-6]
     for share in (1.0, 1.3, 0.75, 1.6, 0.55):
-        start = end + way * (share * usual)
+        start = end + course * (share * usual)
         if all(length(start - at) > 2.6 * radius for at in others):
             return share * usual
     return usual
@@ -455,21 +455,22 @@ def ends_at_wall(
     """Whether a story ends as a sphere comes to a wall, and what it does there is not told."""
     if move.kind != "arrival":
         return False
-    at, way = where[body, move.number], move.after[body]
+    at, course = where[body, move.number], move.after[body]
     return move.wall is not None or any(
-        abs(length(at - c * scale) - r * scale) < 1e-6 * r * scale and way.dot(at - c * scale) > 0
+        abs(length(at - c * scale) - r * scale) < 1e-6 * r * scale
+        and course.dot(at - c * scale) > 0
         for c, r in given.circles.values()
     )
 
 
 def free_way(
-    start: Vector, way: Vector, length: float, lines: Iterable[Line], skip: str | None
+    start: Vector, course: Vector, length: float, lines: Iterable[Line], skip: str | None
 ) -> float:
     """A length that stops short of other walls, unless they are too near for that."""
     for line in lines:
         if line.name == skip:
             continue
-        met = crossing(start, start + way, line)
+        met = crossing(start, start + course, line)
         if met is None or met[0] <= _CLOSE:
             continue
         if line.fixed and not line.low <= met[1] <= line.high:
@@ -480,13 +481,13 @@ def free_way(
     return length
 
 
-def _onward(start: Vector, way: Vector, lines: Iterable[Line], skip: str | None) -> float | None:
+def _onward(start: Vector, course: Vector, lines: Iterable[Line], skip: str | None) -> float | None:
     """How far to a wall that is not struck in the story, or a little past its end."""
     best = None
     for line in lines:
         if line.name == skip or line.hits:
             continue
-        met = crossing(start, start + way, line)
+        met = crossing(start, start + course, line)
         if met is None or not 1 < met[0] < 80:
             continue
         on_it = not line.fixed or line.low < met[1] < line.high
@@ -495,11 +496,11 @@ def _onward(start: Vector, way: Vector, lines: Iterable[Line], skip: str | None)
     return best
 
 
-def _inside_circle(out: Vector, way: Vector, radius: float) -> float | None:
+def _inside_circle(out: Vector, course: Vector, radius: float) -> float | None:
     """How far it is to the rim from inside or on it; None from outside or when leaving."""
     if length(out) > radius * (1 + 1e-9):
         return None
-    half = out.dot(way)
+    half = out.dot(course)
     chord = -half + math.sqrt(max(half * half + radius * radius - out.dot(out), 0.0))
     return chord if chord > 1e-6 * radius else None
 
@@ -510,7 +511,7 @@ def _inside_circle(out: Vector, way: Vector, radius: float) -> float | None:
 def _in_lanes(plan: Plan) -> Plan:
     """Draws pieces that lie upon one another side by side."""
     ways = [leg.direction for leg in plan.legs]
-    plan = replace(plan, in_line=all(abs(ways[0].cross(way)) < 1e-6 for way in ways))
+    plan = replace(plan, in_line=all(abs(ways[0].cross(course)) < 1e-6 for course in ways))
     lanes: dict[int, int] = {}
     group: dict[int, int] = {}
     legs = plan.legs
@@ -534,15 +535,15 @@ def _in_lanes(plan: Plan) -> Plan:
 
 
 def _one_line(one: Leg, other: Leg) -> bool:
-    way = one.direction
-    aligned = abs(way.cross(other.direction)) < 1e-3
-    return bool(aligned and abs(way.cross(other.start - one.start)) < 0.3)
+    course = one.direction
+    aligned = abs(course.cross(other.direction)) < 1e-3
+    return bool(aligned and abs(course.cross(other.start - one.start)) < 0.3)
 
 
 def _overlap(one: Leg, other: Leg) -> bool:
     if not _one_line(one, other):
         return False
-    way = one.direction
-    a = sorted((0.0, (one.end - one.start).dot(way)))
-    b = sorted(((other.start - one.start).dot(way), (other.end - one.start).dot(way)))
+    course = one.direction
+    a = sorted((0.0, (one.end - one.start).dot(course)))
+    b = sorted(((other.start - one.start).dot(course), (other.end - one.start).dot(course)))
     return bool(min(a[1], b[1]) - max(a[0], b[0]) > 1.0)

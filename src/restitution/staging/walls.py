@@ -54,8 +54,8 @@ def meeting_point(one: Line, other: Line) -> tuple[float, float] | None:
     turn = one.along.cross(other.along)
     if abs(turn) < 0.05:
         return None
-    way = other.origin - one.origin
-    return way.cross(other.along) / turn, way.cross(one.along) / turn
+    separation = other.origin - one.origin
+    return separation.cross(other.along) / turn, separation.cross(one.along) / turn
 
 
 def _share_a_letter(one: str, other: str) -> bool:

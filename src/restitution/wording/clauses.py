@@ -262,9 +262,9 @@ def _special(scene: Scene, left: Expression, sign: str, right: Expression) -> Wo
             not _moves(other)
         ):
             when = moment(scene, velocity, body)
-            way = line(scene, other)
+            direction = line(scene, other)
             angle = words("at an angle " if _is_letter(right) else "at an angle of ")
-            to = way.head if same_event(when, way.when) else way.words()
+            to = direction.head if same_event(when, direction.when) else direction.words()
             phrase = words(" is moving ", angle, values.layout_of(right), " to ", to)
             return words(leading(when), Named(body), phrase)
     return None
@@ -305,8 +305,13 @@ def _through(angle: Expression) -> Words:
 def _aligned(scene: Scene, relation: Aligned) -> Words:
     sensed = relation.relation in ("in the direction of", "opposite to")
     if sensed:
-        for moving_one, way in ((relation.left, relation.right), (relation.right, relation.left)):
-            course = _towards(scene, moving_one, way, opposite=relation.relation == "opposite to")
+        for moving_one, direction in (
+            (relation.left, relation.right),
+            (relation.right, relation.left),
+        ):
+            course = _towards(
+                scene, moving_one, direction, opposite=relation.relation == "opposite to"
+            )
             if course is not None:
                 return course
     one, other = _way(scene, relation.left, sensed), _way(scene, relation.right, sensed)
@@ -328,10 +333,10 @@ def _aligned(scene: Scene, relation: Aligned) -> Words:
 
 
 def _towards(
-    scene: Scene, moving_one: Expression, way: Expression, *, opposite: bool
+    scene: Scene, moving_one: Expression, direction: Expression, *, opposite: bool
 ) -> Words | None:
     """``immediately after the impact S is moving directly towards O``, where that is meant."""
-    between = ends(scene, way)
+    between = ends(scene, direction)
     match moving_one:
         case Quantity("velocity", (Name(body),), stage) if between is not None and (
             isinstance(stage, int | None)

@@ -633,16 +633,16 @@ def _event_of(when: Words) -> Words:
 def _along(scene: Scene, tree: Quantity) -> Noun:
     vector, axis = tree.arguments
     of = part(scene, vector)
-    way = _axis(scene, axis, across=tree.kind == "across")
+    axis_noun = _axis(scene, axis, across=tree.kind == "across")
     if has_quantity(axis) and not _is_line(axis):
-        return Noun(words("the component of ", of.words(), " in ", way.words()))
-    if way.when and of.when and way.when != of.when:
-        return Noun(words("the component of ", of.words(), " in ", way.words()))
-    tail = words(" in ", way.head)
+        return Noun(words("the component of ", of.words(), " in ", axis_noun.words()))
+    if axis_noun.when and of.when and axis_noun.when != of.when:
+        return Noun(words("the component of ", of.words(), " in ", axis_noun.words()))
+    tail = words(" in ", axis_noun.head)
     head = words("the component of ", of.head, tail)
     if of.kind == "velocity":
         return Noun(head, of.when, f"component{tail}", of.body, tail)
-    return Noun(head, of.when or way.when)
+    return Noun(head, of.when or axis_noun.when)
 
 
 def _is_line(axis: Expression) -> bool:

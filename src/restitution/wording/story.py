@@ -27,8 +27,10 @@ def event_sentences(scene: Scene, number: int) -> Iterator[Sentence]:
             yield from _impact(scene, number, event, then)
         case Kick(body, Polar() as impulse):
             size = values.value(scene.style, impulse.size, IMPULSE)
-            way = course(scene, impulse)
-            yield sentence(Named(body), then, " receives an impulse of magnitude ", size, " ", way)
+            direction = course(scene, impulse)
+            yield sentence(
+                Named(body), then, " receives an impulse of magnitude ", size, " ", direction
+            )
         case Kick(body, impulse):
             size = values.value(scene.style, impulse, IMPULSE)
             yield sentence(Named(body), then, " receives an impulse of ", size)

@@ -183,8 +183,8 @@ def times(factor: Expression) -> Words:
 def as_fraction(tree: Expression) -> Fraction | None:
     """The number that a tree of the form p/q is."""
     match tree:
-        case Number(found):
-            return found
+        case Number(value):
+            return value
         case Binary("/", Number(above), Number(below)) if below:
             return above / below
     return None

@@ -355,13 +355,13 @@ class _Writer:
         kind: Any = "principle" if line.move.id in TITLED else "solve"
         given = self.leads.given(line)
         title = None if given else self.leads.title(line)
-        said = [_spoken(each) for each in (*self.before, self.title) if each is not None]
-        named = title is not None and (title == self.title or _spoken(title) in said)
+        spoken = [_spoken(each) for each in (*self.before, self.title) if each is not None]
+        named = title is not None and (title == self.title or _spoken(title) in spoken)
         sentences = given or (
             *self.leads.anyway(line),
             *self.leads.of(line, self.title),
         )
-        if not given and len(sentences) == 1 and _spoken(sentences[0]) in said:
+        if not given and len(sentences) == 1 and _spoken(sentences[0]) in spoken:
             sentences, title, named = (), self.title, True
         fresh = bool(sentences) or (title is not None and not named)
         rows = list(self.rows.of(line, waiting, fresh))
