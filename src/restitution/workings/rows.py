@@ -140,39 +140,39 @@ class Rows:
                 self._measures.decimals
             ):
                 trees[1] = Binary("/", as_decimal(above), as_decimal(below))
-        rounded = [self._naming.layout(tree) for tree in trees]
+        sides = [self._naming.layout(tree) for tree in trees]
         match trees:
             case [Binary("/", Quantity(), Quantity()), Binary("/", Number() as above, below), *_]:
                 # A quotient of two numbers stands as it is before its decimal.
-                rounded[1] = lay.Fraction(*map(self._naming.layout, (above, below)))
+                sides[1] = lay.Fraction(*map(self._naming.layout, (above, below)))
         if is_vector(links[0].left):
-            rounded = [
-                lay.ZERO_VECTOR if is_zero(t) else s for t, s in zip(trees, rounded, strict=True)
+            sides = [
+                lay.ZERO_VECTOR if is_zero(t) else s for t, s in zip(trees, sides, strict=True)
             ]
         for n, each in enumerate(links, 1):
             if each.sign == "≈":
-                rounded[n] = to_three_figures(trees[n]) or rounded[n]
+                sides[n] = to_three_figures(trees[n]) or sides[n]
         signs = [_sign(link) for link in links]
         angle = self._tangent_of(line, links[0])
         if angle is not None:
-            rounded[:0], signs[:0] = [self._naming.layout(Apply("tan", angle))], ["="]
-        for n in range(len(rounded) - 1, 1, -1):
-            if rounded[n] == rounded[n - 1] and signs[n - 1] == "=":
-                del rounded[n], signs[n - 1]
+            sides[:0], signs[:0] = [self._naming.layout(Apply("tan", angle))], ["="]
+        for n in range(len(sides) - 1, 1, -1):
+            if sides[n] == sides[n - 1] and signs[n - 1] == "=":
+                del sides[n], signs[n - 1]
         quotient = _quotient(line, links[0])
-        if quotient is not None and isinstance(rounded[1], lay.Number):
-            rounded[1:1], signs[:0] = [quotient], ["="]
-        if self._towards(line, links, rounded):
-            rounded[0] = self._away(links[0].left)
-            rounded[1:] = [lay.split_sign(side)[1] for side in rounded[1:]]
+        if quotient is not None and isinstance(sides[1], lay.Number):
+            sides[1:1], signs[:0] = [quotient], ["="]
+        if self._towards(line, links, sides):
+            sides[0] = self._away(links[0].left)
+            sides[1:] = [lay.split_sign(side)[1] for side in sides[1:]]
         reasons: tuple[Sentence, ...] = ()
         if line.move.id == "solve" and not last and _is_value(links[0].left):
             unit = self._measures.unit(links[0].left)
             sides_[-1] = with_unit(sides_[-1], unit) if is_plain(sides_[-1]) else sides_[-1]
         if signs[-1] in ("=", "≈") and last:
-            self._ended(line, links, rounded, signs)
-            reasons = self._placed(line, links, rounded, signs)
-        return Row(tuple(rounded), tuple(signs), reasons=reasons)
+            self._ended(line, links, sides, signs)
+            reasons = self._placed(line, links, sides, signs)
+        return Row(tuple(sides), tuple(signs), reasons=reasons)
 
     def _tangent_of(self, line: Line, link: Link) -> Expression | None:
         """The given sum or difference of angles of which a row is the tangent, if it is left out.
@@ -319,11 +319,11 @@ class Rows:
         sides = [links[0].left, *(link.right for link in links)]
         ends = [rounded(side) if _has_function(side) else None for side in sides]
         exact = tuple(self._naming.layout(side) for side in sides)
-        rounded = tuple(new or each for new, each in zip(ends, exact, strict=True))
-        if rounded == exact:
+        figures = tuple(new or each for new, each in zip(ends, exact, strict=True))
+        if figures == exact:
             return None
-        figures = (say("shown.figures", figures="3"),)
-        return Row(rounded, tuple(_sign(link) for link in links), reasons=figures)
+        reasons = (say("shown.figures", figures="3"),)
+        return Row(figures, tuple(_sign(link) for link in links), reasons=reasons)
 
     def _alternatives(self, options: tuple[tuple[Link, ...], ...], asked: bool) -> Row:
         """``t = 1 or t = −1``, set at the first sign; opposite roots as ``t = ±1``."""
