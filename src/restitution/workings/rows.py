@@ -168,7 +168,7 @@ class Rows:
         reasons: tuple[Sentence, ...] = ()
         if line.move.id == "solve" and not last and _is_value(links[0].left):
             unit = self._measures.unit(links[0].left)
-            sides_[-1] = with_unit(sides_[-1], unit) if is_plain(sides_[-1]) else sides_[-1]
+            sides[-1] = with_unit(sides[-1], unit) if is_plain(sides[-1]) else sides[-1]
         if signs[-1] in ("=", "≈") and last:
             self._ended(line, links, sides, signs)
             reasons = self._placed(line, links, sides, signs)
