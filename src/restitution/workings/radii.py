@@ -59,8 +59,8 @@ class Radii:
             "touch.spheres",
             one=one,
             other=other,
-            distance=self._length(self._naming.laid(tree_of(size))),
-            place=self._length(self._naming.laid(tree_of(place))),
+            distance=self._length(self._naming.layout(tree_of(size))),
+            place=self._length(self._naming.layout(tree_of(place))),
         )
 
     def _sentence(self, line: Line, ref: str) -> Sentence | None:
