@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from typer.testing import CliRunner
 
-from restitution.cli.commands import app
+from restitution.cli.commands.app import app
 from restitution.errors import StatementError
 from restitution.expression.words import WORDS
 from restitution.language import parse

@@ -44,7 +44,7 @@ def main() -> None:
         from restitution.cli.solving import run_plainly
 
         if not run_plainly(sys.argv[1:], worker):
-            from restitution.cli.commands import app
+            from restitution.cli.commands.app import app
 
             app(prog_name="restitution", obj=worker)
     except KeyboardInterrupt:
