@@ -456,6 +456,9 @@ class Solver:
                 case Quantity("impulse", (Name(body),), int(event)):
                     if self.scene.unknown(self.scene.mass(body).value):
                         if not take_mass(self.scene, given):
+                            used = tuple(self._by_opposite_impulses(given, left, event))
+                            if used:
+                                return used
                             continue
                     else:
                         take_impulse(self.scene, given)

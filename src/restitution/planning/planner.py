@@ -321,6 +321,7 @@ def _write_item(
             if place_trees.serves(asked):
                 _require_form(scene, result)
             _require_found(scene, asked)
+            _require_letters(scene, result)
 
 
 def _require_found(scene: Scene, asked: Expression) -> None:
@@ -330,6 +331,21 @@ def _require_found(scene: Scene, asked: Expression) -> None:
     for links in scene.desk.ends[-1].answer.options:
         if any(open_letters & letters(link.right) for link in links):
             raise NotPlannedError(f"an answer with {', '.join(sorted(open_letters))}")
+
+
+def _require_letters(scene: Scene, result: ItemResult) -> None:
+    """Refuses an answer in letters that are not those of the solver's, which were asked for."""
+    asked = {
+        symbol.name
+        for answer in result.answers
+        for part in (answer.value if isinstance(answer.value, tuple) else (answer.value,))
+        for symbol in part.free_symbols
+    }
+    for links in scene.desk.ends[-1].answer.options:
+        for link in links:
+            others = letters(link.right) - asked
+            if others:
+                raise NotPlannedError(f"an answer in {', '.join(sorted(others))}")
 
 
 def _require_form(scene: Scene, result: ItemResult) -> None:
