@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     is_zero,
     walk,
 )
+from restitution.planning.angles_bounded import write_bounded
 from restitution.planning.deflections import scalar_product
 from restitution.planning.desk import together
 from restitution.planning.forms import ZERO, swept, tree_of
@@ -109,6 +110,10 @@ class Conditions:
         match self.worths.opened(link.left), link.right:
             case Quantity("deflection" | "angle") as angle, Degrees(value) if value == 90:
                 return self._past_a_right_angle(fact, link, angle, wanted)
+            case Quantity("deflection" | "angle") as angle, Degrees(value) if 0 < value < 90:
+                bounded = write_bounded(self.worths, fact, link, angle)
+                if bounded is not None:
+                    return self.finished(*bounded, wanted)
         gap = self.gap(link)
         own = without_signs(self.scene, gap, link.sign)
         if own is None:

@@ -41,7 +41,7 @@ from restitution.planning.forms import (
 )
 from restitution.planning.formulas import Formula
 from restitution.planning.scene import Scene
-from restitution.planning.turning import is_angle, write_ratio
+from restitution.planning.turning import angle_line, is_angle, write_ratio
 from restitution.planning.velocity_formulas import body_and_stage, frame_after
 
 # By these a line becomes the printed form, in the order in which they are tried.
@@ -102,7 +102,42 @@ class Equation:
             if line is not None:
                 return line
         line = self._speed_by_an_angle(quantities)
-        return self._of_several(quantities) if line is None else line
+        if line is not None:
+            return line
+        standing = self.claims.worths.mark()
+        try:
+            return self._of_several(quantities)
+        except NotPlannedError:
+            self.claims.worths.back(standing)
+            line = self._of_equal_angles(left, right)
+            if line is None:
+                raise
+            return line
+
+    def _of_equal_angles(self, *sides: Expression) -> int | None:
+        """Two angles that are the same: each as an angle, in letters."""
+        angles = [
+            each for each in sides if isinstance(each, Quantity) and is_angle(self.scene, each)
+        ]
+        if len(angles) != len(sides):
+            return None
+        refs: list[Ref] = []
+        try:
+            for each in angles:
+                self.claims.worths.determine(each)
+                refs += [angle_line(self.scene, each), *self.claims.worths.name_of(each)]
+        except NotPlannedError:
+            return None
+        return self.judge.write((Move("put"),), [*refs, *self._lets_of(*angles)], self.relation)
+
+    def _lets_of(self, *angles: Quantity) -> list[int]:
+        """The lines that introduce letters for angles."""
+        desk = self.scene.desk
+        return [
+            line.number
+            for line in desk.lines
+            if isinstance(line.relation, Meaning) and line.relation.quantity in angles
+        ]
 
     def _speed_by_an_angle(self, quantities: Sequence[Quantity]) -> int | None:
         """A speed in terms of the angle of its velocity to a line: a component, by that."""
@@ -447,7 +482,7 @@ class Equation:
                 continue
             lines.append(claims.worths.quantity(quantity))
         names = letters(self.link.left) | letters(self.link.right)
-        known = self._known(names.union(*(letters(scene.desk.last_link(e).right) for e in lines)))
+        known = self._known(names)
         if len(lines) == 2 and isinstance(self.link.left, Binary) and self.link.left.op == "/":
             line = self._by_pair(Move("divide"), lines, known)
             if line is not None:
@@ -472,6 +507,8 @@ class Equation:
         """The quotient, or the sum, of two quantities."""
         scene = self.scene
         values = [scene.desk.last_link(each).right for each in pair]
+        # What is divided by must not vanish, whatever the letters in it are.
+        known = together(known, self._known(letters(values[0]) | letters(values[1])))
         op: Any = "/" if move.id == "divide" else "+"
         first = Link(self.link.left, "=", Binary(op, values[0], values[1]))
         middle = Relation(((first,),))
