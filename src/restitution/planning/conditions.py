@@ -17,6 +17,7 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Quantity,
+    Unit,
     has_quantity,
     is_zero,
     walk,
@@ -40,6 +41,9 @@ from restitution.planning.worths import Worths
 from restitution.problem import Given, Meets
 
 _BOUNDED = ("<", "<=", ">", ">=")
+
+Product = tuple[Sequence[tuple[str, int]], Expression, sp.Expr, tuple[Ref, ...]]
+"""A scalar product: of which velocities, as a tree, as a value, and what it rests on."""
 
 
 class Conditions:
@@ -89,8 +93,15 @@ class Conditions:
             if fact.kind not in ("given", "range") and not fact.id.startswith("within "):
                 continue
             (link, *_) = fact.relation.only
-            if link.sign in _BOUNDED and has_quantity_in(fact.relation):
+            if link.sign in _BOUNDED and self._speaks_of_motion(fact):
                 yield fact
+
+    def _speaks_of_motion(self, fact: Fact) -> bool:
+        """Whether a relation is about a quantity, or a letter for an angle of the motion."""
+        (link, *_) = fact.relation.only
+        named = self.worths.opened(link.left)
+        is_angle = isinstance(named, Quantity) and named.kind in ("angle", "deflection")
+        return is_angle or has_quantity_in(fact.relation)
 
     def condition(self, fact: Fact, wanted: Expression | None) -> int | None:
         """The line of one of them, in letters, and solved as far as one line does it."""
@@ -182,13 +193,11 @@ class Conditions:
         self, fact: Fact, link: Link, angle: Quantity, wanted: Expression | None
     ) -> int | None:
         """An angle of more than 90°, or of less, by the sign of the scalar product."""
-        pair = _velocities_of(angle)
-        if pair is None:
+        told = self._of_velocities(angle) or self._with_a_direction(angle)
+        if told is None:
             return None
-        for body, stage in pair:
-            self.worths.determine(Quantity("velocity", (Name(body),), stage))
+        pair, tree, value, refs = told
         event = max(frame_after(self.scene, *each).number for each in pair)
-        tree, value, refs = scalar_product(self.scene, pair, event)
         opposite = FLIPPED[link.sign]
         stripped = without_signs(self.scene, expanded(value), opposite)
         if stripped is None:
@@ -197,7 +206,8 @@ class Conditions:
         move = Move("define", "perpendicular", event, tuple(dict.fromkeys(b for b, _ in pair)))
         known = self.worths.known_in(expanded(value))
         first = Relation(((Link(swept(tree), opposite, ZERO),),))
-        pool = [fact.id, *refs, *self.scene.frame(event).refs, *known]
+        lets = self.scene.lets_in(link)
+        pool = [fact.id, *lets, *refs, *self.scene.frame(event).refs, *known]
         number = self.judge.write((move,), pool, first)
         if number is None:
             return None
@@ -210,6 +220,34 @@ class Conditions:
             after = self.judge.write(moves, [number, *known], Relation(((each,),)))
             number = number if after is None else after
         return number
+
+    def _of_velocities(self, angle: Quantity) -> Product | None:
+        """The scalar product of two velocities."""
+        pair = _velocities_of(angle)
+        if pair is None:
+            return None
+        for body, stage in pair:
+            self.worths.determine(Quantity("velocity", (Name(body),), stage))
+        event = max(frame_after(self.scene, *each).number for each in pair)
+        return pair, *scalar_product(self.scene, pair, event)
+
+    def _with_a_direction(self, angle: Quantity) -> Product | None:
+        """The component of a velocity in a direction along the line of centres, or across it."""
+        match angle:
+            case Quantity("angle", (Quantity("velocity") as velocity, Unit() as line)):
+                pass
+            case _:
+                return None
+        self.worths.determine(velocity)
+        own = body_and_stage(self.scene, velocity)
+        frame = frame_after(self.scene, *own)
+        direction = self.scene.model.story.direction(line, self.scene.events)
+        for kind, axis in (("along", frame.n), ("across", frame.t)):
+            if tidy(direction.cross(axis)) == 0:
+                component = self.worths.component(kind, *own, frame)
+                value = component.value * tidy(direction.dot(axis))
+                return (own,), tree_of(value), value, component.whole
+        return None
 
     def gap(self, link: Link) -> sp.Expr:
         """Left minus right of an inequality of quantities, in letters; of sizes, their squares."""

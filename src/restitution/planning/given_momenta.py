@@ -256,11 +256,12 @@ def write_impulse(scene: Scene, given: GivenEquation) -> int:
     a, b = tree_of(early), tree_of(late)
     sense = scene.model.sign(value.dot(frame.n))
     change = difference(b, a) if sense > 0 else difference(a, b)
-    return scene.desk.write(
-        Move("law", "impulse", event, (body,)),
-        together(given.refs, refs, mass.refs, first.whole, last.whole, more),
-        chain(size, (swept(product(tree_of(mass.value), change)), None)),
-    )
+    move = Move("law", "impulse", event, (body,))
+    pool = together(given.refs, refs, mass.refs, first.whole, last.whole, more)
+    relation = chain(size, (swept(product(tree_of(mass.value), change)), None))
+    # The impulse itself tells the direction of the line, so that its fact may be one too many.
+    premises = scene.judge.needed(move, pool, relation, given.refs)
+    return scene.desk.write(move, premises or pool, relation)
 
 
 def _size(scene: Scene, value: Vector, frame: Frame) -> tuple[Expression, tuple[int | str, ...]]:
