@@ -274,7 +274,14 @@ def _sides(tree: Expression) -> tuple[Expression, Expression]:
 
 
 def _between_letters(scene: Scene, each: GivenEquation) -> int:
-    line = scene.desk.write(Move("fact"), (each.fact.id,), Relation(((each.link,),)))
+    line = scene.desk.write(Move("fact"), (each.fact.id,), each.fact.relation)
+    if each.lets:
+        # What a letter of the statement stands for is put in by a line of its own.
+        opened = Relation(((each.link,),))
+        put = scene.judge.write((Move("put"), Move("rearrange")), (*each.lets, line), opened)
+        if put is None:
+            raise NotPlannedError("what a letter stands for is not put in")
+        line = put
     return _of_named_angle(scene, each, line) or line
 
 
