@@ -97,6 +97,8 @@ def write_sum(scene: Scene, each: GivenEquation) -> int:
         refs += own
     ranges = background(scene, names)
     subjects = [Apply("tan", Letter(name)) for name in names]
+    if sign == -1 and angle == 0:
+        return _write_same(scene, each, subjects, tangents, refs)
     if sign == 2:
         below = difference(ONE, square(subjects[1]))
         doubled = Binary("/", product(Number(Fraction(2)), subjects[1]), below)
@@ -125,6 +127,29 @@ def write_sum(scene: Scene, each: GivenEquation) -> int:
     if premises is None:
         raise NotPlannedError("a sum of angles")
     return scene.desk.write(Move("put"), premises, put)
+
+
+def _write_same(
+    scene: Scene,
+    each: GivenEquation,
+    subjects: Sequence[Expression],
+    tangents: Sequence[Expression],
+    refs: Sequence[Ref],
+) -> int:
+    """Two angles that are the same: the tangent of one is put in for that of the other."""
+    move = Move("put")
+    if len(refs) < 2:
+        # The other one is of the data.
+        last = chain(tangents[0], (tangents[1], None))
+        line = scene.judge.write((move,), (*refs, each.fact.id), last)
+    else:
+        first = chain(subjects[1], (tangents[0], None))
+        middle = scene.judge.write((move,), (refs[0], each.fact.id), first)
+        last = chain(tangents[0], (tangents[1], None))
+        line = None if middle is None else scene.judge.write((move,), (middle, refs[1]), last)
+    if line is None:
+        raise NotPlannedError("two angles that are the same")
+    return line
 
 
 def _by_the_other(
