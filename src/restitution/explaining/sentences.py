@@ -643,6 +643,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived-speed.one": "The velocity of {body} has one component only",
     "derived-speed.along": "{body} moves along the line of centres",
     "derived-speed.across": "{body} moves perpendicular to the line of centres",
+    "derived-speed.resolved": "Component of the velocity of {body}, by its speed and direction",
     "wall.beside-normal": "At right angles to the normal:",
     "made.ratio": "So the ratio is",
     "made.product": "So the product is",

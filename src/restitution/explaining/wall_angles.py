@@ -59,8 +59,8 @@ def _to_other_walls(step: Step, event: Event) -> Iterator[Link]:
             continue
         dot = normal.x * direction.x + normal.y * direction.y
         cross = normal.x * direction.y - normal.y * direction.x
-        if not (dot.vanishes or cross.vanishes):
-            continue
+        if not (dot.vanishes or cross.vanishes) or (event.wall and dot.vanishes):
+            continue  # of a wall parallel to the own one the directions alone tell
         for body in step.move.bodies:
             velocity = Quantity("velocity", (Name(body),), event.number)
             along, across = (Quantity(kind, (velocity, axis)) for kind in ("along", "across"))

@@ -23,6 +23,7 @@ Extent = tuple[Fraction, Fraction]
 """The least and the greatest value of an angle, in degrees."""
 
 _NOTHING = (Fraction(0), Fraction(0))
+_RIGHT_ANGLE = (Fraction(0), Fraction(90))
 _HALF_TURN = (Fraction(0), Fraction(180))
 
 
@@ -44,6 +45,8 @@ def _extent(story: Story, tree: Expression, now: int) -> Extent | None:
             return _extent(story, let.expression, then)
         case Letter(name):
             return _of_letter(story, name)
+        case Quantity("angle", sides) if any(_is_line(story, side) for side in sides):
+            return _RIGHT_ANGLE
         case Quantity("angle" | "deflection"):
             return _HALF_TURN
         case Quantity("direction", (Name(body), *_)) if body in story.spheres:
@@ -56,7 +59,28 @@ def _extent(story: Story, tree: Expression, now: int) -> Extent | None:
         case Binary("+", left, right):
             turned = _difference(_NOTHING, _extent(story, right, now))
             return _difference(_extent(story, left, now), turned)
+        case Binary("*", Number(factor), angle) | Binary("*", angle, Number(factor)):
+            return _scaled(_extent(story, angle, now), factor)
+        case Binary("/", angle, Number(divisor)) if divisor:
+            return _scaled(_extent(story, angle, now), 1 / divisor)
     return None
+
+
+def _is_line(story: Story, tree: Expression) -> bool:
+    """Whether an angle to it is one of at most 90°: a wall, or a line of centres."""
+    match tree:
+        case Name(name):
+            return name in story.walls
+        case Quantity("line_of_centres"):
+            return True
+    return False
+
+
+def _scaled(own: Extent | None, factor: Fraction) -> Extent | None:
+    if own is None:
+        return None
+    ends = (own[0] * factor, own[1] * factor)
+    return min(ends), max(ends)
 
 
 def _of_letter(story: Story, name: str) -> Extent | None:

@@ -3,11 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 
 from restitution.exact import tidy
 from restitution.explaining.definitions import past_a_right_angle, tie_of
-from restitution.explaining.derivation import Derivation, Fact, Line, Link, Meaning, Ref, Relation
+from restitution.explaining.derivation import (
+    FLIPPED,
+    Derivation,
+    Fact,
+    Line,
+    Link,
+    Meaning,
+    Ref,
+    Relation,
+)
 from restitution.explaining.notation import read_tree
 from restitution.explaining.principles import RECORDS
 from restitution.explaining.saying import Sentence, say, slots_of
@@ -79,7 +89,7 @@ class Leads:
             for ref in line.premises
             if isinstance(ref, str)
             and (fact := self._derivation.fact(ref)) is not None
-            and fact.kind == "given"
+            and (fact.kind == "given" or (fact.kind == "range" and ref.startswith("given")))
             and fact.id not in self._given
         ]
         if line.move.record in ("perpendicular", "parallel"):
@@ -87,7 +97,7 @@ class Leads:
             facts = [
                 each
                 for each in facts
-                for own in (each.relation.only[0],)
+                for own in (self._opened(each.relation.only[0]),)
                 if tie_of(own) is not None or past_a_right_angle(own) is not None
             ]
         if line.move.record in ("sum", "difference"):
@@ -114,9 +124,15 @@ class Leads:
                 velocity = self._naming.layout(Quantity("velocity", (body,), stage))
                 axis = self._naming.layout(Unit("i"))
                 return (say("given.direction", fact=sentence, velocity=velocity, axis=axis),)
-        if isinstance(facts[0].relation.options[0][0].left, Letter) and not isinstance(
-            sentence, Sentence
-        ):
+        past = past_a_right_angle(self._opened(facts[0].relation.options[0][0]))
+        named = isinstance(facts[0].relation.options[0][0].left, Letter)
+        if named and line.move.record == "perpendicular" and past is not None:
+            if isinstance(past[1], Unit):
+                return (say("derived.since", facts=(sentence,)),)
+            negative = past[2][0] == "<"
+            name = "given.negative-product" if negative else "given.positive-product"
+            return (say(name, fact=sentence),)
+        if named and not isinstance(sentence, Sentence):
             if self.title(line) is not None:
                 self._behind[line.number] = say("derived.as", reasons=(sentence,))
                 return ()
@@ -133,7 +149,6 @@ class Leads:
                 return (say("given.and", fact=sentence), turned)
         if isinstance(line.relation.options[0][0].left, Letter):
             return (say("given.fact", fact=sentence),)
-        past = past_a_right_angle(facts[0].relation.only[0])
         if line.move.record == "perpendicular" and past is not None:
             negative = past[2][0] == "<"
             name = "given.negative-product" if negative else "given.positive-product"
@@ -151,6 +166,16 @@ class Leads:
         if line.move.record == "parallel":
             return (say("given.proportion", fact=sentence),)
         return (*self._sine_of_an_offset(line), say("given.fact", fact=sentence))
+
+    def _opened(self, link: Link) -> Link:
+        """A relation of a letter that the statement has for a quantity, said of the quantity."""
+        named = {
+            each.relation.only[0].right: each.relation.only[0].left
+            for each in self._derivation.facts
+            if each.kind == "data" and len(each.relation.options) == 1
+        }
+        is_named = isinstance(link.left, Letter) and link.left in named
+        return replace(link, left=named[link.left]) if is_named else link
 
     def behind(self, line: Line) -> tuple[Sentence, ...]:
         """The value of a letter that a definition puts in, which stands behind the line."""
@@ -183,6 +208,10 @@ class Leads:
                 name = "derived-energy.title"  # by speeds of the data
             case "perpendicular", _ if not is_zero(last.right) or self._squares(line):
                 return None
+            case "perpendicular", _ if last.sign in FLIPPED:
+                return None
+            case "speed", Binary("*"):
+                return say("derived-speed.resolved", body=bodies[0])
             case "size", _ if not any(map(_under, walk(first.right))):
                 return None  # of one component it is read off
         if name is None:
