@@ -259,3 +259,28 @@ find mass(A)/mass(B), e
 """
     found = restitution.mark(solved(statement), "3m - 2km = -m + km\n4m = 3km\nk = 4/3").json()
     assert verdicts(found) == ["true", "true", "true"]
+
+
+def test_left_for_lost_is_a_misread() -> None:
+    statement = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W: e = 1/2
+given energy_lost = 1/3*energy(0)
+find sin(alpha)^2
+"""
+    working = "cos²α + 1/4sin²α = 1/3\nsin²α = 8/9"
+    found = marked(statement, working, {"v": "speed(P)"})
+    assert verdicts(found) == ["false", "follows"]
+    assert found["lines"][0]["mistake"]["id"] == "misread"
+    right = marked(statement, "cos²α + 1/4sin²α = 2/3\nsin²α = 4/9", {"v": "speed(P)"})
+    assert verdicts(right) == ["true", "true"]
+
+
+def test_a_component_that_stays_is_seen_in_a_remark() -> None:
+    seen, unseen = (marked(OBLIQUE, text, part="a") for text in ("perp: A 3, B 4", "A 3, B 4"))
+    states = [
+        next(each["state"] for each in one["marks"]["points"] if each["kind"] == "B1")
+        for one in (seen, unseen)
+    ]
+    assert states == ["earned", "lost"]

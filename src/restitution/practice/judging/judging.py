@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from itertools import islice
+from itertools import chain, islice
 
 import numpy as np
 
@@ -28,7 +28,11 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine, Judgement, Mistake
 from restitution.practice.judging.bounds import bounds_of
-from restitution.practice.judging.misreading import misread_problems, reread_once
+from restitution.practice.judging.misreading import (
+    left_for_lost,
+    misread_problems,
+    reread_once,
+)
 from restitution.practice.judging.naming import Names
 from restitution.practice.judging.slips import misreadings, read_as_datum
 from restitution.practice.judging.support import Wanted, wanted_of
@@ -272,7 +276,9 @@ class _Sitting:
             script = Script(tuple(_reread(line, value, datum) for line in self.script.lines))
             if self._judge(self.meanings.best).is_true(script):
                 return tuple(_as_misread(lines, str(value)))
-        for value, datum in islice(self._read_instead(lines), _MISREADINGS):
+        turned = (each for each in left_for_lost(self.bench.problem) if each[0] != each[1])
+        instead = chain(turned, self._read_instead(lines))
+        for value, datum in islice(instead, _MISREADINGS):
             if self._is_true_with(value, datum):
                 return tuple(_as_misread(lines, str(value)))
         return lines

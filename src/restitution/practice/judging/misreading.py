@@ -7,16 +7,43 @@ from dataclasses import fields, is_dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-from restitution.expression.tree import Binary, Degrees, Expression, Number, children
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Number,
+    Quantity,
+    children,
+    walk,
+)
 from restitution.practice.judging.slips import with_child
 from restitution.practice.script import Claim
-from restitution.problem import Find, Problem, Show
+from restitution.problem import Compare, Find, Given, Problem, Show
 
 
 def misread_problems(problem: Problem, datum: Fraction, typed: Fraction) -> Iterator[Problem]:
     """The problem with ``typed`` in place of one number that is ``datum``, each in turn."""
     for wanted in range(_count(problem, datum)):
         yield _Exchange(datum, typed, wanted).of(problem)
+
+
+def left_for_lost(problem: Problem) -> Iterator[tuple[Fraction, Fraction]]:
+    """Numbers with the data that they replace, where what is left of an energy is read as lost.
+
+    Of a third it is two thirds: the numerator of 1/3 is 2 then.
+    """
+    for _, step in problem.steps():
+        for relation in step.relations if isinstance(step, Given) else ():
+            sides = relation.operands if isinstance(relation, Compare) else ()
+            nodes = [node for side in sides for node in walk(side)]
+            if not any(isinstance(node, Quantity) and "energy" in node.kind for node in nodes):
+                continue
+            for node in nodes:
+                match node:
+                    case Number(value) if 0 < value < 1:
+                        yield 1 - value, value
+                    case Binary("/", Number(above), Number(below)) if 0 < above < below:
+                        yield below - above, above
 
 
 def reread_once(claim: Claim, typed: Fraction, datum: Fraction) -> Iterator[Claim]:

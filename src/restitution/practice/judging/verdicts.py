@@ -167,6 +167,7 @@ class Judge:
         self._meant: dict[str, Expression] = {}
         self._phrases: dict[tuple[str, int | None], tuple[Expression, ...]] = {}
         self._own_numbers = OwnNumbers()
+        self._groundless: set[int] = set()
         self._roots: list[Entry] = []
         self._rooted: tuple[tuple[int, int], list[World]] = ((-1, -1), [])
         self._known_uses: dict[tuple[Claim, int, bool], tuple[Use, ...]] = {}
@@ -326,7 +327,10 @@ class Judge:
             students = self.students() if self.wrong else ()
             if len(line.links) == 1 and self._support.is_missing(entry, self.entries, students):
                 verdict = "unsupported"
-            grounded = self._support.is_grounded(entry, self.entries, self._forgone())
+            firm = [each for each in self.entries if each.number not in self._groundless]
+            grounded = self._support.is_grounded(entry, firm, self._forgone())
+            if not grounded:
+                self._groundless.add(line.number)
             return JudgedLink(verdict, claim, accuracy, remark=remark, grounded=grounded)
         return (
             self._root(line, link)

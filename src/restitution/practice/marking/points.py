@@ -114,6 +114,8 @@ class _Examiner:
         """A line that uses the principle; one with a mistake has the rule of that mistake."""
         lost: PointMark | None = None
         for line, use in self._uses(point):
+            if point.principle == "solve" and not line.grounded:
+                continue
             if use.altered is None and line.verdict in _SOUND:
                 if line.verdict == "true" or lost is None:
                     return self._earned(point, line, "")

@@ -7,6 +7,7 @@ there changes it.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -46,6 +47,7 @@ _NEAR = 1e-7
 _LEAST = 1e-9
 _ROUNDED = 2e-3
 _IMPULSE = ("I", "J")
+_STAYING = re.compile(r"\b(perp\w*|across|parallel|unchanged|stays?|same)\b", re.IGNORECASE)
 # What is said of a line that rests on several laws.
 _OF_SEVERAL = ("solve", "value", "fact")
 # The quantities of which a line of a principle speaks.
@@ -262,18 +264,19 @@ class Values:
     def is_seen(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether the value of a point stands in a line that states nothing about it.
 
-        A whole number is none: too many are alike.
+        A whole number is none, as too many are alike, but behind a word such as *perp*.
         """
         link = point.link
         if link is None or point.shown or line.verdict not in ("remark", "true"):
             return False
         if not isinstance(link.left, Quantity) or self.is_direction(point):
             return False
+        across = point.principle == "unchanged" and bool(_STAYING.search(line.line.text))
         return any(
             self._is_worth(value, link.left, line)
             or (_is_fine(value) and self._is_rounded_to(value, link.left, line))
             for value in line.line.values
-            if not (isinstance(value, Number) and value.value.denominator == 1)
+            if across or not (isinstance(value, Number) and value.value.denominator == 1)
         )
 
     def _is_rounded_to(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
