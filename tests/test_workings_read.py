@@ -8,6 +8,8 @@ from functools import cache
 import pytest
 
 from restitution.language import parse
+from restitution.planning.desk import NotPlannedError
+from restitution.planning.planner import plan
 from restitution.solving import solve
 from restitution.workings import explain, to_text
 
@@ -197,6 +199,16 @@ given direction(A) = 90°
 find e
 """
 
+IN_TWO_WAYS = """
+wall W: along j
+sphere P: mass m, velocity u at alpha
+P hits W
+given velocity(P) perpendicular to velocity(P, 0)
+show tan^2(alpha) = e
+find energy_lost in terms of m, u, e
+find energy_lost/energy(0) in terms of alpha
+"""
+
 # What a working says, with the white space as it is printed where there is a line break in it.
 SAYS = [
     (SHARE, "(kinetic energy lost)/(kinetic energy before the impact) = 16.875/50"),
@@ -266,3 +278,12 @@ def test_a_link_after_a_broken_side_has_its_sign_below_the_one_above() -> None:
     last = next(n for n, line in enumerate(lines) if "cos²θ" in line and line.lstrip()[0] == "=")
     assert lines[last - 1].lstrip().startswith("+")
     assert lines[last].index("=") == lines[last - 2].index("=")
+
+
+def test_an_answer_is_in_the_letters_that_are_asked_for() -> None:
+    solution = solve(parse(IN_TWO_WAYS))
+    with pytest.raises(NotPlannedError, match="an answer in alpha"):
+        plan(solution)
+    derivation = plan(solution, partial=True)
+    (note,) = [each for each in derivation.notes if each.kind == "unwritten"]
+    assert note.reason.startswith("½(1 − e)mu²")
