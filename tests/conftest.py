@@ -17,7 +17,7 @@ from statements import FILES, NAMES
 for _path in Path(__file__).parent.glob("laws_of_*.py"):
     pytest.register_assert_rewrite(_path.stem)
 
-pytest_plugins = ["limits", "draws", "nights"]
+pytest_plugins = ["limits", "draws", "nights", "pytester"]
 
 # Trees of expressions are freed when nobody refers to them: to look for circles among them as often
 # as Python does takes a seventh of the time of all tests.

@@ -29,16 +29,24 @@ ONE_IN = {
     "test_explaining": 3,
     "test_false_lines": 3,
     # Letters, ranges, verdicts.
+    "test_angles_in_degrees": 3,
+    "test_backwards": 3,
     "test_free_letters": 3,
     "test_random_claims": 3,
     "test_ranges": 2,
     "test_practice_forms": 2,
     "test_practise": 3,
-    # Pictures, motions, processes.
+    # Pictures, motions, processes, pages.
+    "test_cli": 2,
     "test_experiment_pictures": 3,
+    "test_experiment_spheres": 2,
+    "test_experiment_tracks": 2,
     "test_fuzz": 2,
     "test_gas": 2,
+    "test_motion_few": 3,
     "test_never_hangs": 3,
+    "test_page_form": 2,
+    "test_page_guides": 2,
     "test_properties": 2,
 }
 """Of the cases of a test in these modules, one in so many stands in the normal run."""
@@ -48,7 +56,8 @@ LONG = frozenset(
 )
 """Statements that took more than half a second of a processor with all their laws."""
 
-LONG_ONE_IN = 6
+LONG_ONE_IN, SHORT_ONE_IN = 8, 2
+"""Of the long statements, and of the others, one in so many stands in the normal run."""
 
 
 def order(name: str) -> int:
@@ -58,12 +67,15 @@ def order(name: str) -> int:
 
 def some(names: list[str], one_in: int) -> set[str]:
     """One in so many of these, and at least one."""
-    return set(sorted(names, key=order)[: max(1, round(len(names) / one_in))])
+    most = max(1, round(len(names) / one_in)) if names else 0
+    return set(sorted(names, key=order)[:most])
 
 
 @pytest.hookimpl(tryfirst=True)  # marks are looked at afterwards
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Marks as nightly what the normal run leaves out."""
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Marks as nightly what the normal run leaves out, but for cases that are asked for by name."""
+    if config.option.keyword or any("::" in each for each in config.args):
+        return
     cases: dict[tuple[Path, str], list[pytest.Function]] = defaultdict(list)
     for item in items:
         if item.get_closest_marker("nightly") is None and hasattr(item, "callspec"):
@@ -72,7 +84,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for (path, _), own in cases.items():
         names = [each.callspec.id for each in own]
         if path.stem == "test_statements":
-            kept = (set(names) - LONG) | some([n for n in names if n in LONG], LONG_ONE_IN)
+            long = [name for name in names if name in LONG]
+            short = [name for name in names if name not in LONG]
+            kept = some(long, LONG_ONE_IN) | some(short, SHORT_ONE_IN)
         elif path.stem in ONE_IN and len(names) >= FEW:
             kept = some(names, ONE_IN[path.stem])
         else:
