@@ -11,6 +11,7 @@ from restitution.explaining.derivation import Derivation
 from restitution.explaining.follower import Complaint, follow
 from restitution.explaining.notation import write_relation
 from restitution.explaining.storing import from_json, to_json
+from restitution.expression.tree import letters
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning import planner
@@ -234,3 +235,22 @@ def test_what_comes_after_an_impossible_coefficient_earns_nothing() -> None:
     (part,) = explain(solve(parse(text))).parts
     assert part.item_marks[0] > 0
     assert part.item_marks[1] == 0
+
+
+def test_an_answer_is_in_the_letters_that_are_asked_for() -> None:
+    """Where lines lead to other letters, the answer of the solver is noted."""
+    problem = parse(
+        """
+        wall W: along j
+        sphere B: mass m, velocity U at theta
+        B hits W
+        given velocity(B) perpendicular to velocity(B, 0)
+        find energy_lost in terms of m, U, e
+        find energy_lost/energy(0) in terms of theta
+        """
+    )
+    derivation = plan(solve(problem), partial=True)
+    asked = {"1": {"m", "U", "e"}, "2": {"theta"}}
+    for end in derivation.items:
+        assert letters(end.answer.only[-1].right) <= asked[end.item]
+    assert {each.item for each in (*derivation.items, *derivation.notes)} == {"1", "2"}
