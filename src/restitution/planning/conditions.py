@@ -193,10 +193,10 @@ class Conditions:
         self, fact: Fact, link: Link, angle: Quantity, wanted: Expression | None
     ) -> int | None:
         """An angle of more than 90°, or of less, by the sign of the scalar product."""
-        told = self._of_velocities(angle) or self._with_a_direction(angle)
-        if told is None:
+        product = self._of_velocities(angle) or self._with_a_direction(angle)
+        if product is None:
             return None
-        pair, tree, value, refs = told
+        pair, tree, value, refs = product
         event = max(frame_after(self.scene, *each).number for each in pair)
         opposite = FLIPPED[link.sign]
         stripped = without_signs(self.scene, expanded(value), opposite)

@@ -128,11 +128,11 @@ def coordinate_moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
     if pace.value != 0:
         flight, length, used = flight_time(scene, near, stage)
         refs += used
-        way = swept(product(tree_of(pace.value), flight))
+        distance = swept(product(tree_of(pace.value), flight))
         if first.value == 0 and sp.Integer(1) in (pace.value, length) and length.is_number:
             # Of speed and time a reader looks for both, also where one of them is 1.
-            way = Binary("*", tree_of(pace.value), tree_of(length))
-        tree = way if first.value == 0 else swept(total((tree, way)))
+            distance = Binary("*", tree_of(pace.value), tree_of(length))
+        tree = distance if first.value == 0 else swept(total((tree, distance)))
         value = tidy(first.value + pace.value * length)
     quantity = coordinate_tree(body, stage, axis)
     number = scene.desk.write(

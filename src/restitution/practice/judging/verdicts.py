@@ -807,8 +807,8 @@ class Judge:
             return frozenset()
         named = (
             (law.law, variant.event.number)
-            for found in self._explained.values()
-            for variant in found.variants[:_ALTERED]
+            for mistake in self._explained.values()
+            for variant in mistake.variants[:_ALTERED]
             for law in variant.laws
         )
         return self._broken().union(named)
