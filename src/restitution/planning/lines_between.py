@@ -127,8 +127,23 @@ def cosine_of(
             continue  # a unit vector
         sizes.append(alone if len(one) == 1 else Apply("sqrt", total(own)))
     dot = expanded(sum(p * q for p, q in zip(a, b, strict=True)))
-    size = sp.sqrt(expanded(sum(p**2 for p in a))) * sp.sqrt(expanded(sum(q**2 for q in b)))
+    squares = [expanded(sum(p**2 for p in own)) for own in (a, b)]
+    dot, *squares = _without_common_factors(dot, *squares)
+    size = sp.sqrt(squares[0]) * sp.sqrt(squares[1])
     return Binary("/", above, product(*sizes)) if sizes else above, tidy(dot / size)
+
+
+def _without_common_factors(dot: sp.Expr, *squares: sp.Expr) -> list[sp.Expr]:
+    """A product and the squares of two sizes without the positive letters that cancel in them."""
+    values = [dot, *squares]
+    for symbol in sorted(dot.free_symbols, key=lambda each: each.name):
+        if not symbol.is_positive or not all(each.is_polynomial(symbol) for each in values):
+            continue
+        above, *below = (sp.Poly(each, symbol) for each in values)
+        alone = all(len(each.monoms()) == 1 for each in (above, *below))
+        if alone and 2 * above.degree() == sum(each.degree() for each in below):
+            values = [each.subs(symbol, 1) for each in values]
+    return values
 
 
 def sine_of_the_offset(scene: Scene, each: GivenEquation) -> int | None:

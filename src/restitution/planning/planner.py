@@ -343,7 +343,16 @@ def _require_letters(scene: Scene, result: ItemResult) -> None:
     }
     for links in scene.desk.ends[-1].answer.options:
         for link in links:
-            others = letters(link.right) - asked
+            value = scene.value(link.right)
+            parts = value if isinstance(value, tuple) else (value,)
+            others = {
+                symbol.name
+                for each in map(sp.sympify, parts)
+                for symbol in each.free_symbols
+                if symbol.name not in asked and symbol.name in letters(link.right)
+                # What cancels in the value is no letter of the answer.
+                if not scene.model.identically_zero(sp.diff(each, symbol))
+            }
             if others:
                 raise NotPlannedError(f"an answer in {', '.join(sorted(others))}")
 
