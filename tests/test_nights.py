@@ -25,11 +25,14 @@ def test_some_are_kept_whatever_their_order(count: int, one_in: int, kept: int) 
     assert nights.some(names, one_in) <= set(names)
 
 
-def test_the_night_has_what_the_normal_run_leaves(pytester: pytest.Pytester) -> None:
+def test_the_night_has_what_the_normal_run_leaves(
+    pytester: pytest.Pytester, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(nights.ONE_IN, "test_with_many_cases", 3)
     pytester.syspathinsert(HERE)
     pytester.makeini("[pytest]\nmarkers = nightly: at night\n")
     module = "import pytest\n@pytest.mark.parametrize('n', range(30))\ndef test_it(n): pass\n"
-    pytester.makepyfile(test_planning_bounds=module, test_other=module)
+    pytester.makepyfile(test_with_many_cases=module, test_left_whole=module)
 
     def names(*options: str) -> set[str]:
         done = pytester.runpytest_inprocess(
@@ -40,4 +43,4 @@ def test_the_night_has_what_the_normal_run_leaves(pytester: pytest.Pytester) -> 
     normal, night, all_ = names("-m", "not nightly"), names("-m", "nightly"), names()
     assert (len(normal), len(night), len(all_)) == (30 + 10, 20, 60)
     assert normal | night == all_
-    assert len(names("-m", "not nightly", "-k", "planning_bounds")) == 30
+    assert len(names("-m", "not nightly", "-k", "many_cases")) == 30
