@@ -33,6 +33,7 @@ from restitution.expression.tree import (
 )
 from restitution.expression.writing import write_expression
 from restitution.planning.planner import plan
+from restitution.practice.reading.working import MAX_LENGTH
 from restitution.practice.worlds.sampling import true_worlds
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
@@ -108,10 +109,15 @@ def _plainly(link: Link) -> Link:
     return link
 
 
-def derive(statement: str, part: str | None, random: Random) -> DerivedScript:
-    """A correct script of a part, varied."""
+def derive(
+    statement: str,
+    part: str | None,
+    random: Random,
+    slips: Mapping[int, Relation] | None = None,
+) -> DerivedScript:
+    """A correct script of a part, varied; with ``slips`` by line, one with these, in its order."""
     solution, derivation = planned(statement)
-    senses = _senses_of(solution, derivation, part)
+    senses = senses_of(solution, derivation, part)
     own = of_part(derivation, part)
     written = list(rows(own))
     taken = _letters_of(written, derivation, statement)
@@ -137,22 +143,26 @@ def derive(statement: str, part: str | None, random: Random) -> DerivedScript:
                     letter = pool.pop()
                     put[quantity] = put[own_sense] = Letter(letter)
                     declared[letter] = write_expression(own_sense)
+    if slips:
+        written = [(line, slips.get(line.number, relation)) for line, relation in written]
     written = [(line, _put(relation, put)) for line, relation in written]
-    kept = _left_out(written, random) if random.random() < 0.3 else written
-    if random.random() < 0.3:
-        kept = _reordered(kept, random)
+    kept = written
+    if not slips:
+        kept = _left_out(kept, random) if random.random() < 0.3 else kept
+        kept = _reordered(kept, random) if random.random() < 0.3 else kept
     text = [_text(line, relation, random) for line, relation in kept]
-    whole = len(kept) == len(list(_said(own)))
-    return DerivedScript(statement, part, declared, (*lets, *text), whole)
+    short = [line for line in text if len(line) <= MAX_LENGTH]
+    whole = len(short) == len(list(_said(own)))
+    return DerivedScript(statement, part, declared, (*lets, *short), whole)
 
 
-def _senses_of(solution: Solution, derivation: Derivation, part: str | None) -> Senses:
+def senses_of(solution: Solution, derivation: Derivation, part: str | None) -> Senses:
     """For components of each kind at each impact the line in whose sense a working is true.
 
     It is written as in the statement where that is its sense.
     """
     worlds = true_worlds(solution, solution.parts[part])
-    quantities = {Letter(name): each.quantity for name, each in derivation.meanings.items()}
+    quantities = quantities_of(derivation)
     sides = [
         (exchanged(link.left, quantities), exchanged(link.right, quantities))
         for _, relation in rows(of_part(derivation, part))
@@ -170,10 +180,22 @@ def _senses_of(solution: Solution, derivation: Derivation, part: str | None) -> 
             own = [pair for pair in sides if _kinds_along(pair, line) == {kind}]
             for sense in lines:
                 turned = {(kind, line): sense}
-                if all(_holds(tuple(_turned(x, turned) for x in pair), worlds) for pair in own):
+                if all(holds(tuple(in_senses(x, turned) for x in pair), worlds) for pair in own):
                     senses[kind, line] = sense
                     break
     return senses
+
+
+def quantities_of(derivation: Derivation) -> dict[Expression, Expression]:
+    """What the letters of a working mean, components in their sense."""
+    return {Letter(name): _quantity(each) for name, each in derivation.meanings.items()}
+
+
+def _quantity(meaning: Meaning) -> Expression:
+    quantity = meaning.quantity
+    if meaning.sense is not None and isinstance(quantity, Quantity) and not meaning.vector:
+        return Quantity("along", (quantity.arguments[0], meaning.sense))
+    return quantity
 
 
 def _kinds_along(sides: Iterable[Expression], line: Expression) -> set[str]:
@@ -187,7 +209,7 @@ def _kinds_along(sides: Iterable[Expression], line: Expression) -> set[str]:
     }
 
 
-def _turned(tree: Expression, senses: Senses) -> Expression:
+def in_senses(tree: Expression, senses: Senses) -> Expression:
     """A tree whose components are taken in given senses."""
     components = {
         node: _in_the_sense(node, senses) for node in walk(tree) if isinstance(node, Quantity)
@@ -195,7 +217,7 @@ def _turned(tree: Expression, senses: Senses) -> Expression:
     return exchanged(tree, components)
 
 
-def _holds(sides: Sequence[Expression], worlds: Sequence[World]) -> bool:
+def holds(sides: Sequence[Expression], worlds: Sequence[World]) -> bool:
     """Whether sides have the same value in a world; True of what is no number."""
     for world in worlds:
         try:
@@ -240,9 +262,7 @@ def _declare(
     """A letter of the working under another name, some in the other sense."""
     if not pool:
         return
-    letter, quantity = pool.pop(), meaning.quantity
-    if meaning.sense is not None and isinstance(quantity, Quantity) and not meaning.vector:
-        quantity = Quantity("along", (quantity.arguments[0], meaning.sense))
+    letter, quantity = pool.pop(), _quantity(meaning)
     turned = (
         isinstance(quantity, Quantity)
         and quantity.kind in ("along", "across")
@@ -309,8 +329,14 @@ def _text(line: Line, relation: Relation, random: Random) -> str:
     else:
         body = _chain(links)
     announced = random.choice(LAWS.get(line.move.record or "", ANNOUNCED))
-    body = re.sub(r"dot\(([^(),]+), ([^(),]+)\)", r"\1 . \2", body)
+    body = re.sub(r"dot\(([^(),]+), ([^(),]+)\)", _dotted, body)
     return (announced if random.random() < 0.4 else "") + styled(body, random)
+
+
+def _dotted(match: re.Match[str]) -> str:
+    """A scalar product with its dot, sums in brackets."""
+    sides = (f"({side})" if " " in side else side for side in match.groups())
+    return " . ".join(sides)
 
 
 def _chain(links: Sequence[Link]) -> str:

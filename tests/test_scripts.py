@@ -13,6 +13,7 @@ import pytest
 from altered_scripts import AlteredScript, altered_scripts
 from derived_scripts import DerivedScript, derive, parts_of, planned
 from measure_marking import ROOT, SCRIPTS, MarkedScript, Measures, measure, scripts_of
+from slipped_scripts import LIKE_LAWS, SlippedScript, slipped
 
 import restitution
 from restitution.errors import RestitutionError
@@ -209,3 +210,57 @@ def test_altered_laws_are_found_where_they_stand() -> None:
     scripts = [s for path in [*OWN, *EXAMPLES] for s in altered_scripts(text(path))]
     wrong = [(s.variant, s.lines, said) for s in scripts if (said := outcome(s)) is not None]
     assert len(wrong) <= 0.1 * len(scripts), wrong
+
+
+# --- slips by machine -----------------------------------------------------------------------------
+
+
+def with_slips(paths: Sequence[Path], number: int, seed: int, slips: int) -> list[SlippedScript]:
+    """So many scripts with slips, of the questions in turn that have a plain working."""
+    random = Random(seed)
+    chosen: list[tuple[str, str | None]] = []
+    for path in paths:
+        try:
+            chosen += [(text(path), part) for part in parts_of(text(path))]
+        except (RestitutionError, NotPlannedError):
+            continue
+    tried = (
+        slipped(*chosen[n % len(chosen)], Random(random.random()), slips) for n in range(number)
+    )
+    return [script for script in tried if script is not None]
+
+
+def offences(script: SlippedScript) -> list[str]:
+    """What is wrong in what the marker says of a script with slips."""
+    lines = verdicts(script.statement, script.part, script.working, dict(script.letters))
+    wrong: list[str] = []
+    for line in lines:
+        kind = script.slips.get(line["n"])
+        name = (line["mistake"] or {}).get("id")
+        if kind is None and line["verdict"] == "false":
+            wrong.append(f"accused: {line['text']}")
+        elif kind is not None and line["verdict"] != "false":
+            wrong.append(f"not found: {line['text']}")
+        elif kind is not None and name in restitution_mistakes() - LIKE_LAWS[kind]:
+            wrong.append(f"named {name}: {line['text']}")
+    return wrong
+
+
+@pytest.mark.parametrize("slips", [1, 2])
+def test_a_sample_of_slips_is_found_and_has_no_wrong_name(slips: int) -> None:
+    scripts = with_slips(OWN[:6], 14 * slips, SEED, slips)
+    assert len(scripts) >= 10
+    wrong = [(s.lines, dict(s.slips), said) for s in scripts if (said := offences(s))]
+    assert len(wrong) <= 1, wrong
+
+
+@pytest.mark.nightly
+@pytest.mark.timeout(14400)
+@pytest.mark.parametrize("slips", [1, 2])
+def test_slips_are_found_where_they_stand(slips: int) -> None:
+    number = int(os.environ.get("SLIPS", "2000"))
+    scripts = with_slips([*OWN, *EXAMPLES, *QUESTIONS], number, SEED, slips)
+    wrong = [(s.lines, dict(s.slips), said) for s in scripts if (said := offences(s))]
+    accused_ = [each for each in wrong if any("accused" in said for said in each[2])]
+    assert len(accused_) <= 0.005 * len(scripts), accused_
+    assert len(wrong) <= 0.06 * len(scripts), wrong

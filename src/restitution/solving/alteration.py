@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any
 
 from restitution.errors import ImpossibleError, UnsupportedError
@@ -75,7 +75,8 @@ class AlteredLaws:
     @cached_property
     def residuals(self) -> tuple[tuple[Residual, bool], ...]:
         """What vanishes after the impact, and whether it is linear in the components after."""
-        altered = [(self._of_trees(each), _is_linear(each, self)) for each in self._equations]
+        number = self.altered.number
+        altered = [(self._of_trees(each), _is_linear(each, number)) for each in self._equations]
         return (*((each, True) for each in self._laws()), *altered)
 
     @property
@@ -117,8 +118,7 @@ class AlteredLaws:
         return lambda after: change(first, after) + change(second, after)
 
     def _of_trees(self, equation: AlteredEquation) -> Residual:
-        difference = Binary("-", equation.left, equation.right)
-        return lambda after: self.value(difference, after)
+        return _OfTrees(self, Binary("-", equation.left, equation.right))
 
     def value(self, tree: Expression, after: Components) -> Scalar:
         """What an expression of components is worth, times the length of ``c`` to its degree."""
@@ -185,11 +185,19 @@ class AlteredLaws:
     ) -> dict[tuple[str, str], Scalar]:
         """The components at which linear residuals vanish, some of them given."""
         names = [each for each in self.unknowns if each not in given]
-        at_zero = {**dict.fromkeys(names, self._number(0)), **given}
+        zero, one = self._number(0), self._number(1)
+        at_zero = {**dict.fromkeys(names, zero), **given}
+        units = [{**at_zero, name: one} for name in names]
         rows: list[list[Scalar]] = []
         for residual in residuals:
             constant = residual(at_zero)
-            row = [residual({**at_zero, name: self._number(1)}) - constant for name in names]
+            inside = names
+            if isinstance(residual, _OfTrees):
+                inside = [each for each in names if each in residual.components]
+            row = [
+                residual(unit) - constant if name in inside else zero
+                for name, unit in zip(names, units, strict=True)
+            ]
             rows.append([self.state.rational(each) for each in (*row, -constant)])
         values = _elimination(rows, self.state)
         if values is None:
@@ -198,7 +206,8 @@ class AlteredLaws:
 
     def _root(self, line: _Line, residual: Residual, free: tuple[str, str]) -> Scalar:
         """The value of the free component at which a residual vanishes, as the module says."""
-        (equation,) = (each for each in self._equations if not _is_linear(each, self))
+        number = self.altered.number
+        (equation,) = (each for each in self._equations if not _is_linear(each, number))
         kinds = {node.kind for side in (equation.left, equation.right) for node in _nodes(side)}
         if "energy" in kinds:
             return self._conserving(line, residual, free)
@@ -377,6 +386,22 @@ class AlteredLaws:
 
 
 @dataclass(frozen=True)
+class _OfTrees:
+    """A residual that is an expression of components."""
+
+    laws: AlteredLaws
+    tree: Expression
+
+    def __call__(self, after: Components) -> Scalar:
+        return self.laws.value(self.tree, after)
+
+    @property
+    def components(self) -> frozenset[tuple[str, str]]:
+        """The components after on which a linear one may depend."""
+        return _components_after(self.tree, self.laws.altered.number)
+
+
+@dataclass(frozen=True)
 class _Line:
     """Components that are linear in one free component, by their values where it is 0 and 1."""
 
@@ -402,9 +427,22 @@ def _nodes(tree: Expression) -> list[Quantity]:
     return [node for node in walk(tree) if isinstance(node, Quantity)]
 
 
-def _is_linear(equation: AlteredEquation, laws: AlteredLaws) -> bool:
+@lru_cache(maxsize=4096)
+def _components_after(tree: Expression, number: int) -> frozenset[tuple[str, str]]:
+    """The components after an event that stand in a tree."""
+    components: set[tuple[str, str]] = set()
+    for node in _nodes(tree):
+        match node:
+            case Quantity("along" | "across" as kind, (Quantity(_, (Name(name),), stage), _)):
+                if stage == number:
+                    components.add((name, kind))
+    return frozenset(components)
+
+
+@lru_cache(maxsize=4096)
+def _is_linear(equation: AlteredEquation, number: int) -> bool:
     return not any(
-        node.kind in _AFTER and node.stage == laws.altered.number
+        node.kind in _AFTER and node.stage == number
         for side in (equation.left, equation.right)
         for node in _nodes(side)
     )

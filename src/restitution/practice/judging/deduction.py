@@ -74,7 +74,13 @@ def deduced_from(
     """
     if entry.claim.sign != "=" or entry.claim.others:
         return ()
-    usable = [k for k, each in enumerate(entries) if _is_equation(each.claim)][-_LATEST:]
+    wrong = frozenset(
+        k for k, each in enumerate(entries) if not each.right and _is_arithmetic(each, world, data)
+    )
+    if _is_arithmetic(entry, world, data):
+        return ()
+    usable = [k for k, each in enumerate(entries) if _is_equation(each.claim) and k not in wrong]
+    usable = usable[-_LATEST:]
     own = _symbols(entry)
     near = [k for k in reversed(usable) if not own.isdisjoint(_symbols(entries[k]))]
     others = [(a, b) for a, b in combinations(list(reversed(usable)), 2) if a in near or b in near]
@@ -95,6 +101,15 @@ def deduced_from(
 
 def _is_equation(claim: Claim) -> bool:
     return claim.sign == "=" and not claim.others
+
+
+def _is_arithmetic(entry: Entry, world: World, data: frozenset[str]) -> bool:
+    """Whether a claim speaks of free letters alone: untrue, it makes them zero, and all follows."""
+    fixed = data | frozenset(world.determined)
+    return all(
+        isinstance(each, Letter) and each.name in world.letters and each.name not in fixed
+        for each in _symbols(entry)
+    )
 
 
 def _symbols(entry: Entry) -> frozenset[Expression]:

@@ -55,20 +55,27 @@ class Letters:
         return 0 if abs(x) < _TINY else (1 if x > 0 else -1)
 
 
-def tell(problem: Problem, part: Part, values: Mapping[str, float]) -> Story:
-    """The story up to a part. What is not known, or cannot be, raises one of ``REFUSALS``."""
-    letters: Any = Letters(values)
-    return Story(problem, part, DOUBLES, letters, lets_of(problem, part))
+class _Told:
+    """A part that is told again and again, with other values."""
 
+    def __init__(self, problem: Problem, part: Part) -> None:
+        self.problem, self.part = problem, part
+        self.lets = lets_of(problem, part)
+        self.givens = facts.givens(problem, part)
 
-def residuals(problem: Problem, part: Part, story: Story) -> list[float]:
-    """What vanishes where all facts hold."""
-    equations = list(story.equations)
-    for given, now in facts.givens(problem, part):
-        for relation in given.relations:
-            required = facts.requirements(relation, story, now)
-            equations += [each for each in required if isinstance(each, Equation)]
-    return [float(each.value) for each in equations]
+    def story(self, values: Mapping[str, float]) -> Story:
+        """The story up to the part. What is not known, or cannot be, raises a refusal."""
+        letters: Any = Letters(values)
+        return Story(self.problem, self.part, DOUBLES, letters, self.lets)
+
+    def residuals(self, story: Story) -> list[float]:
+        """What vanishes where all facts hold."""
+        equations = list(story.equations)
+        for given, now in self.givens:
+            for relation in given.relations:
+                required = facts.requirements(relation, story, now)
+                equations += [each for each in required if isinstance(each, Equation)]
+        return [float(each.value) for each in equations]
 
 
 def fitted(
@@ -78,11 +85,11 @@ def fitted(
 
     By Broyden's method from the values given; the least change where facts leave room.
     """
-    current = dict(values)
-    trial = _trial(problem, part, current)
+    current, told = dict(values), _Told(problem, part)
+    trial = _trial(told, current)
     if trial is None or _is_met(trial.errors, current):
         return None if trial is None else trial.story
-    slopes = _slopes(problem, part, current, sought, trial.errors)
+    slopes = _slopes(told, current, sought, trial.errors)
     for _ in range(_MOST_STEPS if slopes is not None else 0):
         assert slopes is not None
         change = np.linalg.lstsq(slopes, -trial.errors, rcond=None)[0]
@@ -90,7 +97,7 @@ def fitted(
             return None
         for name, by in zip(sought, change, strict=True):
             current[name] += float(by)
-        moved = _trial(problem, part, current)
+        moved = _trial(told, current)
         if moved is None or moved.errors.shape != trial.errors.shape:
             return None
         if _is_met(moved.errors, current):
@@ -113,11 +120,11 @@ class _Trial:
     errors: np.ndarray
 
 
-def _trial(problem: Problem, part: Part, values: Mapping[str, float]) -> _Trial | None:
+def _trial(told: _Told, values: Mapping[str, float]) -> _Trial | None:
     """The story and what should vanish, an array; None where something cannot be."""
     try:
-        story = tell(problem, part, values)
-        errors = np.array(residuals(problem, part, story), dtype=float)
+        story = told.story(values)
+        errors = np.array(told.residuals(story), dtype=float)
     except REFUSALS:
         return None
     return _Trial(story, errors) if np.all(np.isfinite(errors)) else None
@@ -129,8 +136,7 @@ def _is_met(errors: np.ndarray, values: Mapping[str, float]) -> bool:
 
 
 def _slopes(
-    problem: Problem,
-    part: Part,
+    told: _Told,
     values: Mapping[str, float],
     sought: Sequence[str],
     errors: np.ndarray,
@@ -139,7 +145,7 @@ def _slopes(
     columns = []
     for name in sought:
         step = 1e-6 * max(abs(values[name]), 0.1)
-        moved = _trial(problem, part, {**values, name: values[name] + step})
+        moved = _trial(told, {**values, name: values[name] + step})
         if moved is None or moved.errors.shape != errors.shape:
             return None
         columns.append((moved.errors - errors) / step)
