@@ -198,8 +198,8 @@ class _Plane:
             r = self._residuals(earlier, x)
             if not np.all(np.isfinite(r)):
                 return None
-            if np.max(np.abs(r)) < 1e-12:
-                break
+            if np.max(np.abs(r)) < 1e-12 or not len(x):
+                break  # claims of data alone hold or do not: nothing can be moved
             step = 1e-7
             slopes = np.stack(
                 [
