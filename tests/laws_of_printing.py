@@ -106,7 +106,10 @@ def _numbers_in(slot: Slot) -> Iterator[str]:
 
 
 def marks_of_work(solution: Solution, derivation: Derivation) -> list[str]:
-    """No mark for what is nothing, but where it ends an item, and one kind once in a row."""
+    """No mark for what is nothing, but where it ends an item, and one kind once in a row.
+
+    Two roots that are both what is asked are the exception: each has its own A1.
+    """
     found = []
     ends = {each.line for each in derivation.items}
     for line in awarded(derivation).lines:
@@ -116,6 +119,8 @@ def marks_of_work(solution: Solution, derivation: Derivation) -> list[str]:
             found.append(f"a mark for nothing in line {line.number}")
     for row in _printed(solution, derivation).rows():
         kinds = [mark.kind for mark in row.points]
+        if row.alternatives and row.answer and kinds[-2:] == ["A", "A"]:
+            kinds.pop()
         if len(kinds) > len(set(kinds)):
             found.append(f"marks of one kind in a row: {row.mark}")
     return found
