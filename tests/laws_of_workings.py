@@ -323,10 +323,14 @@ def names(solution: Solution, derivation: Derivation) -> list[str]:
             )
             told |= {key: each.symbol.name for key, each in own.components.items()}
     meanings = list(derivation.meanings.values())
+    walls_struck = {event.number for event in derivation.events if event.wall}
     for meaning in meanings:
         match meaning.quantity:
-            case Quantity("along", (Quantity("velocity", (Name(body),), int(stage)), _)):
-                wanted = told.get((stage, body), meaning.letter)
+            case Quantity("along", (Quantity("velocity", (Name(body),), int(stage)), direction)):
+                # Where no line of centres is given, a component along i or j is not that of a frame.
+                free = derivation.fact(f"axis {stage}") is None and isinstance(direction, Unit)
+                own_letter = free and stage not in walls_struck
+                wanted = meaning.letter if own_letter else told.get((stage, body), meaning.letter)
                 if stage and meaning.letter != wanted:
                     found.append(f"{write_meaning(meaning)}, but {wanted} in the picture")
     quantities = [each.quantity for each in meanings]
