@@ -327,7 +327,7 @@ def names(solution: Solution, derivation: Derivation) -> list[str]:
     for meaning in meanings:
         match meaning.quantity:
             case Quantity("along", (Quantity("velocity", (Name(body),), int(stage)), direction)):
-                # Where no line of centres is given, a component along i or j is not that of a frame.
+                # Without a given line of centres, a component along i or j is no frame's.
                 free = derivation.fact(f"axis {stage}") is None and isinstance(direction, Unit)
                 own_letter = free and stage not in walls_struck
                 wanted = meaning.letter if own_letter else told.get((stage, body), meaning.letter)
