@@ -65,8 +65,14 @@ def spellings(answer: str) -> list[str]:
     """How a working may write an answer: with data in decimals, a fraction is a decimal too."""
     in_decimals = re.sub(r"\(?\b(\d+)/(\d+)\b\)?|[¼½¾⅕⅖⅗⅘⅛⅜⅝⅞]", _decimal, answer)
     in_decimals = re.sub(r"(\.\d*[1-9])0+(?!\d)", r"\1", in_decimals)  # no zeros behind decimals
-    # A place follows "P is at", any other value an equals sign.
-    return [answer, *(f"{start}{in_decimals}" for start in ("=", "=(", "isat"))]
+    # A place follows "P is at", any other value an equals sign; worked out by a velocity and a time
+    # it is a vector.
+    own = [answer, *(f"{start}{in_decimals}" for start in ("=", "=(", "isat"))]
+    place = re.fullmatch(r"\(([^,]+),([^,]+)\)", in_decimals)
+    if place is not None:
+        sign = "" if place[2].startswith("−") else "+"
+        own.append(f"=({place[1]}𝐢{sign}{place[2]}𝐣)")
+    return own
 
 
 def _decimal(fraction: re.Match[str]) -> str:

@@ -759,6 +759,11 @@ SENTENCES: Mapping[SentenceId, str] = {
         "components, by Pythagoras."
     ),
     "derived-size.title": "Magnitude, from the components",
+    "derived-size.why": (
+        "The components of a vector are the two shorter sides of a right-angled triangle, of which "
+        "the vector is the longest. So the square of its magnitude is the sum of the squares of "
+        "the components, by Pythagoras."
+    ),
     "derived-perpendicular.title": (
         "The directions are perpendicular, so the scalar product is zero"
     ),
