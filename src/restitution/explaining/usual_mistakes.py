@@ -120,6 +120,7 @@ _OF_TOPICS: Mapping[str, tuple[str, ...]] = {
     ),
     "derived-direction": ("quotient-inverted", "angle-from-normal"),
     "derived-speed": ("components-added", "energy-component-missing", "square-not-taken"),
+    "derived-size": ("components-added", "square-not-taken"),
     "derived-perpendicular": ("sign-of-reversed", "along-times-across"),
     "derived-parallel": ("parallel-as-equal",),
     "derived-product": ("product-as-vector", "along-times-across"),

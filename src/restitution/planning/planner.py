@@ -20,6 +20,7 @@ from restitution.explaining.derivation import (
 )
 from restitution.explaining.facts import events_of, facts_of, staged
 from restitution.explaining.follower import with_identities, with_ranges, without_spare
+from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Apply, Binary, Expression, Negate, Number, letters, walk
 from restitution.oracle import Oracle
 from restitution.planning import place_trees
@@ -344,6 +345,7 @@ def _require_letters(scene: Scene, result: ItemResult) -> None:
     for links in scene.desk.ends[-1].answer.options:
         for link in links:
             value = scene.value(link.right)
+            value = value.measure() if isinstance(value, Angle) else value
             parts = value if isinstance(value, tuple) else (value,)
             others = {
                 symbol.name

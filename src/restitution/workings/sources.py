@@ -302,16 +302,20 @@ class Sources:
     def _are_equal(self, line: Line, cited: list[int]) -> bool:
         """Whether a line says that two quantities are equal, or opposite, which two lines tell."""
         assert isinstance(line.relation, Relation)
-        match line.relation.only:
-            case (Link(Quantity() as one, "=", Quantity() as other),):
+        match line.relation.options:
+            case ((Link(Quantity() as one, "=", Quantity() as other),),):
                 sides = {one, other}
-            case (Link(Quantity() as one, "=", Negate(Quantity() as other)),):
+            case ((Link(Quantity() as one, "=", Negate(Quantity() as other)),),):
                 sides = {one, other}
             case _:
                 return False
         lines = [own for each in cited if (own := self._derivation.line(each)) is not None]
-        subjects = [e.relation.only[0].left for e in lines if isinstance(e.relation, Relation)]
-        return len(cited) == 2 and set(subjects) == sides
+        subjects = {
+            e.relation.only[0].left
+            for e in lines
+            if isinstance(e.relation, Relation) and len(e.relation.options) == 1
+        }
+        return len(cited) == 2 and subjects == sides
 
     def _put(self, line: Line, cited: list[int], above: int | None) -> Source | None:
         first, *_ = line.premises
