@@ -16,7 +16,6 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.explaining.misconceptions import VariantAt
-from restitution.explaining.trees import exchanged
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
     Apply,
@@ -24,14 +23,10 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
-    Name,
     Negate,
-    Number,
     Pair,
     Quantity,
-    Unit,
     letters,
-    walk,
 )
 from restitution.practice.judgement import Accuracy, JudgedLine, Mistake, Use, Verdict
 from restitution.practice.judging.angles import unnamed_in, with_angles
@@ -45,6 +40,18 @@ from restitution.practice.judging.entries import (
     sources_of,
 )
 from restitution.practice.judging.naming import Explained, Stated
+from restitution.practice.judging.other_forms import (
+    is_oblique,
+    is_signed,
+    is_to_a_line,
+    kind_of,
+    lines_of,
+    of_components,
+    of_sizes,
+    of_vectors,
+    same_left,
+    times_sizes,
+)
 from restitution.practice.judging.own_numbers import OwnNumbers
 from restitution.practice.judging.support import Support, Wanted
 from restitution.practice.letters.candidates import Candidate
@@ -62,13 +69,13 @@ from restitution.practice.worlds.arrays import UnvaluedError
 from restitution.practice.worlds.principles import uses_of
 from restitution.practice.worlds.student import altered_world, facts_of, student_world
 from restitution.practice.worlds.world import World
-from restitution.vector import Vector
 
 _WORST: tuple[Verdict, ...] = ("false", "unread", "asks", "unsupported", "follows", "true")
 _GRADES: tuple[Accuracy, ...] = ("coarse", "rounded", "exact")
 # How far a student's own rounding to three figures may move his values.
 _OWN_ROUNDING = 0.006
-_OBLIQUE = 1e-6
+# A cosine below this, turned, is that of an obtuse angle whatever the rounding.
+_OBTUSE = 1e-6
 _USUAL = 0.3
 """A letter takes a meaning of at most this cost from lines below a mistake."""
 _ALTERED = 3
@@ -240,7 +247,7 @@ class Judge:
         """
         for name in {name for known in self._meanings.values() for name in known}:
             tree = next(known[name] for known in self._meanings.values() if name in known)
-            if not _is_to_a_line(tree) or not self._is_obtuse(tree):
+            if not is_to_a_line(tree) or not self._is_obtuse(tree):
                 continue
             before = self._count(script, name)
             own = self._meanings
@@ -257,7 +264,7 @@ class Judge:
             value = self._base.value(tree)
         except RestitutionError:
             return False
-        return isinstance(value, Angle) and bool(np.all(np.cos(value.measure()) < -_OBLIQUE))
+        return isinstance(value, Angle) and bool(np.all(np.cos(value.measure()) < -_OBTUSE))
 
     def _count(self, script: Script, name: str) -> int:
         """How many relations with a letter are true."""
@@ -350,8 +357,8 @@ class Judge:
             if not isinstance(claim.left, Letter) or not is_phrase(claim.left.name):
                 continue
             for meant in self._meanings_under(claim.left.name, line):
-                senses = (meant, Negate(meant)) if _is_signed(meant) else (meant,)
-                for each in (*senses, *_times_sizes(senses, claim.right)):
+                senses = (meant, Negate(meant)) if is_signed(meant) else (meant,)
+                for each in (*senses, *times_sizes(senses, claim.right)):
                     other = replace(claim, left=each)
                     grade = next(
                         (g for w in worlds if (g := self.accuracy(other, w, line, link))), None
@@ -393,7 +400,7 @@ class Judge:
             meanings = [
                 staged(tree, world.problem, world.part, now)
                 for tree in trees
-                if _kind(tree) == _kind(trees[0])
+                if kind_of(tree) == kind_of(trees[0])
                 for now in stages
             ]
             self._phrases[key] = tuple(dict.fromkeys(meanings))
@@ -444,9 +451,9 @@ class Judge:
         meanings = self.meanings(line.number)
         forms = (
             claim,
-            *_of_sizes(claim, meanings),
-            *_of_vectors(claim, meanings, world),
-            *_of_components(claim),
+            *of_sizes(claim, meanings),
+            *of_vectors(claim, meanings, world),
+            *of_components(claim),
         )
         for each in forms:
             try:
@@ -468,8 +475,8 @@ class Judge:
         if claim.sign != "=" or claim.others or not isinstance(pair, Pair):
             return None
         meanings = self.meanings(line.number)
-        for axis in _lines_of(world):
-            if not _is_oblique(axis, world):
+        for axis in lines_of(world):
+            if not is_oblique(axis, world):
                 continue
             for along, across in ((pair.x, pair.y), (pair.y, pair.x)):
                 grades = [
@@ -920,110 +927,11 @@ def _uses_of_variants(variants: Sequence[VariantAt], mistake: Mistake) -> Iterat
             for law in variant.laws:
                 yield Use(law.law, variant.event.number, law.bodies, variant.id)
             for result in variant.results:
-                kind = _PRINCIPLES.get(str(_kind(result.quantity)))
+                kind = _PRINCIPLES.get(str(kind_of(result.quantity)))
                 if kind is not None:
                     yield Use(kind, variant.event.number, (), variant.id)
-
-
-def same_left(one: Claim, other: Claim) -> bool:
-    """Whether two claims are about the same letter or quantity."""
-    return one.left == other.left
 
 
 def _family(variant: str) -> str:
     """The misconception of which an altered law is a variant."""
     return variant.partition("/")[0]
-
-
-def _kind(tree: Expression) -> object:
-    """What kind of quantity a tree is, its sign aside."""
-    if isinstance(tree, Negate):
-        return _kind(tree.operand)
-    if isinstance(tree, Binary) and isinstance(tree.left, Degrees):
-        return _kind(tree.right)
-    return tree.kind.removeprefix("total_") if isinstance(tree, Quantity) else type(tree)
-
-
-def _is_signed(tree: Expression) -> bool:
-    """Whether a quantity has a sense that may be turned."""
-    return isinstance(tree, Quantity) and tree.kind in ("along", "across")
-
-
-def _times_sizes(senses: Sequence[Expression], side: Expression) -> Iterator[Expression]:
-    """Components times the size of a direction in a scalar product: ``(4i + 2j).(i - 3j)``."""
-    if not _is_signed(senses[0]):
-        return
-    for node in walk(side):
-        if isinstance(node, Quantity) and node.kind == "dot":
-            for vector in node.arguments:
-                for each in senses:
-                    yield Binary("*", Apply("abs", vector), each)
-
-
-def _of_sizes(claim: Claim, meanings: Meanings) -> Iterator[Claim]:
-    """A claim about a size with its other side turned: momenta subtracted in the other order."""
-    if claim.sign != "=" or claim.others:
-        return
-    if _is_impulse(claim.left, meanings):
-        yield replace(claim, right=Negate(claim.right))
-    elif _is_impulse(claim.right, meanings):
-        yield replace(claim, left=Negate(claim.left))
-
-
-def _of_vectors(claim: Claim, meanings: Meanings, world: World) -> Iterator[Claim]:
-    """A claim about an impulse as that on one of the spheres: ``I = 3(v - u)`` of vectors."""
-    if claim.sign != "=" or claim.others or not _is_impulse(claim.left, meanings):
-        return
-    size = meanings.get(claim.left.name) if isinstance(claim.left, Letter) else claim.left
-    if not isinstance(size, Quantity) or size.arguments:
-        return
-    for sphere in world.problem.spheres:
-        yield replace(claim, left=Quantity("impulse", (Name(sphere.name),), size.stage))
-
-
-def _of_components(claim: Claim) -> Iterator[Claim]:
-    """A claim whose sides are a number and a multiple of i, or of j, without the vector."""
-    sides = claim.left, claim.right
-    units = [{each for each in walk(side) if isinstance(each, Unit)} for side in sides]
-    if claim.others or sorted(map(len, units)) != [0, 1]:
-        return
-    (unit,) = units[0] | units[1]
-    put: dict[Expression, Expression] = {unit: Number(Fraction(1))}
-    left, right = (exchanged(side, put) for side in sides)
-    if not any(isinstance(each, Quantity | Pair) for side in (left, right) for each in walk(side)):
-        yield replace(claim, left=left, right=right)
-
-
-def _lines_of(world: World) -> Iterator[Expression]:
-    """The lines of centres of a story; that of a wall is perpendicular to it."""
-    for number in world.lines:
-        yield Quantity("line_of_centres", (), number)
-
-
-def _is_to_a_line(tree: Expression) -> bool:
-    """Whether a quantity is an angle to a line of centres, a wall, i or j."""
-    if not isinstance(tree, Quantity) or tree.kind != "angle":
-        return False
-    other = tree.arguments[1]
-    return isinstance(other, Unit | Name) or (
-        isinstance(other, Quantity) and other.kind == "line_of_centres"
-    )
-
-
-def _is_oblique(axis: Expression, world: World) -> bool:
-    """Whether a direction is along neither i nor j."""
-    try:
-        direction = world.value(axis)
-    except RestitutionError:
-        return False
-    parts = (direction.x, direction.y) if isinstance(direction, Vector) else ()
-    return bool(parts) and all(bool(np.all(np.abs(world.spread(x)) > _OBLIQUE)) for x in parts)
-
-
-def _is_impulse(tree: Expression, meanings: Meanings) -> bool:
-    """Whether a side is the size of an impulse."""
-    if isinstance(tree, Letter):
-        tree = meanings.get(tree.name, tree)
-    if isinstance(tree, Apply) and tree.function == "abs":
-        return True
-    return isinstance(tree, Quantity) and tree.kind == "impulse" and not tree.arguments

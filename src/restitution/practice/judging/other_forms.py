@@ -1,0 +1,133 @@
+"""Other forms of a claim that say the same: with sizes, with vectors, with components."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+
+from restitution.errors import RestitutionError
+from restitution.explaining.trees import exchanged
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Quantity,
+    Unit,
+    walk,
+)
+from restitution.practice.judging.entries import (
+    Meanings,
+)
+from restitution.practice.script import Claim
+from restitution.practice.worlds.world import World
+from restitution.vector import Vector
+
+_OBLIQUE = 1e-6
+
+
+def same_left(one: Claim, other: Claim) -> bool:
+    """Whether two claims are about the same letter or quantity."""
+    return one.left == other.left
+
+
+def kind_of(tree: Expression) -> object:
+    """What kind of quantity a tree is, its sign aside."""
+    if isinstance(tree, Negate):
+        return kind_of(tree.operand)
+    if isinstance(tree, Binary) and isinstance(tree.left, Degrees):
+        return kind_of(tree.right)
+    return tree.kind.removeprefix("total_") if isinstance(tree, Quantity) else type(tree)
+
+
+def is_signed(tree: Expression) -> bool:
+    """Whether a quantity has a sense that may be turned."""
+    return isinstance(tree, Quantity) and tree.kind in ("along", "across")
+
+
+def times_sizes(senses: Sequence[Expression], side: Expression) -> Iterator[Expression]:
+    """Components times the size of a direction in a scalar product: ``(4i + 2j).(i - 3j)``."""
+    if not is_signed(senses[0]):
+        return
+    for node in walk(side):
+        if isinstance(node, Quantity) and node.kind == "dot":
+            for vector in node.arguments:
+                for each in senses:
+                    yield Binary("*", Apply("abs", vector), each)
+
+
+def of_sizes(claim: Claim, meanings: Meanings) -> Iterator[Claim]:
+    """A claim about a size with its other side turned: momenta subtracted in the other order."""
+    if claim.sign != "=" or claim.others:
+        return
+    if is_impulse(claim.left, meanings):
+        yield replace(claim, right=Negate(claim.right))
+    elif is_impulse(claim.right, meanings):
+        yield replace(claim, left=Negate(claim.left))
+
+
+def of_vectors(claim: Claim, meanings: Meanings, world: World) -> Iterator[Claim]:
+    """A claim about an impulse as that on one of the spheres: ``I = 3(v - u)`` of vectors."""
+    if claim.sign != "=" or claim.others or not is_impulse(claim.left, meanings):
+        return
+    size = meanings.get(claim.left.name) if isinstance(claim.left, Letter) else claim.left
+    if not isinstance(size, Quantity) or size.arguments:
+        return
+    for sphere in world.problem.spheres:
+        yield replace(claim, left=Quantity("impulse", (Name(sphere.name),), size.stage))
+
+
+def of_components(claim: Claim) -> Iterator[Claim]:
+    """A claim whose sides are a number and a multiple of i, or of j, without the vector."""
+    sides = claim.left, claim.right
+    units = [{each for each in walk(side) if isinstance(each, Unit)} for side in sides]
+    if claim.others or sorted(map(len, units)) != [0, 1]:
+        return
+    (unit,) = units[0] | units[1]
+    put: dict[Expression, Expression] = {unit: Number(Fraction(1))}
+    left, right = (exchanged(side, put) for side in sides)
+    if not any(isinstance(each, Quantity | Pair) for side in (left, right) for each in walk(side)):
+        yield replace(claim, left=left, right=right)
+
+
+def lines_of(world: World) -> Iterator[Expression]:
+    """The lines of centres of a story; that of a wall is perpendicular to it."""
+    for number in world.lines:
+        yield Quantity("line_of_centres", (), number)
+
+
+def is_to_a_line(tree: Expression) -> bool:
+    """Whether a quantity is an angle to a line of centres, a wall, i or j."""
+    if not isinstance(tree, Quantity) or tree.kind != "angle":
+        return False
+    other = tree.arguments[1]
+    return isinstance(other, Unit | Name) or (
+        isinstance(other, Quantity) and other.kind == "line_of_centres"
+    )
+
+
+def is_oblique(axis: Expression, world: World) -> bool:
+    """Whether a direction is along neither i nor j."""
+    try:
+        direction = world.value(axis)
+    except RestitutionError:
+        return False
+    parts = (direction.x, direction.y) if isinstance(direction, Vector) else ()
+    return bool(parts) and all(bool(np.all(np.abs(world.spread(x)) > _OBLIQUE)) for x in parts)
+
+
+def is_impulse(tree: Expression, meanings: Meanings) -> bool:
+    """Whether a side is the size of an impulse."""
+    if isinstance(tree, Letter):
+        tree = meanings.get(tree.name, tree)
+    if isinstance(tree, Apply) and tree.function == "abs":
+        return True
+    return isinstance(tree, Quantity) and tree.kind == "impulse" and not tree.arguments
