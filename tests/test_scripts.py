@@ -190,6 +190,14 @@ def outcome(script: AlteredScript) -> str | None:
     return f"lines {behind} do not follow" if behind else None
 
 
+def altered_of(statement: str) -> list[AlteredScript]:
+    """The scripts of a statement with an altered law: none where it has no plan to type out."""
+    try:
+        return list(altered_scripts(statement))
+    except NotPlannedError:
+        return []
+
+
 @cache
 def restitution_mistakes() -> frozenset[str]:
     from restitution.explaining.misconceptions import MISCONCEPTIONS
@@ -207,7 +215,7 @@ def test_a_sample_of_altered_laws_is_found_where_it_stands() -> None:
 @pytest.mark.nightly
 @pytest.mark.timeout(14400)
 def test_altered_laws_are_found_where_they_stand() -> None:
-    scripts = [s for path in [*OWN, *EXAMPLES] for s in altered_scripts(text(path))]
+    scripts = [s for path in [*OWN, *EXAMPLES] for s in altered_of(text(path))]
     wrong = [(s.variant, s.lines, said) for s in scripts if (said := outcome(s)) is not None]
     assert len(wrong) <= 0.1 * len(scripts), wrong
 
