@@ -84,9 +84,11 @@ class _Impact:
         lines += _solved(sides, [put[q] for q in self._after(variant)])
         if len(set(lines[: len(laws)])) < len(laws):
             return None
-        names = frozenset(
-            each.mistake for each in self.variants() if self._same(each, variant, wrong)
-        )
+        alike = [each for each in self.variants() if self._same(each, variant, wrong)]
+        names = frozenset(each.mistake for each in alike)
+        if self.event.wall and any(law.law == "restitution" for law in variant.laws):
+            # At a wall, e times the speed is one mistake, whatever it is called.
+            names |= {"restitution-whole-speed"} if "speed-for-component" in names else set()
         used = {name for side in sides for tree in side for name in _names(tree)}
         letters = {letter: text for letter, text in declared.items() if letter in used}
         return AlteredScript(
