@@ -13,6 +13,7 @@ from functools import cached_property
 from typing import Any
 
 from restitution.explaining.derivation import Event, Fact, Link, Relation, Sign
+from restitution.explaining.first_hits import hits
 from restitution.explaining.trees import rebuilt, settled
 from restitution.expression.tree import (
     Apply,
@@ -83,13 +84,13 @@ def events_of(problem: Problem) -> tuple[Event, ...]:
 
 def facts_of(problem: Problem) -> tuple[Fact, ...]:
     """What a problem gives, part by part. Made of the statement alone, once a problem."""
-    maker = _Facts(problem)
+    maker = FactsOf(problem)
     return tuple(maker.facts())
 
 
 def staged(problem: Problem, tree: Expression, events: int) -> Expression:
     """A tree of a statement with the stages that are meant after some events."""
-    return _Facts(problem).settled(tree, events)
+    return FactsOf(problem).settled(tree, events)
 
 
 def links_of(problem: Problem, relation: Said, events: int) -> tuple[Link, ...]:
@@ -97,7 +98,7 @@ def links_of(problem: Problem, relation: Said, events: int) -> tuple[Link, ...]:
 
     Nothing where two bodies meet for the first time.
     """
-    return tuple(link for links in _Facts(problem)._links(relation, events) for link in links)
+    return tuple(link for links in FactsOf(problem)._links(relation, events) for link in links)
 
 
 def _is_about_the_sense(tree: Expression) -> bool:
@@ -111,7 +112,7 @@ def _is_about_the_sense(tree: Expression) -> bool:
     )
 
 
-class _Facts:
+class FactsOf:
     """The facts of one problem."""
 
     def __init__(self, problem: Problem) -> None:
@@ -132,7 +133,7 @@ class _Facts:
             properties = (
                 ("mass", Quantity("mass", (name,)), sphere.mass),
                 ("velocity", Quantity("velocity", (name,), 0), sphere.velocity),
-                ("position", Quantity("position", (name,), 0), self._place(sphere.position)),
+                ("position", Quantity("position", (name,), 0), self.place_of(sphere.position)),
             )
             for word, quantity, value in properties:
                 if isinstance(value, Expression):
@@ -144,26 +145,26 @@ class _Facts:
             if isinstance(point.position, Expression):
                 yield self._fact(f"point {point.name}", place, point.position, point.place)
         for wall in self.problem.walls:
-            along = self._along(wall)
+            along = self.along_of(wall)
             if along is not None:
                 direction = Quantity("direction", (Name(wall.name),))
                 yield self._fact(f"wall {wall.name}", direction, along, wall.place, "parallel to")
 
-    def _along(self, wall: Any) -> Expression | None:
+    def along_of(self, wall: Any) -> Expression | None:
         """The direction of a straight wall: as told, or from one end of it to the other."""
         if isinstance(wall.along, Expression):
             return wall.along
-        ends = [self._place(each) for each in (wall.start, wall.end)]
+        ends = [self.place_of(each) for each in (wall.start, wall.end)]
         match ends:
             case [Pair(a, b), Pair(c, d)]:
                 return Pair(_difference(c, a), _difference(d, b))
         return None
 
-    def _place(self, tree: Any) -> Expression | None:
+    def place_of(self, tree: Any) -> Expression | None:
         """The coordinates of a point that is named or given."""
         if isinstance(tree, Name):
             points = {point.name: point.position for point in self.problem.points}
-            return self._place(points.get(tree.name))
+            return self.place_of(points.get(tree.name))
         return tree if isinstance(tree, Expression) else None
 
     def _contact(self, step: Impact | Arrival, number: int) -> Iterator[tuple[Expression, Any]]:
@@ -190,14 +191,14 @@ class _Facts:
                         Quantity("dot", (centres, centres)),
                         Binary("^", both, Number(Fraction(2))),
                     )
-            elif isinstance(place := self._place(step.target), Expression):
+            elif isinstance(place := self.place_of(step.target), Expression):
                 yield own, place
             return
         if isinstance(wall.shape, Circle):
             yield from self._on_the_circle(first, wall, number)
             return
-        place = self._place(wall.shape.point)
-        along = self._along(wall)
+        place = self.place_of(wall.shape.point)
+        along = self.along_of(wall)
         if not isinstance(place, Pair) or along is None:
             return
         axis = _turned(along)
@@ -226,7 +227,7 @@ class _Facts:
 
     def _from_centre(self, body: str, wall: Any, number: int) -> Expression | None:
         """The way from the centre of a circular wall to a body, at an event."""
-        centre = self._place(wall.centre)
+        centre = self.place_of(wall.centre)
         if not isinstance(centre, Pair):
             return None
         own = Quantity("position", (Name(body),), number)
@@ -248,7 +249,7 @@ class _Facts:
 
     def _side(self, body: str, wall: Any) -> int | None:
         """1 where a body begins outside a circular wall, −1 inside, or on it; None if open."""
-        place, centre = self._place(self._sphere(body).position), self._place(wall.centre)
+        place, centre = self.place_of(self.sphere(body).position), self.place_of(wall.centre)
         if not isinstance(place, Pair) or not isinstance(centre, Pair):
             return None
         radius_vector = Binary("-", place, centre)
@@ -259,7 +260,7 @@ class _Facts:
         )
         side = self._sign(gap)
         if side is None:
-            world = _world_of(self.problem)
+            world = world_of(self.problem)
             return -1 if world.scalar(gap).vanishes else None
         return side
 
@@ -272,7 +273,7 @@ class _Facts:
                 yield Fact(f"most {number}", "geometry", most, None, step.place)
         if number > 1 or step.second in self.walls or step.along is None:
             return
-        speeds = [self._sphere(each).velocity for each in (step.first, step.second)]
+        speeds = [self.sphere(each).velocity for each in (step.first, step.second)]
         if all(isinstance(speed, Expression) for speed in speeds) and any(map(letters, speeds)):
             axis = step.along
             a, b = (
@@ -287,9 +288,9 @@ class _Facts:
         wall = self.walls.get(step.second)
         if wall is None or not isinstance(wall.shape, Segment) or self.radius is not None:
             return None
-        if not isinstance(self._sphere(step.first).position, Expression):
+        if not isinstance(self.sphere(step.first).position, Expression):
             return None
-        match self._place(wall.start), self._place(wall.end):
+        match self.place_of(wall.start), self.place_of(wall.end):
             case Pair(a, b), Pair(c, d) if is_zero(_difference(d, b)):
                 ends, unit = (a, c), Unit("i")
             case Pair(a, b), Pair(c, d) if is_zero(_difference(c, a)):
@@ -309,12 +310,12 @@ class _Facts:
         radii = (sphere.radius for sphere in self.problem.spheres)
         return next((each for each in radii if isinstance(each, Expression)), None)
 
-    def _sphere(self, name: str) -> Any:
+    def sphere(self, name: str) -> Any:
         return next(sphere for sphere in self.problem.spheres if sphere.name == name)
 
     def _off_the_wall(self, body: str, part: str, wall: Expression) -> Expression | None:
         """The coordinate of a centre at a wall: its radius away on the side where it begins."""
-        sphere = self._sphere(body)
+        sphere = self.sphere(body)
         if self.radius is None:
             return wall
         if not isinstance(sphere.position, Pair) or not isinstance(self.radius, Expression):
@@ -329,7 +330,7 @@ class _Facts:
     def _beside_it(self, step: Impact, number: int) -> Expression | None:
         """Where the first centre is, by that of the second: in one place, or two radii away."""
         theirs = Quantity("position", (Name(step.second),), number)
-        first, second = (self._sphere(each) for each in (step.first, step.second))
+        first, second = (self.sphere(each) for each in (step.first, step.second))
         if self.radius is None:
             return theirs
         met = {body for each in self.events[: number - 1] for body in each.bodies}
@@ -388,18 +389,33 @@ class _Facts:
     def _sign(self, tree: Expression) -> int | None:
         """The sign of an expression in letters, where it is plain."""
         from restitution.explaining.quotients import NotComparableError
-        from restitution.oracle import Oracle, compared
 
-        world = _world_of(self.problem)
+        world = world_of(self.problem)
         try:
-            value = world.expression(world.scalar(tree), world.roles)
+            return self.sign_in(world, world.scalar(tree))
         except NotComparableError:
             return None
+
+    @staticmethod
+    def sign_in(world: Any, value: Any) -> int | None:
+        """The sign of a quotient of a world, where it is plain."""
+        from restitution.oracle import Oracle, compared
+
+        own = world.expression(value, world.roles)
         oracle = Oracle(world.roles)
         for sign in (1, -1):
-            if oracle.proves(compared(sign * value, ">", 0)):
+            if oracle.proves(compared(sign * own, ">", 0)):
                 return sign
         return None
+
+    def world(self) -> Any:
+        """The letters of the statement, and the directions of its walls."""
+        world = world_of(self.problem)
+        for wall in self.problem.walls:
+            along = self.along_of(wall)
+            if along is not None:
+                world.directions[Quantity("direction", (Name(wall.name),))] = along
+        return world
 
     def _start(self) -> Iterator[Fact]:
         """When the clock starts: with places at time 0, without them with the first impact.
@@ -471,12 +487,12 @@ class _Facts:
         """
         if not any(_is_about_the_sense(tree) for tree in all_trees(self.problem)):
             return False
-        velocities = [self._sphere(each).velocity for each in (step.first, step.second)]
+        velocities = [self.sphere(each).velocity for each in (step.first, step.second)]
         directions = [each for each in (step.along, *velocities) if isinstance(each, Expression)]
         nodes = (each for tree in directions for each in walk(tree))
         if len(directions) != 3 or any(isinstance(node, Letter | Polar) for node in nodes):
             return False
-        world = _world_of(self.problem)
+        world = world_of(self.problem)
         centres, *both = (world.value(each) for each in directions)
         if not hasattr(centres, "x") or not any(hasattr(each, "x") for each in both):
             return False
@@ -491,7 +507,7 @@ class _Facts:
 
     def _touching(self, step: Impact) -> Expression | None:
         """Both radii of spheres that begin at places, where nothing else tells how they meet."""
-        first, second = (self._sphere(each) for each in (step.first, step.second))
+        first, second = (self.sphere(each) for each in (step.first, step.second))
         placed = all(isinstance(each.position, Expression) for each in (first, second))
         if not placed or step.along is not None or step.offset is not None:
             return None
@@ -499,7 +515,7 @@ class _Facts:
 
     def _doubled(self, tree: Expression) -> Expression:
         """Twice a length, as a number where it is one."""
-        value = _world_of(self.problem).scalar(tree)
+        value = world_of(self.problem).scalar(tree)
         if value.above.is_ground and value.below.is_ground:
             number = 2 * value.above.LC / value.below.LC
             return rational(Fraction(int(number.numerator), int(number.denominator)))
@@ -547,7 +563,7 @@ class _Facts:
             zero = Number(Fraction(0))
             yield self._fact(f"towards {number}", towards, zero, step.place, ">", "geometry")
         else:
-            since = self._latest([step.first], number - 1)
+            since = self.latest([step.first], number - 1)
             early = Quantity("time", (), since) if since else Number(Fraction(0))
             time = Quantity("time", (), number)
             yield self._fact(f"order {number}", time, early, step.place, ">", "geometry")
@@ -582,7 +598,7 @@ class _Facts:
         return self._normals[number]
 
     def _normal_into(self, step: Impact, number: int) -> Expression | None:
-        along = self._along(self.walls[step.second])
+        along = self.along_of(self.walls[step.second])
         if along is None:
             return None
         left = _turned(along)
@@ -594,7 +610,7 @@ class _Facts:
 
     def _turned_angle(self, along: Expression) -> Expression | None:
         """A direction that is told by its angle, turned by +90°."""
-        if not _world_of(self.problem).is_angle(along):
+        if not world_of(self.problem).is_angle(along):
             return None
         right = Degrees(Fraction(90))
         if isinstance(along, Degrees):
@@ -608,13 +624,9 @@ class _Facts:
 
         if number > _PLAIN:
             return False
-        world = _world_of(self.problem)
-        for wall in self.problem.walls:
-            along = self._along(wall)
-            if along is not None:
-                world.directions[Quantity("direction", (Name(wall.name),))] = along
+        world = self.world()
         try:
-            velocity, axis = self._velocity(body, number, world), world.direction(normal)
+            velocity, axis = self.velocity_before(body, number, world), world.direction(normal)
             if velocity is None or axis is None:
                 return False
             value = world.expression(_dot(world, velocity, axis), world.roles)
@@ -625,7 +637,7 @@ class _Facts:
             oracle.decide(compared(value, ">=", 0)).answer != "proved"
         )
 
-    def _velocity(self, body: str, number: int, world: Any) -> Any:
+    def velocity_before(self, body: str, number: int, world: Any) -> Any:
         """The velocity before an event: the one given, turned back by walls on the way.
 
         None where another sphere, or a blow, comes in between.
@@ -665,15 +677,23 @@ class _Facts:
             if not isinstance(step, Given):
                 continue
             for relation in step.relations:
-                for links in self._links(relation, events):
+                for own in self._relations(relation, events):
                     number += 1
-                    kind: Any = "range" if _is_range(links) else "given"
-                    relation_ = Relation((links,))
-                    yield Fact(f"given {number}", kind, relation_, part.label, step.place)
+                    kind: Any = "range" if _is_range(own) else "given"
+                    yield Fact(f"given {number}", kind, own, part.label, step.place)
                 sense = self._sense(relation, events)
                 if sense is not None:
                     stated = Relation(((sense,),))
                     yield Fact(f"sense {number}", "range", stated, part.label, step.place)
+
+    def _relations(self, relation: Said, events: int) -> Iterator[Relation]:
+        """What a relation of a statement says after some events, as facts."""
+        if isinstance(relation, Meets):
+            own = hits(self, relation, events)
+            if own is not None:
+                yield own
+                return
+        yield from (Relation((links,)) for links in self._links(relation, events))
 
     def _links(self, relation: Said, events: int) -> Iterator[tuple[Link, ...]]:
         match relation:
@@ -754,7 +774,7 @@ class _Facts:
             if each.kind == "distance" and not self._is_between_bodies(each):
                 return each
             bodies = [a.name for a in each.arguments if isinstance(a, Name)]
-            latest = self._latest(bodies, events)
+            latest = self.latest(bodies, events)
             if each.stage == "before":
                 return replace(each, stage=max(0, latest - 1))
             stage = latest if each.kind in _OF_AN_EVENT else events
@@ -771,7 +791,7 @@ class _Facts:
     def _is_wall(self, tree: Quantity) -> bool:
         return any(isinstance(a, Name) and a.name in self.walls for a in tree.arguments)
 
-    def _latest(self, bodies: list[str], events: int) -> int:
+    def latest(self, bodies: list[str], events: int) -> int:
         """The last event so far in which one of some bodies took part; of all, if there is none."""
         own = [
             e.number
@@ -801,8 +821,9 @@ def _between(step: Impact, number: int) -> Expression:
     return Binary("-", second, first)
 
 
-def _is_range(links: tuple[Link, ...]) -> bool:
+def _is_range(relation: Relation) -> bool:
     """Whether a relation only bounds letters."""
+    links = [link for option in relation.options for link in option]
     trees = [tree for link in links for side in (link.left, link.right) for tree in walk(side)]
     return all(link.sign in ("<", "<=", ">", ">=", "!=") for link in links) and not any(
         isinstance(each, Quantity | Apply) for each in trees
@@ -848,7 +869,7 @@ def _turned(along: Expression) -> Expression | None:
     return None
 
 
-def _world_of(problem: Problem) -> Any:
+def world_of(problem: Problem) -> Any:
     """The letters of a statement, to compare trees in."""
     from restitution.explaining.algebra import World
     from restitution.solving.letters import roles

@@ -356,6 +356,13 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "condition.towards": "{body} hits {wall}{again} if it moves towards {wall}:",
     "condition.away": "{body} does not hit {wall}{again} if it does not move towards {wall}:",
+    "condition.between": (
+        "{body} hits {wall} if, where {line}, its {axis}-coordinate is between those of the ends:"
+    ),
+    "condition.beyond": (
+        "{body} does not hit {wall} if, where {line}, its {axis}-coordinate is not between those "
+        "of the ends:"
+    ),
     # --- given facts ------------------------------------------------------------------------------
     "given.data": "From the data:",
     "given.turned-wall": "{body} moves at {angle} to {wall}.",

@@ -10,6 +10,7 @@ import sympy as sp
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import FLIPPED, Fact, Link, Move, Ref, Relation, Sign
+from restitution.explaining.trees import trees_of
 from restitution.expression.tree import (
     Binary,
     Degrees,
@@ -36,7 +37,7 @@ from restitution.planning.squares import (
     write_speeds,
 )
 from restitution.planning.velocity_formulas import body_and_stage, frame_after
-from restitution.planning.wall_ends import write_between
+from restitution.planning.wall_ends import is_of_a_path, write_between, write_first_hit
 from restitution.planning.worths import Worths
 from restitution.problem import Given, Meets
 
@@ -92,14 +93,13 @@ class Conditions:
                 continue
             if fact.kind not in ("given", "range") and not fact.id.startswith("within "):
                 continue
-            (link, *_) = fact.relation.only
+            link = fact.relation.options[0][0]
             if link.sign in _BOUNDED and self._speaks_of_motion(fact):
                 yield fact
 
     def _speaks_of_motion(self, fact: Fact) -> bool:
         """Whether a relation is about a quantity, or a letter for an angle of the motion."""
-        (link, *_) = fact.relation.only
-        named = self.worths.opened(link.left)
+        named = self.worths.opened(fact.relation.options[0][0].left)
         is_angle = isinstance(named, Quantity) and named.kind in ("angle", "deflection")
         return is_angle or has_quantity_in(fact.relation)
 
@@ -107,6 +107,8 @@ class Conditions:
         """The line of one of them, in letters, and solved as far as one line does it."""
         if fact.id.startswith("within "):
             return write_between(self.worths, fact, wanted)
+        if is_of_a_path(fact.relation):
+            return write_first_hit(self.worths, fact, wanted)
         (link,) = fact.relation.only
         if not has_quantity(link.left) and has_quantity(link.right):
             link = turned(link)
@@ -453,4 +455,4 @@ def _velocities_of(angle: Quantity) -> tuple[tuple[str, int], tuple[str, int]] |
 
 def has_quantity_in(relation: Relation) -> bool:
     """Whether a relation speaks of a quantity of the motion."""
-    return any(has_quantity(side) for link in relation.only for side in (link.left, link.right))
+    return any(map(has_quantity, trees_of(relation)))

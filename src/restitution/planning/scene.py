@@ -383,6 +383,8 @@ class Scene:
         for fact in self.desk.facts:
             if fact.kind != "given" or fact.id in ratios or not self.desk.holds(fact.id):
                 continue
+            if len(fact.relation.options) > 1 or len(fact.relation.only) > 1:
+                continue  # an inequality
             (link,) = fact.relation.only
             residuals = tuple(self._residuals(link))
             if residuals:

@@ -6,13 +6,18 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from restitution.explaining.derivation import Fact, Link, Move, Ref, Relation, Sign
-from restitution.expression.tree import Expression
+from restitution.exact import tidy
+from restitution.explaining.derivation import FLIPPED, Fact, Link, Move, Ref, Relation, Sign
+from restitution.expression.tree import Binary, Expression, Name, Quantity, Unit
 from restitution.planning import journeys
-from restitution.planning.desk import NotPlannedError
-from restitution.planning.forms import tree_of
+from restitution.planning.desk import NotPlannedError, together
+from restitution.planning.flights import slope
+from restitution.planning.forms import swept, total, tree_of
 from restitution.planning.inequalities import certain, solve_linear, without_signs
+from restitution.planning.place_trees import Axis
+from restitution.planning.places import coordinate
 from restitution.planning.polynomials import cancelled, factored, one_fraction
+from restitution.planning.whereabouts import velocity
 from restitution.planning.worths import Worths
 
 
@@ -62,6 +67,103 @@ def _between(worths: Worths, fact: Fact, wanted: Expression | None) -> int | Non
             line = judge.write((Move("compare"),), [line, *names], whole) or line
     after = judge.write((Move("rearrange"), Move("compare")), [line, *names], relation)
     return line if after is None else after
+
+
+def is_of_a_path(relation: Relation) -> bool:
+    """Whether a relation says where a path comes to the line of a wall with ends, or does not."""
+    return len(relation.options) * len(relation.options[0]) == 2
+
+
+def write_first_hit(worths: Worths, fact: Fact, wanted: Expression | None) -> int | None:
+    """That a path comes to the line of a wall between its ends, or beyond them, solved.
+
+    None where that is so anyway.
+    """
+    scene, judge = worths.scene, worths.judge
+    there = _between_ends(fact.relation)
+    match there:
+        case Binary("+", _, Binary("*", Binary("-", level, _), Binary("/", pace, over))):
+            pass
+        case _:
+            raise NotPlannedError("a path to a wall")
+    (body, stage), beside_axis, across = _whose(pace), _axis(pace), _axis(over)
+    for each in (pace, over):
+        worths.determine(each)
+    begin, start = (coordinate(scene, body, stage, axis) for axis in (beside_axis, across))
+    along, towards = (velocity(scene, body, stage, axis) for axis in (beside_axis, across))
+    end = scene.scalar(level)
+    value = tidy(begin.value + (end - start.value) * along.value / towards.value)
+    way = slope(scene, end, start.value, along.value, towards.value)
+    tree = swept(total((tree_of(begin.value), way)))
+    bounds = [
+        (link.sign, scene.scalar(link.right))
+        if link.left == there
+        else (FLIPPED[link.sign], scene.scalar(link.left))
+        for links in fact.relation.options
+        for link in links
+    ]
+    gaps = [without_signs(scene, one_fraction(value - bound), sign) for sign, bound in bounds]
+    kept = [n for n, gap in enumerate(gaps) if gap is not None and gap[1].free_symbols]
+    if not kept:
+        return None
+    names = worths.known_in(value)
+    refs = together(begin.refs, start.refs, along.refs, towards.refs)
+    said = [fact.relation, *(_with(fact.relation, there, each) for each in (tree, tree_of(value)))]
+    solved = [solve_linear(scene, *gap, wanted) for gap in gaps if gap is not None]
+    if len(solved) == len(gaps) and all(solved):
+        bounds_of = [each for each in solved if each is not None]
+        last = (
+            Relation(tuple((each,) for each in bounds_of))
+            if len(fact.relation.options) > 1
+            else _joined(bounds_of)
+        )
+        said += [] if last is None else [last]
+    line: int | None = None
+    moves = (Move("put"), Move("rearrange"), Move("compare"))
+    for relation in said[1:]:
+        if line is not None and relation == scene.desk.relation(line):
+            continue
+        pool = [fact.id, *refs, *names] if line is None else [line, *names]
+        after = judge.write(moves, pool, relation)
+        line = line if after is None else after
+    return line
+
+
+def _between_ends(relation: Relation) -> Expression:
+    """The coordinate that a relation bounds."""
+    links = [link for option in relation.options for link in option]
+    return links[0].right if len(relation.options) == 1 else links[0].left
+
+
+def _with(relation: Relation, there: Expression, tree: Expression) -> Relation:
+    """A relation with another tree for a coordinate."""
+    return Relation(
+        tuple(
+            tuple(
+                Link(
+                    tree if link.left == there else link.left,
+                    link.sign,
+                    tree if link.right == there else link.right,
+                )
+                for link in links
+            )
+            for links in relation.options
+        )
+    )
+
+
+def _whose(component: Expression) -> tuple[str, int]:
+    """The body of a component of velocity, and after which event it is."""
+    match component:
+        case Quantity("along", (Quantity("velocity", (Name(body),), int(stage)), Unit())):
+            return body, stage
+    raise NotPlannedError("a path to a wall")
+
+
+def _axis(component: Expression) -> Axis:
+    assert isinstance(component, Quantity)
+    assert isinstance(component.arguments[1], Unit)
+    return "i" if component.arguments[1].axis == "i" else "j"
 
 
 def _open(

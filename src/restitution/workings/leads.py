@@ -42,7 +42,7 @@ from restitution.render import layout as lay
 from restitution.workings.factors import factor_cancelled
 from restitution.workings.flights import chord_title, distance_title, flight_title
 from restitution.workings.measured import worth
-from restitution.workings.meetings import condition_of
+from restitution.workings.meetings import condition_of, passing_of
 from restitution.workings.naming import Naming
 from restitution.workings.offsets import is_offset, offset_sentence
 from restitution.workings.reasons import Reasons
@@ -833,8 +833,11 @@ class Leads:
         """When bodies meet, where that is what a given fact tells."""
         fact = self._derivation.fact(name)
         relation = None if fact is None else self._naming.meeting(fact)
-        if relation is None:
+        if relation is None or fact is None:
             return None
+        passing = passing_of(relation, fact, self._naming)
+        if passing is not None:
+            return passing
         sentence = self._of_letter(line)
         return condition_of(relation, self._naming, inequality=True, written=sentence)
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from restitution.explaining.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.derivation import Derivation, Fact, Line, Link, Relation
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Binary
+from restitution.expression.tree import Binary, Letter, Quantity, Unit
 from restitution.problem import Meets, Show
 from restitution.render.layout import Layout
 from restitution.workings.ends import Ends
@@ -48,6 +48,29 @@ def condition_of(
     else:
         name = "meeting.collide" if relation.happens else "meeting.apart"
     return say(name, one=one, other=other)
+
+
+def passing_of(relation: Meets, fact: Fact, naming: Naming) -> Sentence | None:
+    """When a path comes to a wall with ends; None of a fact that does not tell of a path."""
+    link = fact.relation.options[0][0]
+    match link.right if len(fact.relation.options) == 1 else link.left:
+        case Binary(
+            "+",
+            _,
+            Binary(
+                "*",
+                Binary("-", level, _),
+                Binary("/", Quantity("along", (_, Unit(beside))), Quantity("along", (_, across))),
+            ),
+        ) if isinstance(across, Unit):
+            pass
+        case _:
+            return None
+    coordinate = {"i": "x", "j": "y"}
+    line = naming.relation(Relation(((Link(Letter(coordinate[across.axis]), "=", level),),)))
+    name = "condition.between" if relation.happens else "condition.beyond"
+    body, wall = relation.first.name, relation.second.name
+    return say(name, body=body, wall=wall, line=line, axis=coordinate[beside])
 
 
 def closing_of(relation: Meets, naming: Naming) -> Sentence | None:
@@ -95,4 +118,4 @@ def _first(derivation: Derivation, line: Line) -> int:
     return line.number
 
 
-__all__ = ["closing_of", "condition_of", "meetings"]
+__all__ = ["closing_of", "condition_of", "meetings", "passing_of"]

@@ -202,8 +202,8 @@ class Naming:
 
     @property
     def bodies(self) -> dict[str, str]:
-        """The bodies of the story, and what each is."""
-        return {
+        """The bodies of the story, and what each is; and walls that may be struck after it."""
+        return {wall.name: "wall" for wall in self.problem.walls} | {
             body: "wall" if each.wall and n else "sphere"
             for each in self.events.values()
             for n, body in enumerate(each.bodies)

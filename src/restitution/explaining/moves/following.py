@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 
-from restitution.explaining.derivation import Link, MoveId, Relation, whole_of
+from restitution.explaining.derivation import FLIPPED, Link, MoveId, Relation, whole_of
 from restitution.explaining.moves.angles import in_radians, is_inverse, is_triangle
 from restitution.explaining.moves.bases import IDENTITIES, base_of, bases_of, condition, with_base
 from restitution.explaining.moves.combining import is_combination, is_quotient, is_sum_of_squares
@@ -155,15 +155,26 @@ def _chain(step: Step, links: tuple[Link, ...]) -> bool:
             own = Link(subject, link.sign, link.right)
         else:
             after, own, subject = step, link, link.left
-        follows_ = _LINKS.get(after.move.id)
-        if follows_ is not None:
-            right = follows_(after, own)
-        else:
-            right = _WHOLE[after.move.id](after, Relation(((own,),)))
-        if not right:
+        if not _is_link(after, own) and not (after is not step and _is_bound(step, link)):
             return False
         before = link
     return True
+
+
+def _is_link(step: Step, link: Link) -> bool:
+    follows_ = _LINKS.get(step.move.id)
+    return (
+        follows_(step, link)
+        if follows_ is not None
+        else _WHOLE[step.move.id](step, Relation(((link,),)))
+    )
+
+
+def _is_bound(step: Step, link: Link) -> bool:
+    """Whether the upper bound of a range comes of that of the range from which it is made."""
+    base = base_of(step)
+    between = base is not None and len(base.options) == 1 and len(base.only) == 2
+    return between and link.by is None and link.sign in FLIPPED and _is_link(step, link)
 
 
 _LINKS: dict[MoveId, Callable[[Step, Link], bool]] = {
