@@ -61,6 +61,24 @@ def test_what_a_script_says_of_itself_agrees() -> None:
         ), script.name
 
 
+VERDICTS = {"true", "follows", "false", "asks", "unread", "remark", "unsupported"}
+
+
+@pytest.mark.parametrize("folder", ["fourth", "fourth-sealed"])
+def test_the_scripts_of_a_set_are_well_formed(folder: str) -> None:
+    scripts = scripts_of(SCRIPTS / folder)
+    assert len(scripts) == 30
+    assert sum(script.correct for script in scripts) == 14
+    for script in scripts:
+        parts = [part.label for part in restitution.parse(script.statement).parts]
+        assert script.part in parts or (script.part is None and parts == [None]), script.name
+        assert 0 <= script.earned <= script.of, script.name
+        assert script.correct == (not script.mistakes), script.name
+        for line in script.lines:
+            assert set(line.verdicts) <= VERDICTS, (script.name, line.text)
+            assert bool(line.names) == ("false" in line.verdicts), (script.name, line.text)
+
+
 def test_a_sample_of_scripts_is_judged_as_by_hand() -> None:
     correct = [script for script in scripts_of() if script.correct]
     wrong = [script for script in scripts_of() if script.mistakes]
