@@ -144,8 +144,8 @@ def _range_differs(item: ItemResult, answer: str, roles: dict[str, Role]) -> str
         except UndefinedError:
             continue  # with such data there is no such motion
         got_ends = sorted(
-            ((_at(p.start, values, -1), not p.left_open), (_at(p.end, values, 1), not p.right_open))
-            for p in _pieces(got)
+            ((_at(low, values, -1), closed), (_at(high, values, 1), shut))
+            for low, high, closed, shut in _pieces(got)
         )
         if len(want_ends) != len(got_ends):
             return f"got {shown}"
@@ -166,13 +166,13 @@ def _at(end: Any, values: dict[str, Any], sign: int) -> Any:
     return at(end, values)
 
 
-def _pieces(values: Any) -> list[Any]:
+def _pieces(values: Any) -> list[tuple[Any, Any, bool, bool]]:
     if isinstance(values, sp.Union):
         return [piece for arg in values.args for piece in _pieces(arg)]
     if isinstance(values, sp.FiniteSet):
-        return [sp.Interval(x, x) for x in values]
+        return [(x, x, True, True) for x in values]
     if isinstance(values, sp.Interval):
-        return [values]
+        return [(values.start, values.end, not values.left_open, not values.right_open)]
     raise AssertionError(f"a range given as {values}")
 
 

@@ -345,7 +345,8 @@ def _of_told_speeds(step: Step) -> Iterator[Link]:
 
 
 def _momentum_of_all(step: Step, event: Event | None) -> Iterator[Link]:
-    """The momentum of all spheres before an event and after it."""
+    """The momentum of all spheres before an event and after it; of one its components."""
+    yield from _momentum_in_directions(step, event)
     number = 0 if event is None else event.number
     for stage in {number, max(0, number - 1)}:
         terms: list[Expression] = [
@@ -354,6 +355,22 @@ def _momentum_of_all(step: Step, event: Event | None) -> Iterator[Link]:
         ]
         if terms:
             yield Link(Quantity("momentum", (), stage), "=", _sum(terms))
+
+
+def _momentum_in_directions(step: Step, event: Event | None) -> Iterator[Link]:
+    """The components of the momentum of a sphere, of those of its velocity."""
+    number = 0 if event is None else event.number
+    axes = [Unit("i"), Unit("j"), Quantity("line_of_centres", (), number)]
+    for body in step.move.bodies if len(step.move.bodies) == 1 else ():
+        for stage in {number, max(0, number - 1)}:
+            mass = Quantity("mass", (Name(body),))
+            whole, velocity = (
+                Quantity(each, (Name(body),), stage) for each in ("momentum", "velocity")
+            )
+            for axis in axes:
+                for kind in ("along", "across"):
+                    component = Quantity(kind, (velocity, axis))
+                    yield Link(Quantity(kind, (whole, axis)), "=", Binary("*", mass, component))
 
 
 def _momentum_kept(step: Step, event: Event | None) -> Iterator[Link]:

@@ -9,7 +9,7 @@ from restitution.explaining.quotients import NotComparableError, Plane
 from restitution.explaining.senses import oriented
 from restitution.explaining.step import Step
 from restitution.explaining.trees import settled
-from restitution.expression.tree import Apply, Binary, Expression, Name, Negate, Quantity
+from restitution.expression.tree import Apply, Binary, Expression, Name, Negate, Quantity, walk
 
 
 def to_walls(step: Step, event: Event | None) -> Iterator[Link]:
@@ -41,6 +41,19 @@ def to_walls(step: Step, event: Event | None) -> Iterator[Link]:
         along, across = (Quantity(kind, (velocity, axis)) for kind in ("along", "across"))
         for below in (across, Apply("abs", across)):
             yield Link(Apply("tan", meaning.quantity), "=", Binary("/", along, below))
+    for angle in _given_angles(step, event, own):
+        along, across = (Quantity(kind, (angle.arguments[0], axis)) for kind in ("along", "across"))
+        yield Link(Apply("tan", angle), "=", Binary("/", along, Apply("abs", across)))
+
+
+def _given_angles(step: Step, event: Event, wall: Name) -> Iterator[Quantity]:
+    """The angles to the wall of an impact, after it, of which a cited fact speaks."""
+    for link in step.links:
+        for node in walk(link.left):
+            match node:
+                case Quantity("angle", (Quantity("velocity", _, int(stage)), Name() as other)):
+                    if stage == event.number and other == wall:
+                        yield node
 
 
 def _to_other_walls(step: Step, event: Event) -> Iterator[Link]:

@@ -97,10 +97,11 @@ def angle_formula(scene: Scene, quantity: Quantity) -> Formula:
     value = -value if scene.model.sign(value) < 0 else value
     if not is_zero(trees[0]) and not _of_one_sign(scene, above.value):
         raise NotPlannedError("a tangent of open sign")
-    if not _of_one_sign(scene, below.value):
-        # Which way the body goes along the line is open.
+    both = {each.sign(each.in_data(below.value)) for each in scene.others} >= {1, -1}
+    if both or not _of_one_sign(scene, below.value):
+        # Which way the body goes along the line is open, or not the same in each solution.
         size = sp.Abs(below.value, evaluate=False)
-        trees[1], value = Apply("abs", trees[1]), tidy(above.value) / size
+        trees[1], value = Apply("abs", tree_of(below.value)), tidy(above.value) / size
         value = -value if scene.model.sign(above.value) < 0 else value
     # Of what moves along the line the other component does not matter.
     sources = (above,) if is_zero(trees[0]) else (above, below)

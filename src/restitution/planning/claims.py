@@ -21,6 +21,7 @@ from restitution.explaining.derivation import (
 )
 from restitution.explaining.moves import MOST_COMPARED
 from restitution.explaining.trees import rebuilt
+from restitution.explaining.trials import names_in
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -666,14 +667,8 @@ class Claims:
                 else None
             )
             if isinstance(own, Relation):
-                names |= {n for e in own.only for side in (e.left, e.right) for n in letters(side)}
-        names |= {
-            n
-            for links in relation.options
-            for e in links
-            for side in (e.left, e.right)
-            for n in letters(side)
-        }
+                names |= names_in(own)
+        names |= names_in(relation)
         pool = [*refs, *self.judge.known(n for n in names if n in roles(self.scene.problem))]
         line = self._by_its_ratio(relation, pool)
         if line is not None:
@@ -686,7 +681,7 @@ class Claims:
             for each in refs
             if isinstance(each, int)
             and isinstance(own := self.scene.desk.line(each).relation, Relation)
-            and own.only[0].sign != "="
+            and own.options[0][0].sign != "="
         ]
         for condition in conditions:
             line = self.judge.write((Move("rearrange"),), [condition], relation)
@@ -797,11 +792,15 @@ class Claims:
             return standing[0]
         for ref in refs:
             own = self.scene.desk.line(ref).relation if isinstance(ref, int) else None
-            if not isinstance(own, Relation) or len(own.only) != 1:
-                continue
-            match own.only[0]:
-                case Link(
-                    Binary("^", Apply(name, Letter() as letter) as ratio, power), sign, right
+            match own.options if isinstance(own, Relation) else ():
+                case (
+                    (
+                        Link(
+                            Binary("^", Apply(name, Letter() as letter) as ratio, power),
+                            sign,
+                            right,
+                        ),
+                    ),
                 ):
                     if (
                         letter != subject

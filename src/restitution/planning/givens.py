@@ -159,8 +159,9 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
             return _tangent(scene, each, formula(scene, angle))
         case Apply("cos", Quantity("deflection") as angle) if not has_quantity(own.right):
             return _tangent(scene, each, cosine_of_deflection(scene, angle))
-        case Quantity("angle") if isinstance(own.right, Quantity) and own.right.kind == "angle":
-            return write_equal_angles(scene, each)
+        case Quantity("angle" | "deflection"):
+            if isinstance(own.right, Quantity) and own.right.kind in ("angle", "deflection"):
+                return write_equal_angles(scene, each)
     return _of_several(scene, each)
 
 
@@ -446,6 +447,9 @@ def _component(scene: Scene, each: GivenEquation) -> int:
     own = formula(scene, quantity)
     value, refs = scene.put(scene.scalar(each.link.right))
     left, right = tree_of(own.value), tree_of(value)
+    if own.move.record == "momentum-of":
+        refs = together(each.refs, refs, own.refs)
+        return scene.desk.write(own.move, refs, chain(swept(own.right), (right, None)))
     named = scene.desk.known(quantity)
     of_it = own.refs if named is None or named.value != own.value else named.refs
     return scene.desk.write(
@@ -613,6 +617,8 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
             refs.append(number)
 
     left, right = (swept(exchanged(side, values)) for side in (own.left, own.right))
+    if any(isinstance(node, Quantity) and node.kind == "position" for node in walk(left)):
+        raise NotPlannedError("a place that is given at an impact")
     relation = chain(left, (right, None))
     whole = together(each.refs, refs)
     first: list[Ref] = [each.fact.id, *(ref for ref in whole if isinstance(ref, int))]

@@ -41,10 +41,15 @@ def same(a: Relation, b: Relation) -> bool:
 
 
 def content(relation: Relation) -> frozenset[object]:
-    """What a relation without alternatives says."""
+    """What a relation says: of each alternative, whichever way round it is written."""
     return frozenset(
-        (FLIPPED[e.sign], e.right, e.left) if e.sign in (">", ">=") else (e.sign, e.left, e.right)
-        for e in relation.only
+        frozenset(
+            (FLIPPED[e.sign], e.right, e.left)
+            if e.sign in (">", ">=")
+            else (e.sign, e.left, e.right)
+            for e in links
+        )
+        for links in relation.options
     )
 
 

@@ -248,7 +248,8 @@ def _of_letters(scene: Scene, asked: Expression, name: str) -> None:
     relation = chain(asked, (tree_of(value), None))
     lines = [ref for ref in refs if isinstance(ref, int)]
     first, *rest = lines
-    move = Move("put") if rest else Move("rearrange")
+    several = len(scene.desk.relation(first).options) > 1
+    move = Move("put") if rest or several else Move("rearrange")
     if rest or len(lines) != len(refs):
         raise NotPlannedError("an expression of several letters")
     scene.desk.end(name, scene.desk.write(move, (first,), relation), relation)

@@ -187,7 +187,7 @@ def write_equal_angles(scene: Scene, each: GivenEquation) -> int:
     """Two angles that are equal: so are their tangents."""
     angles = (each.link.left, each.link.right)
     formulas = [formula(scene, angle) for angle in angles if isinstance(angle, Quantity)]
-    if len(formulas) != 2 or any(own.move.record != "tan" for own in formulas):
+    if len(formulas) != 2 or any(own.move.record not in _BY_TANGENTS for own in formulas):
         raise NotPlannedError("equal angles without tangents")
     for lines in (_tangents, _squared_tangents):
         mark = scene.desk.mark()
@@ -200,6 +200,9 @@ def write_equal_angles(scene: Scene, each: GivenEquation) -> int:
                 return scene.desk.write(Move("put"), premises, relation)
         scene.desk.back(mark)
     raise NotPlannedError("a relation with angles")
+
+
+_BY_TANGENTS = ("tan", "tan-deflection")
 
 
 def _tangents(scene: Scene, formulas: Sequence[Formula]) -> list[int] | None:

@@ -100,14 +100,21 @@ def relation_of(asked: Expression, result: ItemResult) -> Relation:
         raise NotPlannedError("a range in cases")
     answer = result.distinct[0]
     own = answer.value
-    parts = own.args if isinstance(own, sp.Union) else (own,)
-    if not all(isinstance(part, sp.Interval) for part in parts):
-        raise NotPlannedError("a range of single values")
-    ordered = sorted(parts, key=lambda each: each.start)
+    parts = [
+        part
+        for each in (own.args if isinstance(own, sp.Union) else (own,))
+        for part in (map(sp.FiniteSet, each) if isinstance(each, sp.FiniteSet) else (each,))
+    ]
+    if not all(isinstance(part, sp.Interval | sp.FiniteSet) for part in parts):
+        raise NotPlannedError("a range that is no interval")
+    ordered = sorted(parts, key=lambda each: each.inf) if len(parts) > 1 else parts
     return Relation(tuple(_links_of(asked, each, answer.angle) for each in ordered))
 
 
-def _links_of(asked: Expression, own: sp.Interval, angle: bool) -> tuple[Link, ...]:
+def _links_of(asked: Expression, own: sp.Interval | sp.FiniteSet, angle: bool) -> tuple[Link, ...]:
+    if isinstance(own, sp.FiniteSet):
+        (value,) = own
+        return (Link(asked, "=", tree_of(value, angle=angle, as_it_is=angle)),)
     links: list[Link] = []
     low, high = (_end(each, angle) for each in (own.start, own.end))
     if low is not None and high is not None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 import sympy as sp
 
@@ -23,6 +24,7 @@ from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import (
     product,
     square,
+    swept,
     total,
     tree_of,
     vector,
@@ -246,8 +248,11 @@ def _with_factor_outside(square_: sp.Expr) -> sp.Expr:
 
 
 def component_formula(scene: Scene, quantity: Quantity) -> Formula:
-    """A component of a velocity along a line, or across it."""
+    """A component of a velocity, or of the momentum of a sphere, along a line or across it."""
     velocity, direction = quantity.arguments
+    match velocity:
+        case Quantity("momentum", (Name(of),), int(at)):
+            return _component_of_momentum(scene, quantity, of, at)
     body, stage = body_and_stage(scene, velocity)
     frame = frame_after(scene, body, stage)
     wanted = scene.model.story.direction(direction, scene.events)
@@ -274,6 +279,19 @@ def component_formula(scene: Scene, quantity: Quantity) -> Formula:
     return Formula(
         Move("define", "component", stage or None, (body,)), itself, quantity, right, value, refs
     )
+
+
+def _component_of_momentum(scene: Scene, quantity: Quantity, body: str, stage: int) -> Formula:
+    """The mass times the component of the velocity in that direction."""
+    velocity = Quantity("velocity", (Name(body),), stage)
+    own = component_formula(scene, replace(quantity, arguments=(velocity, quantity.arguments[1])))
+    mass = scene.mass(body)
+    move = Move("define", "momentum-of", stage or None, (body,))
+    right = swept(product(tree_of(mass.value), tree_of(own.value)))
+    refs = together(mass.refs, own.refs)
+    # A component that is named by the line of centres does not need its direction.
+    needed = scene.judge.needed(move, refs, chain(quantity, (right, None)), mass.refs)
+    return Formula(move, itself, quantity, right, tidy(mass.value * own.value), needed or refs)
 
 
 def _as_in_the_statement(scene: Scene, centres: Quantity, wanted: Vector) -> tuple[Ref, ...]:

@@ -108,19 +108,23 @@ def write_first_hit(worths: Worths, fact: Fact, wanted: Expression | None) -> in
         return None
     names = worths.known_in(value)
     refs = together(begin.refs, start.refs, along.refs, towards.refs)
-    said = [fact.relation, *(_with(fact.relation, there, each) for each in (tree, tree_of(value)))]
-    solved = [solve_linear(scene, *gap, wanted) for gap in gaps if gap is not None]
-    if len(solved) == len(gaps) and all(solved):
-        bounds_of = [each for each in solved if each is not None]
-        last = (
-            Relation(tuple((each,) for each in bounds_of))
-            if len(fact.relation.options) > 1
-            else _joined(bounds_of)
-        )
+    beyond = len(fact.relation.options) > 1
+    said = [_with(fact.relation, there, each) for each in (tree, tree_of(value))]
+    # To the far side of an end the path may not come at all.
+    near = [
+        n
+        for n, (sign, bound) in enumerate(bounds)
+        if not beyond
+        or certain(scene, one_fraction(value - bound)) != (1 if sign[0] == "<" else -1)
+    ]
+    solved = [solve_linear(scene, *gap, wanted) for n in near if (gap := gaps[n]) is not None]
+    ends = [each for each in solved if each is not None]
+    if len(ends) == len(near):
+        last = Relation(tuple((each,) for each in ends)) if beyond else _joined(ends)
         said += [] if last is None else [last]
     line: int | None = None
     moves = (Move("put"), Move("rearrange"), Move("compare"))
-    for relation in said[1:]:
+    for relation in said:
         if line is not None and relation == scene.desk.relation(line):
             continue
         pool = [fact.id, *refs, *names] if line is None else [line, *names]

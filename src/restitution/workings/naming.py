@@ -542,6 +542,7 @@ class Naming:
         return sum(body == "sphere" for body in self.bodies.values())
 
     def _component(self, kind: str, vector: Expression, axis: Expression) -> Sentence:
+        of: Sentence | lay.Layout
         match vector:
             case Quantity("velocity", (Name(),), _):
                 of = self.layout(vector)
@@ -552,6 +553,8 @@ class Naming:
                     else say("derived.coordinate-y", body=body)
                 )
                 return self._at(words, stage)
+            case Quantity("momentum"):
+                of = say("derived.the", quantity=self.layout(vector))
             case _:
                 of = self.layout(vector)
         event = self.event_of_axis(axis)

@@ -133,6 +133,8 @@ def _with_squares(step: Step, then: Link) -> Iterator[Link]:
 def _by_links(step: Step, relation: Relation) -> bool:
     """Each link by itself; a later link of a chain from the one before it."""
     bases = bases_of(step)
+    if len(bases) > 1 and len(relation.options) == 1:
+        return step.move.id == "put" and all(_is_worth(step, each, relation) for each in bases)
     if len(relation.options) != max(1, len(bases)):
         return False
     for number, links in enumerate(relation.options):
@@ -140,6 +142,16 @@ def _by_links(step: Step, relation: Relation) -> bool:
         if not _chain(chosen, links):
             return False
     return True
+
+
+def _is_worth(step: Step, option: tuple[Link, ...], relation: Relation) -> bool:
+    """Whether an expression has the value of a line where one of several alternatives holds."""
+    whole = whole_of(relation.only)
+    if whole is None or whole.sign != "=" or any(link.left == whole.left for link in option):
+        return False
+    chosen = with_base(step, option)
+    value = chosen.residual(whole, chosen.rules())
+    return isinstance(value, Quotient) and value.vanishes
 
 
 def _chain(step: Step, links: tuple[Link, ...]) -> bool:

@@ -6,7 +6,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.explaining.derivation import Link, Relation
+from restitution.explaining.derivation import Link, Meaning, Relation
 from restitution.explaining.moves.bases import FLIPPED, equal_in
 from restitution.explaining.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.step import Cited, Step
@@ -75,9 +75,17 @@ def is_comparison(step: Step, relation: Relation) -> bool:
     lines = [each for each in step.cited if isinstance(each.relation, Relation)]
     if len(lines) + len(step.known) > MOST_COMPARED:
         return False
-    if any(link.sign in ("≈", "=") for links in relation.options for link in links):
+    signs = {link.sign for links in relation.options for link in links}
+    if "≈" in signs or ("=" in signs and any(_is_equation(each.relation) for each in lines)):
         return False
+    # No less than a value, and no more: so it is that.
     return is_certain(step, relation)
+
+
+def _is_equation(relation: Relation | Meaning) -> bool:
+    return isinstance(relation, Relation) and any(
+        link.sign == "=" for links in relation.options for link in links
+    )
 
 
 def is_certain(step: Step, relation: Relation) -> bool:

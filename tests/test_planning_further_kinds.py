@@ -1,0 +1,212 @@
+"""Further kinds of statements that have a whole working, and what the follower takes of it."""
+
+from __future__ import annotations
+
+import pytest
+from laws_of_workings import answers, complaints, printed_results
+
+from restitution.explaining.derivation import Derivation, Line, Move
+from restitution.explaining.facts import events_of, facts_of
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import read_relation
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.desk import NotPlannedError
+from restitution.planning.planner import plan
+from restitution.solving import solve
+from restitution.solving.letters import roles
+
+STATEMENTS = {
+    "a range that is one value": """
+wall W: along i
+sphere P: velocity u at 45° to W
+P hits W
+given speed(P) >= u
+find range of e
+""",
+    "a range that is one value, of a mass ratio": """
+sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+A hits B: along i, e = 1
+given energy(B) >= energy(A, 0)
+find range of k
+""",
+    "a range that is one value, beyond an end": """
+wall V: along j, through (0, 0)
+wall G: from (-a, 3a) to (a, 3a)
+sphere P: at (2a, 0), velocity u at 135°
+P hits V
+given P will not hit G
+find range of e
+""",
+    "the size of a letter of either sign": """
+wall W: along j
+sphere P: mass 2, velocity p i + 3j
+P hits W: e = 1/2
+given deflection(P) = 90°
+find p, abs(p)
+""",
+    "an angle to a wall along which it may go either way": """
+wall W: along i
+sphere P: velocity p i - 4j
+P hits W: e = 1/2
+given angle(velocity(P), W) = 30°
+find p
+""",
+    "its tangent": """
+wall W: along i
+sphere P: velocity p i - 4j
+P hits W: e = 1/2
+given tan(angle(velocity(P), W)) = 1/2
+find p
+""",
+    "components of momenta": """
+sphere A: mass 2, velocity 3i + 4j
+sphere B: mass 3, velocity -i
+A hits B: along i, e = 1/2
+find along(momentum(A), i), along(momentum(A), j), along(momentum(B), line_of_centres)
+""",
+    "a component of a momentum that is given": """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given along(momentum(P), j) = 1/2 m u sin(alpha)
+find e, across(momentum(P), line_of_centres)
+""",
+    "equal deflections": """
+wall W: along i
+wall X: along j
+sphere P: velocity u at alpha to W
+P hits W: e = 1/2
+P hits X: e = 1/3
+given deflection(P, 1) = deflection(P, 2)
+find tan(alpha)
+""",
+}
+
+
+@pytest.mark.parametrize("name", STATEMENTS)
+def test_it_is_whole(name: str) -> None:
+    solution = solve(parse(STATEMENTS[name]))
+    derivation = plan(solution)
+    assert complaints(solution, derivation) == []
+    assert answers(solution, derivation) == []
+    assert printed_results(solution, derivation) == []
+
+
+def test_a_place_that_is_given_at_an_impact_has_no_plan() -> None:
+    statement = """
+wall W: along i, through (0, 0)
+wall X: along j, through (d, 0)
+sphere P: at (0, 4), velocity p i - q j
+P hits W: e = 1/2
+P hits X
+given time(1) = 2, time(2) = 3, position(P, 2) = (9, 1)
+find p, q, d
+"""
+    solution = solve(parse(statement))
+    with pytest.raises(NotPlannedError):
+        plan(solution)
+    assert plan(solution, partial=True).notes
+
+
+# --- what the follower takes ----------------------------------------------------------------------
+
+PUCK = """
+wall W: along i
+sphere P: mass m, velocity p i - 4j
+P hits W: e = e
+given tan(angle(velocity(P), W)) = 1/2, e = 1/2
+given e >= 1/2, p^2 = 9
+find p
+"""
+AFTER = (
+    (Move("law", "restitution-wall", 1, ("P",)), ("velocity P", "axis 1", "e 1")),
+    (Move("law", "unchanged", 1, ("P",)), ("velocity P", "axis 1")),
+)
+COMPONENTS = (
+    (*AFTER[0], "along(velocity(P, 1), j) = 4e"),
+    (*AFTER[1], "along(velocity(P, 1), i) = p"),
+)
+
+
+def refused(*lines: tuple[Move, tuple[object, ...], str]) -> set[int | None]:
+    problem = parse(PUCK)
+    names = {"P": "sphere", "W": "wall"}
+    written = tuple(
+        Line(number, "1", move, refs, read_relation(text, names))  # type: ignore[arg-type]
+        for number, (move, refs, text) in enumerate(lines, 1)
+    )
+    whole = Derivation(facts_of(problem), written, (), events_of(problem))
+    complaints_ = follow(whole, Oracle(roles(problem)))
+    return {each.line for each in complaints_ if each.reason == "does-not-follow"}
+
+
+@pytest.mark.parametrize(
+    ("above", "known", "below", "right"),
+    [
+        ("e >= 1", ("e <= 1",), "e = 1", True),
+        ("e >= 1/2", ("e <= 1",), "e = 1", False),
+        ("e > 0", ("e <= 1",), "e = 1", False),
+        ("e >= 1", (), "e = 1", False),
+        ("e = 1 or e = 1/2", ("e <= 1",), "e = 1", False),
+        ("2e = 2", ("e <= 1",), "e = 1", False),
+    ],
+)
+def test_no_less_than_a_value_and_no_more_is_that_value(
+    above: str, known: tuple[str, ...], below: str, right: bool
+) -> None:
+    lines = refused((Move("fact"), ("given 3",), above), (Move("compare"), (1, *known), below))
+    assert (2 not in lines) == right
+
+
+@pytest.mark.parametrize(
+    ("above", "below", "right"),
+    [
+        ("p = 3 or p = -3", "abs(p) = 3", True),
+        ("p = 3 or p = -3", "p^2 + 1 = 10", True),
+        ("p = 3 or p = -3", "abs(p) = -3", False),
+        ("p = 3 or p = -2", "abs(p) = 3", False),
+        ("p = 3 or p = -3", "p = 3", False),
+        ("p = 3 or p = -3", "2p = 6", False),
+    ],
+)
+def test_an_expression_that_has_one_value_by_all_alternatives(
+    above: str, below: str, right: bool
+) -> None:
+    lines = refused((Move("roots"), ("given 4",), above), (Move("put"), (1,), below))
+    assert (2 not in lines) == right
+
+
+@pytest.mark.parametrize(
+    ("tangent", "right"),
+    [
+        ("1/2 = 4e/abs(p)", True),
+        ("1/2 = 4e/p", False),
+        ("1/2 = -4e/p", False),
+        ("1/2 = abs(p)/(4e)", False),
+        ("1/2 = -4e/abs(p)", False),
+    ],
+)
+def test_a_tangent_to_a_wall_has_the_size_of_what_is_of_either_sign(
+    tangent: str, right: bool
+) -> None:
+    move = Move("define", "tan", 1, ("P",))
+    lines = refused(*COMPONENTS, (move, ("given 1", "axis 1", 1, 2), tangent))
+    assert (3 not in lines) == right
+
+
+@pytest.mark.parametrize(
+    ("text", "right"),
+    [
+        ("along(momentum(P, 1), j) = m 4e", True),
+        ("along(momentum(P, 1), j) = 4e", False),
+        ("along(momentum(P, 1), i) = m 4e", False),
+        ("across(momentum(P, 1), i) = m 4e", True),
+        ("along(momentum(P, 0), j) = m 4e", False),
+    ],
+)
+def test_a_component_of_a_momentum(text: str, right: bool) -> None:
+    move = Move("define", "momentum-of", 1, ("P",))
+    lines = refused(*COMPONENTS[:1], (move, ("mass P", 1), text))
+    assert (2 not in lines) == right
