@@ -73,6 +73,13 @@ P hits W
 given along(momentum(P), j) = 1/2 m u sin(alpha)
 find e, across(momentum(P), line_of_centres)
 """,
+    "an angle of which the ratios are roots of sums with roots": """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W: e = 1/2
+given deflection(P) = 45°
+find tan(alpha), speed(P), energy_lost/energy(0)
+""",
     "equal deflections": """
 wall W: along i
 wall X: along j

@@ -360,7 +360,7 @@ def _momentum_of_all(step: Step, event: Event | None) -> Iterator[Link]:
 def _momentum_in_directions(step: Step, event: Event | None) -> Iterator[Link]:
     """The components of the momentum of a sphere, of those of its velocity."""
     number = 0 if event is None else event.number
-    axes = [Unit("i"), Unit("j"), Quantity("line_of_centres", (), number)]
+    axes: list[Expression] = [Unit("i"), Unit("j"), Quantity("line_of_centres", (), number)]
     for body in step.move.bodies if len(step.move.bodies) == 1 else ():
         for stage in {number, max(0, number - 1)}:
             mass = Quantity("mass", (Name(body),))

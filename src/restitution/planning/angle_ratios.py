@@ -39,6 +39,27 @@ def range_of(scene: Angles, name: str) -> str:
     return f"{ends[0]} {signs[0]} {name} {signs[1]} {ends[1]}"
 
 
+def ratio_of(kind: str, angle: sp.Expr) -> sp.Expr:
+    """A sine, cosine or tangent as a number; with roots in roots as the root of its square."""
+    ratio = tidy(getattr(sp, kind)(angle))
+    if kind == "tan" or not ratio.is_number or not any(map(_has_root, ratio.atoms(sp.Pow))):
+        return ratio
+    square = sp.radsimp(sp.expand(getattr(sp, kind)(angle) ** 2))
+    if any(map(_has_root, square.atoms(sp.Pow))):
+        return ratio
+    root = sp.sqrt(square) if ratio.is_positive else -sp.sqrt(square)
+    return min(ratio, root, key=lambda each: each.count_ops())
+
+
+def _has_root(power: sp.Pow) -> bool:
+    """Whether a power is a root of a sum with roots."""
+    return _is_root(power) and any(map(_is_root, power.base.atoms(sp.Pow)))
+
+
+def _is_root(power: sp.Pow) -> bool:
+    return bool(power.exp.is_Rational and not power.exp.is_Integer)
+
+
 def write_ratios(scene: Angles, symbol: sp.Symbol) -> None:
     """``cos α = 3/5 and sin α = 4/5`` from the ratio that is given."""
     fact = scene.ratio_facts[symbol.name]
@@ -48,9 +69,7 @@ def write_ratios(scene: Angles, symbol: sp.Symbol) -> None:
     angle = scene.model.final[symbol]
     given = link.left.function
     scene.desk.know(link.left, scene.scalar(link.right), (fact.id,))
-    others = {
-        each: tidy(getattr(sp, each)(angle)) for each in ("sin", "cos", "tan") if each != given
-    }
+    others = {each: ratio_of(each, angle) for each in ("sin", "cos", "tan") if each != given}
     shown = [each for each in ("sin", "cos") if each != given]
     links = tuple(Link(Apply(each, letter), "=", tree_of(others[each])) for each in shown)
     number = scene.desk.write(
@@ -70,7 +89,7 @@ def write_other_ratio(scene: Angles, symbol: sp.Symbol, kind: str) -> None:
         if known is None or len(known.refs) != 1:
             continue
         kinds = [kind] if kind == "tan" else [own for own in ("sin", "cos") if own != each]
-        trees = {own: tidy(getattr(sp, own)(scene.model.final[symbol])) for own in kinds}
+        trees = {own: ratio_of(own, scene.model.final[symbol]) for own in kinds}
         links = tuple(Link(Apply(own, letter), "=", tree_of(trees[own])) for own in kinds)
         premises = (*known.refs, range_of(scene, symbol.name))
         number = scene.desk.write(Move("triangle"), premises, Relation((links,)))

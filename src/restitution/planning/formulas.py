@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.errors import StatementError
+from restitution.exact import tidy
 from restitution.explaining.derivation import Move, MoveId, Ref
 from restitution.expression.tree import (
     Apply,
@@ -71,8 +72,9 @@ def write_formula(scene: Scene, own: Formula) -> int:
     """A quantity by its definition, and what that comes to."""
     final = tree_of(own.value)
     right = swept(own.right)
+    between: tuple[tuple[Expression, MoveId | None], ...] = ()
     if _depth_of_roots(right) > _MOST_ROOTS:
-        raise NotPlannedError("a root of sums of roots")
+        between = _with_squares(scene, right)
     if isinstance(own.value, Vector):
         number = scene.desk.write(own.move, own.refs, chain(own.left, (right, None)))
         if right != final:
@@ -94,13 +96,30 @@ def write_formula(scene: Scene, own: Formula) -> int:
         elif _is_figure(own.value) and isinstance(right, Apply):
             final = right  # what follows is its decimal: no other form of it is plainer
         by: MoveId = "identity" if _by_pythagoras(scene, own) else "rearrange"
-        relation = chain(own.left, (right, None), (final, by))
+        relation = chain(own.left, (right, None), *between, (final, by))
         if _has_roots_of_letters(own.right):
             known = background(scene, letters(right))
             refs = scene.judge.enough(own.move, refs, relation, known) or refs
         number = scene.desk.write(own.move, refs, relation)
     scene.desk.know(own.quantity, own.value, (number,))
     return number
+
+
+def _with_squares(scene: Scene, root: Expression) -> tuple[tuple[Expression, MoveId | None], ...]:
+    """The root of a sum of squares in which what is squared holds roots: with the squares.
+
+    Raises NotPlannedError for another one.
+    """
+    match root:
+        case Apply("sqrt", Binary("+", Binary("^"), Binary("^")) as sum_):
+            terms = (sum_.left, sum_.right)
+        case _:
+            raise NotPlannedError("a root of sums of roots")
+    squares = [tidy(sp.expand(scene.scalar(each))) for each in terms]
+    tree = Apply("sqrt", Binary("+", *map(tree_of, squares)))
+    if _depth_of_roots(tree) > _MOST_ROOTS:
+        raise NotPlannedError("a root of sums of roots")
+    return ((tree, "rearrange"),)
 
 
 def _has_roots_of_letters(tree: Expression) -> bool:
