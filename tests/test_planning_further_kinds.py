@@ -80,6 +80,20 @@ P hits W: e = 1/2
 given deflection(P) = 45°
 find tan(alpha), speed(P), energy_lost/energy(0)
 """,
+    "a meeting of two that both move, which tells a component": """
+wall W: along i, through (0, 0)
+sphere A: mass 1, at (0, 4), velocity 3i - 2j
+sphere B: mass 1, at (12, 4), velocity p i - j
+A hits W: e = 1/2
+A hits B: along i, e = 1
+find p, time(2)
+""",
+    "a meeting of two with radii that both move": """
+sphere A: mass 1, radius 1, at (0, 0), velocity 2i
+sphere B: mass 2, at (6, 8), velocity -2j
+A hits B: along j, e = 1/2
+find time(1), position(A, 1), speed(B)
+""",
     "equal deflections": """
 wall W: along i
 wall X: along j

@@ -12,7 +12,6 @@ from restitution.planning.desk import NotPlannedError, Source, chain
 from restitution.planning.distances import distance, sized
 from restitution.planning.forms import tree_of
 from restitution.planning.instants import piece, place_then
-from restitution.planning.paths import without_walls
 from restitution.planning.places import (
     coordinate,
     coordinate_moved,
@@ -22,7 +21,7 @@ from restitution.planning.places import (
     time_of,
 )
 from restitution.planning.scene import Scene
-from restitution.planning.whereabouts import are_apart, standing
+from restitution.planning.whereabouts import are_apart, standing, without_walls
 from restitution.vector import Vector
 
 

@@ -19,10 +19,18 @@ from restitution.expression.tree import Expression, Negate, Quantity
 from restitution.planning.aims import place_at, striker, write_aim
 from restitution.planning.circles import circle_of
 from restitution.planning.desk import Source, chain, together
+from restitution.planning.encounters import aside, both_moving, in_the_other, with_the_gap
 from restitution.planning.flights import slope, swept_product
 from restitution.planning.forms import difference, product, swept, tree_of
 from restitution.planning.place_trees import AXES, place_tree, time_tree
-from restitution.planning.places import coordinate, flight_time, leg_along, write_touch
+from restitution.planning.places import (
+    coordinate,
+    coordinate_moved,
+    flight_time,
+    leg,
+    leg_along,
+    write_touch,
+)
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import Scene
 from restitution.planning.whereabouts import (
@@ -37,21 +45,11 @@ from restitution.planning.whereabouts import (
     value_of_coordinate,
     value_of_velocity,
     velocity,
+    without_walls,
 )
 from restitution.problem import Arrival, Impact
 from restitution.solving.quantities import quantity as quantity_of
 from restitution.vector import Vector
-
-
-def without_walls(scene: Scene, value: sp.Expr) -> sp.Expr:
-    """A value with the components after walls put in by those before them."""
-    changes: dict[sp.Basic, sp.Expr] = {}
-    for law in scene.model.laws:
-        if scene.model.frames[law.number].wall is not None:
-            body = scene.bodies(law.number)[0]
-            symbol = scene.model.components[law.number, body].symbol
-            changes[symbol] = (symbol - law.residual).xreplace(changes)
-    return value.xreplace(changes)
 
 
 def residuals(scene: Scene, own: Link) -> tuple[sp.Expr, ...]:
@@ -103,6 +101,12 @@ def paths(scene: Scene) -> Iterator[Path]:
         aimed = striker(scene, number)
         if aimed is not None and (own := _aim(scene, aimed, number)) is not None:
             yield own
+        pair = both_moving(scene, number)
+        if pair is not None:
+            gap = tidy(without_walls(scene, aside(scene, number, pair)))
+            if scene.unknown(gap):
+                yield Path(number, pair[0], Candidate(f"path {number}", 2.0, (gap,)))
+            continue
         body = _who_goes(scene, number)
         if body is None:
             continue
@@ -180,6 +184,9 @@ def write_path(scene: Scene, path: Path) -> int:
     Where one direction tells the time, the other gives the equation.
     """
     body, number = path.body, path.number
+    pair = both_moving(scene, number)
+    if pair is not None:
+        return _write_meeting(scene, number, pair)
     since = last_move(scene, body, number)
     if striker(scene, number) == body:
         write_aim(scene, number)
@@ -226,6 +233,17 @@ def write_path(scene: Scene, path: Path) -> int:
         refs,
         chain(sides[0], (sides[1], None)),
     )
+
+
+def _write_meeting(scene: Scene, number: int, pair: tuple[str, str]) -> int:
+    """That two that both move are in one place then, in the direction that does not tell when."""
+    axis = in_the_other(scene, number, pair)
+    leg(scene, number)
+    first, second = (coordinate_moved(scene, each, number, axis) for each in pair)
+    there = with_the_gap(scene, pair[0], number, axis, tree_of(second.value))
+    relation = chain(tree_of(first.value), (there, None))
+    refs = together((f"contact {number}",), first.refs, second.refs)
+    return scene.desk.write(Move("fact"), refs, relation)
 
 
 def _by_slope(scene: Scene, path: Path, paces: Sequence[Source]) -> int | None:

@@ -18,6 +18,7 @@ from restitution.planning.aims import striker, write_aim
 from restitution.planning.circles import chord_from, chord_to_a_point, circle_of
 from restitution.planning.closing import nonzero
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
+from restitution.planning.encounters import with_the_gap
 from restitution.planning.flights import added, divisor_refs, slope, time_quotient
 from restitution.planning.forms import (
     ONE,
@@ -585,8 +586,6 @@ def _leg_of_meeting(scene: Scene, number: int, step: Impact) -> tuple[int, Sourc
     for body, other in ((step.first, step.second), (step.second, step.first)):
         if rests(scene, other, number):
             return _leg_to_resting(scene, number, body, other)
-    if any(offset_at(scene, step.first, number, axis) != 0 for axis in AXES):
-        raise NotPlannedError("where two spheres with radii touch that both move")
     return _leg_of_two(scene, number, step.first, step.second)
 
 
@@ -660,6 +659,8 @@ def _leg_of_two(scene: Scene, number: int, body: str, other: str) -> tuple[int, 
             chain(coordinate_tree(other, number, axis), (theirs, None)),
         )
         used = (open_,)
+    gap = tidy(offset_at(scene, body, number, axis))
+    theirs, their_start = with_the_gap(scene, body, number, axis, theirs), their_start + gap
     left, right = (theirs, own) if own == flight else (own, theirs)
     met = scene.desk.write(
         Move("fact"), together((f"contact {number}", line), used), chain(left, (right, None))

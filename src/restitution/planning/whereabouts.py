@@ -141,6 +141,17 @@ def value_of_coordinate(scene: Scene, body: str, stage: int, axis: Axis) -> sp.E
     return tidy(part_of(scene.value(place_tree(body, stage)), axis))
 
 
+def without_walls(scene: Scene, value: sp.Expr) -> sp.Expr:
+    """A value with the components after walls put in by those before them."""
+    changes: dict[sp.Basic, sp.Expr] = {}
+    for law in scene.model.laws:
+        if scene.model.frames[law.number].wall is not None:
+            body = scene.bodies(law.number)[0]
+            symbol = scene.model.components[law.number, body].symbol
+            changes[symbol] = (symbol - law.residual).xreplace(changes)
+    return value.xreplace(changes)
+
+
 def axis_for(scene: Scene, body: str, number: int) -> Axis | None:
     """The direction in which it is known how far a body goes: the shorter one to write."""
     since = last_move(scene, body, number)
@@ -159,15 +170,14 @@ def axis_for(scene: Scene, body: str, number: int) -> Axis | None:
 
 
 def axis_of_approach(scene: Scene, number: int, body: str, other: str) -> Axis:
-    """The direction in which two bodies come nearer to each other."""
-    gaps: list[tuple[int, Axis]] = []
+    """The direction in which two bodies come nearer to each other: one in which both are known."""
+    gaps: list[tuple[int, int, Axis]] = []
     for axis in AXES:
-        gap = tidy(
-            value_of_velocity(scene, body, number - 1, axis)
-            - value_of_velocity(scene, other, number - 1, axis)
-        )
+        paces = [value_of_velocity(scene, each, number - 1, axis) for each in (body, other)]
+        gap = tidy(paces[0] - paces[1])
         if gap != 0:
-            gaps.append((sp.count_ops(gap), axis))
+            open_ = sum(len(scene.unknown(without_walls(scene, pace))) for pace in paces)
+            gaps.append((open_, sp.count_ops(gap), axis))
     if not gaps:
         raise NotPlannedError("two bodies that do not approach")
-    return min(gaps)[1]
+    return min(gaps)[-1]
