@@ -15,6 +15,8 @@ from restitution.planning.desk import NotPlannedError
 from restitution.planning.planner import plan
 from restitution.solving import solve
 from restitution.solving.letters import roles
+from restitution.workings import to_text
+from restitution.workings.derived import explanation_of
 
 STATEMENTS = {
     "a range that is one value": """
@@ -94,6 +96,21 @@ sphere B: mass 2, at (6, 8), velocity -2j
 A hits B: along j, e = 1/2
 find time(1), position(A, 1), speed(B)
 """,
+    "a place at a wall, from a height in a letter": """
+wall W: along i, through (0, 0)
+sphere P: at (0, h), velocity u i - v j
+P hits W
+P reaches (d, h/2)
+find e in terms of d, h, u, v
+""",
+    "an angle that a let names, between two bounds": """
+wall W: along i
+sphere P: mass m, velocity u at 60° to W
+P hits W: e = e
+let theta = angle(velocity(P), W)
+given 30° <= theta <= 45°
+find range of e
+""",
     "equal deflections": """
 wall W: along i
 wall X: along j
@@ -113,6 +130,18 @@ def test_it_is_whole(name: str) -> None:
     assert complaints(solution, derivation) == []
     assert answers(solution, derivation) == []
     assert printed_results(solution, derivation) == []
+
+
+def test_a_bound_is_said_of_the_letter_over_which_it_is_sought() -> None:
+    statement = """
+sphere A: mass m, velocity u i, radius a
+sphere B: mass m, at rest
+A hits B: offset d, e = 1/2
+find maximum of speed(B) over d
+"""
+    problem = parse(statement)
+    text = to_text(explanation_of(plan(solve(problem)), problem))
+    assert "decreases as d increases" in text
 
 
 def test_a_place_that_is_given_at_an_impact_has_no_plan() -> None:
@@ -215,6 +244,31 @@ def test_a_tangent_to_a_wall_has_the_size_of_what_is_of_either_sign(
     move = Move("define", "tan", 1, ("P",))
     lines = refused(*COMPONENTS, (move, ("given 1", "axis 1", 1, 2), tangent))
     assert (3 not in lines) == right
+
+
+@pytest.mark.parametrize(
+    ("premises", "right"),
+    [
+        (("position P", "contact 1", "velocity P"), True),
+        # Where it comes to a point nothing says that it moves in that direction.
+        (("position P", "contact 2", "velocity P"), False),
+    ],
+)
+def test_who_comes_to_a_wall_moves_towards_it(premises: tuple[str, ...], right: bool) -> None:
+    problem = parse(
+        "wall W: along i, through (0, 0)\nsphere P: at (0, h), velocity u i - v j\nP hits W\n"
+        "P reaches (d, k)\nfind e"
+    )
+    number = int(premises[1].split()[1])
+    move = Move("define", "straight-line", number, ("P",))
+    start = "0" if number == 1 else "along(position(P, 1), i)"
+    above = "h" if number == 1 else "k"
+    text = f"along(position(P, {number}), i) - {start} = {above} u/v"
+    names = {"P": "sphere", "W": "wall"}
+    line = Line(1, "1", move, premises, read_relation(text, names))
+    whole = Derivation(facts_of(problem), (line,), (), events_of(problem))
+    reasons = {each.reason for each in follow(whole, Oracle(roles(problem)))}
+    assert ("does-not-follow" not in reasons) == right
 
 
 @pytest.mark.parametrize(

@@ -99,8 +99,10 @@ class Conditions:
 
     def _speaks_of_motion(self, fact: Fact) -> bool:
         """Whether a relation is about a quantity, or a letter for an angle of the motion."""
-        named = self.worths.opened(fact.relation.options[0][0].left)
-        is_angle = isinstance(named, Quantity) and named.kind in ("angle", "deflection")
+        link = fact.relation.options[0][0]
+        named = [self.worths.opened(side) for side in (link.left, link.right)]
+        angles = [each for each in named if isinstance(each, Quantity)]
+        is_angle = any(each.kind in ("angle", "deflection") for each in angles)
         return is_angle or has_quantity_in(fact.relation)
 
     def condition(self, fact: Fact, wanted: Expression | None) -> int | None:
@@ -110,7 +112,7 @@ class Conditions:
         if is_of_a_path(fact.relation):
             return write_first_hit(self.worths, fact, wanted)
         (link,) = fact.relation.only
-        if not has_quantity(link.left) and has_quantity(link.right):
+        if not has_quantity(link.left) and has_quantity(self.worths.opened(link.right)):
             link = turned(link)
         if fact.id.startswith("most "):
             x = expanded(self.scene.scalar(link.left) - self.scene.scalar(link.right))

@@ -16,6 +16,8 @@ from restitution.solving.signs import sign
 _DOWN = (">", ">=")
 # What every other letter is worth where one of them is looked at.
 _OTHERS = sp.Rational(2, 3)
+# Where a letter without cited ends is looked at: below the others, if not above them.
+_PAIRS = ((sp.Integer(1), sp.Integer(2)), (sp.Rational(1, 4), sp.Rational(1, 2)))
 
 
 def growth(
@@ -27,21 +29,31 @@ def growth(
     """
     cited = {n for each in ends for side in (each.left, each.right) for n in letters(side)}
     names = [*sorted(cited), *sorted((set(positive) & letters(tree)) - cited)]
-    for name in names:
-        own = [end for end in ends if name in letters(end.left) | letters(end.right)]
-        if len(names) > 1 and not _is_end(tree, name, own, bound, name in positive):
-            continue
-        sense = way_of(tree, name, own, bound)
-        if sense:
-            return name, sense
+    # A letter that goes without limit is named where no other tells the bound.
+    for far in (False, True):
+        for name in names:
+            own = [end for end in ends if name in letters(end.left) | letters(end.right)]
+            if len(names) > 1 and not _is_end(tree, name, own, bound, name in positive, far):
+                continue
+            sense = way_of(tree, name, own, bound)
+            if sense:
+                return name, sense
     return None
 
 
 def _is_end(
-    tree: Expression, name: str, ends: Sequence[Link], bound: Relation, positive: bool
+    tree: Expression,
+    name: str,
+    ends: Sequence[Link],
+    bound: Relation,
+    positive: bool,
+    far: bool,
 ) -> bool:
-    """Whether a bound is what a tree is worth at ends of a letter, for others at one point."""
-    places = list(_places(ends, positive, name))
+    """Whether a bound is what a tree is worth at ends of a letter, for others at one point.
+
+    One end may be ``far`` away.
+    """
+    places = [each for each in _places(ends, positive, name) if far or each[0] is not sp.oo]
     return all(
         any(
             _agrees(tree, name, end, side)
@@ -110,7 +122,9 @@ def way_of(tree: Expression, name: str, ends: Sequence[Link], bound: Relation) -
         if len(places) >= 2:
             low, high = places[0], places[-1]
         elif not places:
-            low, high = sp.Integer(1), sp.Integer(2)
+            low, high = next(
+                pair for pair in _PAIRS if getattr(change(*pair), "is_real", False) or pair[0] < 1
+            )
         elif any(letters(each.left) and each.sign in _DOWN for each in ends):
             low, high = places[0], places[0] + 1
         else:

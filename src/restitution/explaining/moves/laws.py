@@ -17,7 +17,7 @@ from restitution.explaining.definitions import (
     tie_of,
     ties,
 )
-from restitution.explaining.derivation import Event, Link
+from restitution.explaining.derivation import Event, Link, Relation
 from restitution.explaining.moves.bases import expected_residual, matches
 from restitution.explaining.moves.putting import matches_with, points_along
 from restitution.explaining.principles import RECORDS, Record
@@ -25,6 +25,7 @@ from restitution.explaining.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.rules import Rules
 from restitution.explaining.senses import oriented
 from restitution.explaining.step import Step
+from restitution.explaining.trees import settled
 from restitution.expression.tree import (
     Apply,
     AtTime,
@@ -35,6 +36,7 @@ from restitution.expression.tree import (
     Number,
     Polar,
     Quantity,
+    Unit,
 )
 
 
@@ -90,6 +92,7 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
         part = _one_signed(step, link)
         if step.move.record == "straight-line":
             _note_pace(step, link, rules)
+            _note_approach(step, rules)
         if part is None:
             expected = expected_residual(step, link, rules)
             if step.move.id == "law" or step.move.record == "chord":
@@ -121,6 +124,24 @@ def _note_pace(step: Step, link: Link, rules: Rules) -> None:
                 return
             if step.signs.of(length, sure=False) is not None:
                 step.world.denominators.append(speed.above)
+
+
+def _note_approach(step: Step, rules: Rules) -> None:
+    """Who comes to a wall along **i** or **j** moves towards it: that component is not zero."""
+    event = step.setting.event(step.move.event)
+    if event is None or event.kind != "impact" or not event.wall:
+        return
+    body = Name(event.bodies[0])
+    for each in step.cited:
+        if each.ref != f"contact {event.number}" or not isinstance(each.relation, Relation):
+            continue
+        match each.relation.only[0].left:
+            case Quantity("along", (_, Unit() as unit)):
+                velocity = Quantity("velocity", (body,), event.number - 1)
+                pace = settled(Quantity("along", (velocity, unit)), step.setting.events)
+                speed = rules.put_into(step.world.value(pace))
+                if isinstance(speed, Quotient) and not speed.vanishes:
+                    step.world.denominators.append(speed.above)
 
 
 def _one_signed(step: Step, link: Link) -> Expression | None:
