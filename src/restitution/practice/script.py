@@ -7,7 +7,7 @@ blank in it. What letters and phrases mean is decided later (`letters`).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Literal
 
@@ -104,12 +104,17 @@ class ScriptLine:
 
 @dataclass(frozen=True)
 class Script:
-    """A working: its lines, numbered from 1 as typed, blank lines counted and left out."""
+    """A working: its lines, numbered from 1 as typed, blank lines counted and left out.
+
+    ``literal`` is the working read without `a` for α and the like, where a letter was read so.
+    """
 
     lines: tuple[ScriptLine, ...]
+    literal: Script | None = field(default=None, compare=False)
 
     def of(self, part: str | None) -> Script:
         """The lines that belong to a part; all of them where the script opens no part."""
         if all(line.part is None for line in self.lines):
             return self
-        return Script(tuple(line for line in self.lines if line.part == part))
+        literal = None if self.literal is None else self.literal.of(part)
+        return Script(tuple(line for line in self.lines if line.part == part), literal)

@@ -64,13 +64,48 @@ def judge(
     """
     bench = bench_of(question, part)
     own = script.of(part)
-    meanings = meanings_of(
-        own, bench.problem, bench.solution, part, dict(letters or {}), bench.worlds
-    )
     if not bench.worlds:
         return Judgement(tuple(JudgedLine(each, "remark") for each in own.lines), ())
+    judgement = _judged(bench, own, part, letters)
+    literal = own.literal
+    if literal is None or not any(line.verdict == "false" for line in judgement.lines):
+        return judgement
+    # An a that is given a value of its own, and not that of the α of the question, is no α.
+    unknown = bench.question.unknown - bench.question.given
+    defining = set(_defined_otherwise(judgement.lines, literal, unknown))
+    if not defining:
+        return judgement
+    other = _judged(bench, literal, part, letters)
+    true = {line.line.number for line in other.lines if line.verdict == "true"}
+    return other if defining <= true else judgement
+
+
+def _judged(
+    bench: Bench,
+    script: Script,
+    part: str | None,
+    letters: Mapping[str, Expression | Sequence[Expression]] | None,
+) -> Judgement:
+    meanings = meanings_of(
+        script, bench.problem, bench.solution, part, dict(letters or {}), bench.worlds
+    )
     with np.errstate(all="ignore"):
-        return _Sitting(bench, own, meanings).judgement()
+        return _Sitting(bench, script, meanings).judgement()
+
+
+def _defined_otherwise(
+    lines: Sequence[JudgedLine], literal: Script, unknown: frozenset[str]
+) -> Iterator[int]:
+    """The false lines that first use a letter for a known angle, and only give it a value."""
+    seen: set[str] = set()
+    for line, plain in zip(lines, literal.lines, strict=True):
+        fresh = _names_in(plain) - _names_in(line.line) - seen
+        seen |= fresh
+        stands_for = _names_in(line.line) - _names_in(plain)
+        if line.verdict != "false" or not fresh or stands_for & unknown:
+            continue
+        if any(_names_of(link) in ({name} for name in fresh) for link in plain.links):
+            yield line.line.number
 
 
 @dataclass(frozen=True, eq=False)
@@ -401,10 +436,13 @@ def _left(link: Link) -> Expression:
 
 
 def _names_in(line: ScriptLine) -> frozenset[str]:
+    return frozenset[str]().union(*map(_names_of, line.links))
+
+
+def _names_of(link: Link) -> frozenset[str]:
     return frozenset[str]().union(
         *(
             letters(side)
-            for link in line.links
             for claim in link.readings
             for side in (claim.left, claim.right, *claim.others)
         )

@@ -26,7 +26,7 @@ from restitution.practice.reading.scanner import scan
 from restitution.practice.reading.segments import segments
 from restitution.practice.reading.statements import Past, Statements, read_statements
 from restitution.practice.reading.tokens import Token, Usage
-from restitution.practice.reading.usage import usage_of
+from restitution.practice.reading.usage import GREEK_ANGLES, usage_of
 from restitution.practice.script import ANYWHERE, LineKind, Scope, Script, ScriptLine
 from restitution.problem import Impact, Problem
 
@@ -48,7 +48,16 @@ def read_working(
     plains = [plain(line[: MAX_LENGTH + 1]) for _, line in typed[:MAX_LINES]]
     usage = usage_of([each.text for each in plains], problem)
     aliases = {each: meant for each, meant in usage.aliases.items() if each not in declared}
-    usage = replace(usage, aliases=aliases)
+    own = {each: meant for each, meant in aliases.items() if meant not in GREEK_ANGLES}
+    script = _read(typed, plains, problem, replace(usage, aliases=aliases))
+    if own == aliases:
+        return script
+    return replace(script, literal=_read(typed, plains, problem, replace(usage, aliases=own)))
+
+
+def _read(
+    typed: Sequence[tuple[int, str]], plains: Sequence[Plain], problem: Problem, usage: Usage
+) -> Script:
     reader = _Reader(problem, usage)
     script_lines = [reader.line(number, line, each) for (number, line), each in zip(typed, plains)]
     if len(typed) > MAX_LINES:
