@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from restitution.expression.tree import Expression
-from restitution.practice.script import ANYWHERE, Scope, ScriptLine
+from restitution.practice.script import ANYWHERE, Claim, Scope, ScriptLine
 
 Verdict = Literal["true", "follows", "false", "asks", "unread", "remark", "unsupported"]
 Accuracy = Literal["exact", "rounded", "coarse"]
@@ -72,7 +72,8 @@ class JudgedLine:
     the link that fails; ``sources`` are the numbers of the lines above from which it follows;
     ``read_as`` the reading that decided, in symbols; ``meant`` what letters and phrases mean in
     this line where it is not what they mean in the script. ``grounded`` tells that a true line does
-    not rest on a false one above it, as far as that can be told.
+    not rest on a false one above it, as far as that can be told. ``mended`` is the link that fails
+    as it would be without a slip, with what it then uses.
     """
 
     line: ScriptLine
@@ -86,6 +87,7 @@ class JudgedLine:
     remark: str | None = None
     grounded: bool = True
     meant: Mapping[str, Expression] = field(default_factory=dict, compare=False)
+    mended: tuple[Claim, tuple[Use, ...]] | None = None
 
 
 @dataclass(frozen=True)

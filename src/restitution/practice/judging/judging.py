@@ -104,7 +104,7 @@ def _defined_otherwise(
         stands_for = _names_in(line.line) - _names_in(plain)
         if line.verdict != "false" or not fresh or stands_for & unknown:
             continue
-        if any(_names_of(link) in ({name} for name in fresh) for link in plain.links):
+        if any(len(own) == 1 and own <= fresh for own in map(_names_of, plain.links)):
             yield line.line.number
 
 

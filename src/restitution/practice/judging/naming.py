@@ -36,6 +36,7 @@ from restitution.practice.judging.entries import Entry, is_numeric, same_relatio
 from restitution.practice.judging.slips import Correction, corrections
 from restitution.practice.letters.candidates import Candidate, candidates
 from restitution.practice.reading.lines import text_of
+from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees, difference, numbers_of
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Given, Problem
@@ -80,13 +81,15 @@ Stated = frozenset[tuple[str, int | None]]
 class Explained:
     """The altered laws that explain a false claim, and the slip that it may be instead.
 
-    ``at`` is the text that would have to be another, ``near`` the laws of the claim corrected.
+    ``at`` is the text that would have to be another, ``near`` the laws of the
+    claim corrected, and ``mended`` the claim itself with what it uses.
     """
 
     variants: tuple[VariantAt, ...] = ()
     slip: str | None = None
     at: str | None = None
     near: tuple[Use, ...] = ()
+    mended: tuple[Claim, tuple[Use, ...]] | None = None
 
 
 class JudgedSoFar(Protocol):
@@ -126,10 +129,14 @@ class Names:
         mended = tuple(_mending(entry, judge))
         at = text_of(mended[0].part) if mended else None
         variants = self._explaining(entry, judge, mended)
+        slip = _slip(entry, judge, mended)
         uses = judge.uses_of_entry(entry)
         idle = all(use.principle == "arithmetic" for use in uses)
-        near = _near(entry, judge, mended) if idle else ()
-        return Explained(variants, _slip(entry, judge, mended), at, near)
+        nearest, near = _near(entry, judge, mended) if idle or slip else (None, ())
+        # One figure for another may make any equation true.
+        sure = nearest is not None and nearest.change != "figure"
+        claim = (nearest.claim, near) if nearest is not None and sure else None
+        return Explained(variants, slip, at, near if idle else (), claim)
 
     def named(self, explained: Explained, stated: Stated, confirmed: frozenset[str]) -> Mistake:
         """The mistake by its name.
@@ -306,15 +313,18 @@ def _contradicts(variant: VariantAt, stated: Stated) -> bool:
     return any((law.law, variant.event.number) in stated for law in variant.laws)
 
 
-def _near(entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction]) -> tuple[Use, ...]:
-    """The laws of a claim with the first correction that makes it an instance of one."""
-    near: tuple[Use, ...] = ()
+def _near(
+    entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction]
+) -> tuple[Correction | None, tuple[Use, ...]]:
+    """The first correction that makes a claim an instance of a law, and what it then uses."""
+    best: tuple[Correction | None, tuple[Use, ...]] = None, ()
     for correction in mended[:_TRIED]:
         uses = judge.uses_of_entry(replace(entry, claim=correction.claim, wrong=False, right=True))
         if uses and uses[0].principle in _LAWS:
-            return uses
-        near = near or uses
-    return near
+            return correction, uses
+        if uses and (not best[1] or best[1][0].principle == "arithmetic"):
+            best = correction, uses
+    return best
 
 
 def _is_law(correction: Correction, entry: Entry, judge: JudgedSoFar) -> bool:

@@ -203,7 +203,8 @@ class Judge:
         uses = (explained.near or line.uses) if idle else line.uses
         if mistake.variants and not any(use.altered in mistake.variants for use in uses):
             uses = tuple(dict.fromkeys((*_uses_of_variants(explained.variants, mistake), *uses)))
-        return replace(line, mistake=mistake, uses=uses)
+        mended = explained.mended if mistake.kind == "slip" else None
+        return replace(line, mistake=mistake, uses=uses, mended=mended)
 
     def is_true(self, script: Script) -> bool:
         """Whether every relation of a script holds in one of the solutions."""
@@ -352,7 +353,11 @@ class Judge:
     def _relabelled(
         self, line: ScriptLine, link: Link, worlds: Sequence[World], verdict: Verdict
     ) -> JudgedLink | None:
-        """A label that names its quantity at another moment, or in the other sense."""
+        """A label that names its quantity at another moment, or in the other sense.
+
+        A meaning that fits to a figure or two only is taken where none fits better.
+        """
+        best: JudgedLink | None = None
         for claim in link.readings:
             if not isinstance(claim.left, Letter) or not is_phrase(claim.left.name):
                 continue
@@ -360,14 +365,15 @@ class Judge:
                 senses = (meant, Negate(meant)) if is_signed(meant) else (meant,)
                 for each in (*senses, *times_sizes(senses, claim.right)):
                     other = replace(claim, left=each)
-                    grade = next(
-                        (g for w in worlds if (g := self.accuracy(other, w, line, link))), None
-                    )
-                    if grade is not None:
-                        sources = sources_of(claim, self.entries) if verdict == "follows" else ()
-                        meant_here = ((claim.left.name, each),)
-                        return JudgedLink(verdict, other, grade, sources, meant=meant_here)
-        return None
+                    grade = self._best_accuracy(other, worlds, line, link)
+                    if grade is None or (grade == "coarse" and best is not None):
+                        continue
+                    sources = sources_of(claim, self.entries) if verdict == "follows" else ()
+                    meant_here = ((claim.left.name, each),)
+                    best = JudgedLink(verdict, other, grade, sources, meant=meant_here)
+                    if grade != "coarse":
+                        return best
+        return best
 
     def _of_unnamed_angle(
         self, line: ScriptLine, link: Link, worlds: Sequence[World], verdict: Verdict
@@ -463,6 +469,13 @@ class Judge:
             if grade is not None:
                 return grade
         return self._in_turned_axes(claim, world, line, link)
+
+    def _best_accuracy(
+        self, claim: Claim, worlds: Iterable[World], line: ScriptLine, link: Link
+    ) -> Accuracy | None:
+        """How exactly a claim holds in that of several worlds in which it holds best."""
+        grades = [self.accuracy(claim, world, line, link) for world in worlds]
+        return next((each for each in reversed(_GRADES) if each in grades), None)
 
     def _in_turned_axes(
         self, claim: Claim, world: World, line: ScriptLine, link: Link

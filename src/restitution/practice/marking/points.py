@@ -87,17 +87,22 @@ class _Examiner:
         self.states: dict[str, PointMark] = {}
 
     def marks(self) -> Marks:
-        for point in self.scheme.points:
-            self.states[point.id] = self._first(point)
-        self._solve()
-        self._imply()
+        self._apply()
         self._complete()
         self._keep()
+        self._forgive()
         self._require()
         points = [self.states[point.id] for point in self.scheme.points]
         points = self._misread(points)
         points = self._too_coarse(points)
         return Marks(self.scheme, tuple(points))
+
+    def _apply(self) -> None:
+        """Every point by itself, and what values imply."""
+        for point in self.scheme.points:
+            self.states[point.id] = self._first(point)
+        self._solve()
+        self._imply()
 
     # --- each point by itself -------------------------------------------------------------------
 
@@ -172,7 +177,7 @@ class _Examiner:
 
     def _condition(self, point: MarkPoint) -> JudgedLine | None:
         """A true line that is the condition of the question, with values put in."""
-        if point.principle != "fact":
+        if point.principle not in _CONDITIONS:
             return None
         true = (line for line in self.lines if line.verdict == "true")
         return next((line for line in true if self.values.states(point, line)), None)
@@ -202,6 +207,8 @@ class _Examiner:
             sound = line.verdict in _SOUND and use.altered is None
             if self._is_at_wrong_angle(point, line):
                 return self._earned(point, line, "the law is right; the angle is another point")
+            if sound and not self._is_of_what_stays(point, line, use):
+                continue
             if sound and (lost is None or line.verdict == "true"):
                 return self._earned(point, line, "")
             lost = lost or PointMark(point, "lost", line.line.number, self._reason(line))
@@ -213,6 +220,15 @@ class _Examiner:
             return value if value.state == "earned" else lost or value
         used = next((line for line in self.lines if self.values.carries(point, line)), None)
         return value if used is None else self._earned(point, used, "used here")
+
+    def _is_of_what_stays(self, point: MarkPoint, line: JudgedLine, use: Use) -> bool:
+        """Whether a line speaks of one body's component that stays.
+
+        A sum over two bodies does not, nor does a wrong value that happens to be its size.
+        """
+        if point.principle != "unchanged" or self.values.speaks_for(point, line):
+            return True
+        return line.verdict == "true" and len(use.bodies) < 2
 
     def _is_at_wrong_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether nothing but the angle is wrong, for which the scheme has a point of its own."""
@@ -241,7 +257,7 @@ class _Examiner:
                 state: State = "earned" if through else "lost"
                 last = PointMark(point, state, line.line.number, "follows from an earlier slip")
             elif line.verdict == "false":
-                if last is not None and last.state == "earned":
+                if last is not None and last.state == "earned" and not self._is_begun(point, last):
                     continue  # what is wrong behind a right answer loses nothing
                 last = PointMark(point, "lost", line.line.number, self._reason(line))
             elif line.verdict == "unsupported":
@@ -250,11 +266,17 @@ class _Examiner:
                     last = PointMark(point, "lost", line.line.number, why)
         if last is not None and last.state == "earned" and point.item is not None:
             sound = [each for each in self.lines if each.verdict in _SOUND]
-            if not self.values.covers(point, sound):
+            alike = [each for each in self.scheme.points if each.item == point.item]
+            if self.values.left_out(point, sound) > len(alike) - 1 - alike.index(point):
                 last = replace(last, state="lost", why="another value is possible as well")
         if last is None and (self.values.is_velocity(point) or self.values.is_direction(point)):
             seen = next((each for each in self.lines if self.values.shows(point, each)), None)
             last = None if seen is None else self._earned(point, seen, "")
+        if last is None:
+            used = next(
+                (each for each in self.lines if self.values.points_along(point, each)), None
+            )
+            last = None if used is None else self._earned(point, used, "used here")
         if last is None:
             seen = next((each for each in self.lines if self.values.is_seen(point, each)), None)
             last = None if seen is None else self._earned(point, seen, "seen here")
@@ -263,6 +285,11 @@ class _Examiner:
             if conclusion is not None and _CONCLUDING.search(conclusion.line.text):
                 last = self._earned(point, conclusion, "")
         return last or self._missing(point)
+
+    def _is_begun(self, point: MarkPoint, mark: PointMark) -> bool:
+        """Whether a value is earned by a multiple of it alone: ``3v/2 = √13/6``."""
+        line = self._line(mark.line)
+        return line is not None and self.values.gives_multiple_only(point, line)
 
     def _begins_here(self, line: JudgedLine) -> bool:
         """Whether a value follows from a mistake in the working of this part.
@@ -354,11 +381,23 @@ class _Examiner:
                 continue  # one component is no velocity
             if point.event is not None and use.event not in (None, point.event):
                 continue
+            if self._is_of_another(point, line):
+                continue
             own = point.principle in ("unchanged", "impulse", "speed", "angle", "deflection")
             if own and use.bodies and point.bodies and not set(use.bodies) & set(point.bodies):
                 continue
             return use
         return None
+
+    def _is_of_another(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line speaks of the angle of another point, and not of that of this one."""
+        if point.principle != "angle" or self.values.speaks_for(point, line):
+            return False
+        return any(
+            self.values.speaks_for(each, line)
+            for each in self.scheme.points
+            if each.principle == "angle" and each.link != point.link
+        )
 
     def _with_mistake(self, line: JudgedLine, use: Use) -> tuple[bool, str]:
         """Whether a false line of a principle keeps its method, and why."""
@@ -412,6 +451,11 @@ class _Examiner:
             if line is not None:
                 self.states[point.id] = self._earned(point, line, "")
 
+    def _is_given(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line of a method gives its value as well: ``tan b = 5/36``."""
+        worth = point.principle in _OF_VALUES and not point.shown
+        return worth and line.verdict == "true" and self.values.matches(point, line) == "true"
+
     def _complete(self) -> None:
         """Right answers to everything, without a mistake, earn the points of steps left out."""
         points = self.scheme.points
@@ -441,6 +485,7 @@ class _Examiner:
             if self._is_broken(own.line, ("false",)) and not self._is_sure(own):
                 continue
             stated = point.letter == "M" and not own.implied
+            stated = stated and not self._is_given(point, line)
             if stated and point.principle not in ("solve", "fact"):
                 continue
             for name in point.above:
@@ -479,6 +524,22 @@ class _Examiner:
                 if state.state == "lost" and state.line is None:
                     why = "a slip keeps the method"
                     self.states[name] = PointMark(state.point, "earned", own.line, why)
+
+    def _forgive(self) -> None:
+        """A line that but for a slip earns a method, or has what stays in it, keeps that."""
+        mended = tuple(_mended(line) for line in self.lines)
+        slips = {a.line.number for a, b in zip(self.lines, mended, strict=True) if a is not b}
+        if not slips:
+            return
+        other = _Examiner(Judgement(mended, ()), self.scheme, self.values)
+        other._apply()
+        for point in self.scheme.points:
+            own, there = self.states[point.id], other.states[point.id]
+            kept = point.letter == "M" or point.principle == "unchanged"
+            if not kept or own.state != "lost" or there.line not in slips:
+                continue
+            if there.state == "earned" and own.line in (None, there.line):
+                self.states[point.id] = replace(there, why="a slip keeps the method")
 
     def _is_slip_in_chain(self, line: JudgedLine) -> bool:
         """Whether a slip stands in a line that works out its value."""
@@ -637,8 +698,12 @@ _IN_EQUATIONS = ("component", "unchanged", "angle", "condition", "direction", "f
 # What a component is found by.
 _RESOLVING = ("component", "angle", "direction")
 
+# What a condition of the question is stated with.
+_CONDITIONS = ("fact", "speed", "energy", "angle", "deflection")
+
 # Methods that a value of what they are for shows.
 _OF_VALUES = (
+    "component",
     "speed",
     "angle",
     "energy",
@@ -686,6 +751,17 @@ def _fitting(line: JudgedLine) -> tuple[Use, ...]:
     names = (mistake.id, *mistake.also)
     named = tuple(use for use in line.uses if (use.altered or "").partition("/")[0] in names)
     return named or line.uses
+
+
+def _mended(line: JudgedLine) -> JudgedLine:
+    """A line as it would be without its slip; any other as it is."""
+    if line.mended is None or line.link is None or line.verdict != "false":
+        return line
+    claim, uses = line.mended
+    links = list(line.line.links)
+    links[line.link] = replace(links[line.link], readings=(claim,), decimals=())
+    typed = replace(line.line, links=tuple(links))
+    return replace(line, line=typed, verdict="true", uses=uses, mistake=None, link=None)
 
 
 def _as_true(line: JudgedLine) -> JudgedLine:

@@ -21,6 +21,8 @@ from restitution.explaining.derivation import FLIPPED
 from restitution.explaining.trees import exchanged
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import (
+    Apply,
+    Binary,
     Expression,
     Letter,
     Negate,
@@ -36,7 +38,7 @@ from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.arrays import Array, UnvaluedError, is_bare
 from restitution.practice.worlds.principles import is_worked
-from restitution.practice.worlds.student import scattered_world
+from restitution.practice.worlds.student import scattered_world, told_world
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
 from restitution.vector import Vector
@@ -87,22 +89,50 @@ class Values:
         if point.shown and not self._is_printed(point, line):
             whole = line.verdict == "true" and self._gives_whole(point.link.left, line)
             return self._match(line) if whole else None
-        if not point.shown and not self._gives(point.link.left, line):
-            energetic = point.principle == "energy"
+        if not point.shown and not self._gives(point.link.left, line, self._is_open(point)):
+            energetic = point.principle in ("energy", "component")
             computed = (energetic or point.letter == "A") and self._computes(point.link.left, line)
             between = point.letter == "A" and point.item is None
-            computed = computed or (between and self._gives_multiple(point.link.left, line))
+            computed = computed or (between and self.gives_multiple(point, line))
             if not computed and not self._gives_whole(point.link.left, line):
                 return None
         return self._match(line)
 
-    def covers(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> bool:
-        """Whether lines give a value in every solution, where there are several."""
+    def gives_multiple(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line gives a multiple of what a point is for its value."""
+        link = point.link
+        return link is not None and self._gives_multiple(link.left, line, self._is_open(point))
+
+    def gives_multiple_only(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line gives a multiple of what a point is for, and not that itself."""
+        link = point.link
+        if link is None or self._gives(link.left, line, self._is_open(point)):
+            return False
+        return self.gives_multiple(point, line)
+
+    def speaks_for(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a side of a line names what a point is for: an angle, or its tangent."""
+        link = point.link
+        if link is None:
+            return False
+        meanings = self._meanings(line)
+        angle = link.left.argument if isinstance(link.left, Apply) else link.left
+        return any(
+            self._names(side, each, meanings, line)
+            for chain in _chains(line)
+            for claim in chain
+            for side in (claim.left, claim.right)
+            for each in dict.fromkeys((link.left, angle))
+        )
+
+    def left_out(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> int:
+        """In how many of several solutions no line gives the value of a point."""
         link = point.link
         if link is None or point.shown or len(self.worlds) < 2:
-            return True
-        return all(
-            any(self._holds_in(world, link.left, line) for line in lines) for world in self.worlds
+            return 0
+        return sum(
+            not any(self._holds_in(world, link.left, line) for line in lines)
+            for world in self.worlds
         )
 
     def _holds_in(self, world: World, quantity: Expression, line: JudgedLine) -> bool:
@@ -300,10 +330,63 @@ class Values:
         kinds = ("speed", "energy") if own else ()
         if any(self.value_of(replace(velocity, kind=kind), line) is not None for kind in kinds):
             return True
+        if own and self._has_square(link.right, line):
+            return True
         vector = self.value_of(velocity, line)
         if vector is None:
             return False
         return self._is_worth(exchanged(link.left, {velocity: vector}), link.left, line)
+
+    def _has_square(self, value: Expression, line: JudgedLine) -> bool:
+        """Whether the square of a value in letters stands in a line: ``w² = v² + u² sin²α``."""
+        world, meanings = self._scattered, self._meanings(line)
+        square = Binary("^", value, Number(Fraction(2)))
+        if is_bare(value):
+            return False
+        for link in line.line.links:
+            for side in (link.readings[0].left, link.readings[0].right):
+                for each in walk(side):
+                    if not isinstance(each, Binary) or each.op not in ("*", "^"):
+                        continue
+                    try:
+                        own = world.value(each, meanings, line.line.scope)
+                        if _same(world, own, world.value(square)):
+                            return True
+                    except UnvaluedError:
+                        continue
+        return False
+
+    def points_along(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line takes a component along the direction that a point is for."""
+        link = point.link
+        if link is None or link.sign != "parallel to" or line.verdict != "true":
+            return False
+        meanings = self._meanings(line)
+        return any(
+            self._is_parallel(vector, link.right, meanings, line)
+            for each in line.line.links
+            for side in (each.readings[0].left, each.readings[0].right)
+            for product in _within(side)
+            if product.kind == "dot"
+            for vector in product.arguments
+        )
+
+    def _is_parallel(
+        self,
+        vector: Expression,
+        direction: Expression,
+        meanings: Mapping[str, Expression],
+        line: JudgedLine,
+    ) -> bool:
+        world = self._base
+        try:
+            own, asked = world.value(vector, meanings, line.line.scope), world.value(direction)
+        except UnvaluedError:
+            return False
+        if not (isinstance(own, Vector) and isinstance(asked, Vector)):
+            return False
+        crossed = own.x * asked.y - own.y * asked.x
+        return _is_zero(world, crossed) and self._is_value(vector, meanings, line)
 
     def letter_of(self, quantity: Expression) -> Expression | None:
         """The student's letter for a quantity, with a sign where it has the other sense."""
@@ -333,8 +416,13 @@ class Values:
         except UnvaluedError:
             return False
 
-    def value_of(self, tree: Expression, line: JudgedLine) -> Expression | None:
-        """The side of a line that gives a quantity its value, the last one typed."""
+    def value_of(
+        self, tree: Expression, line: JudgedLine, open_: bool = False
+    ) -> Expression | None:
+        """The side of a line that gives a quantity its value, the last one typed.
+
+        With ``open_`` the letters that the question asks for may stand in it.
+        """
         meanings = self._meanings(line)
         last: Expression | None = None
         for chain in _chains(line):
@@ -343,33 +431,43 @@ class Values:
                     (
                         claim.right
                         for claim in reversed(chain)
-                        if self._is_value(claim.right, meanings, line)
+                        if self._is_value(claim.right, meanings, line, open_)
                     ),
                     last,
                 )
             elif self._names(chain[-1].right, tree, meanings, line) and self._is_value(
-                chain[0].left, meanings, line
+                chain[0].left, meanings, line, open_
             ):
                 last = chain[0].left
         return last
 
     # --- sides ----------------------------------------------------------------------------------
 
-    def _gives(self, quantity: Expression, line: JudgedLine) -> bool:
+    def _is_open(self, point: MarkPoint) -> bool:
+        """Whether letters that the question asks for stand in the value of a point."""
+        assert point.link is not None
+        return any(
+            isinstance(each, Letter) and each.name in self.unknown
+            for each in walk(point.link.right)
+        )
+
+    def _gives(self, quantity: Expression, line: JudgedLine, open_: bool) -> bool:
         if line.verdict == "remark":
             return False
-        return self.value_of(quantity, line) is not None
+        return self.value_of(quantity, line, open_) is not None
 
-    def _gives_multiple(self, quantity: Expression, line: JudgedLine) -> bool:
+    def _gives_multiple(self, quantity: Expression, line: JudgedLine, open_: bool) -> bool:
         """Whether a line gives a multiple of a quantity its value: ``2w = (1 + e)u``."""
         if line.verdict == "remark":
             return False
         meanings = self._meanings(line)
-        world = self._scattered
+        world = self._released if open_ else self._scattered
         for chain in _chains(line):
             first, last = chain[0].left, chain[-1].right
-            if len(set(_names_in(first))) != 1 or not self._is_value(last, meanings, line):
+            if len(set(_names_in(first))) != 1 or not self._is_value(last, meanings, line, open_):
                 continue
+            if not self._changes(first, meanings, line):
+                continue  # 3/√5 is a multiple of any number
             try:
                 own = world.value(first, meanings, line.line.scope)
                 asked = world.value(quantity)
@@ -479,8 +577,13 @@ class Values:
     def states(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line says what a point's own relation says, whatever happens.
 
-        The differences of the sides of both are multiples of one another, and not zero.
+        The differences of the sides of both are multiples of one another, and not zero: in any
+        story, or in one with other values of what the question asks for.
         """
+        worlds = (self._scattered, self._told) if point.principle != "fact" else (self._scattered,)
+        return any(self._states_in(world, point, line) for world in worlds if world is not None)
+
+    def _states_in(self, world: World, point: MarkPoint, line: JudgedLine) -> bool:
         link = point.link
         if link is None:
             return False
@@ -489,7 +592,7 @@ class Values:
             sides = (Quantity("dot", sides), Number(Fraction(0)))
         meanings = self._meanings(line)
         return any(
-            self._are_multiples((claim.left, claim.right), sides, meanings, line)
+            self._are_multiples(world, (claim.left, claim.right), sides, meanings, line)
             for each in line.line.links
             for claim in each.readings[:1]
             if (claim.sign in FLIPPED) == (link.sign in FLIPPED)
@@ -497,12 +600,12 @@ class Values:
 
     def _are_multiples(
         self,
+        world: World,
         own: tuple[Expression, Expression],
         asked: tuple[Expression, Expression],
         meanings: Mapping[str, Expression],
         line: JudgedLine,
     ) -> bool:
-        world = self._scattered
         try:
             values = [world.value(x, meanings, line.line.scope) for x in own]
             values += [world.value(x) for x in asked]
@@ -571,12 +674,20 @@ class Values:
         return not _same(self._base, true, other)
 
     def _is_value(
-        self, side: Expression, meanings: Mapping[str, Expression], line: JudgedLine
+        self,
+        side: Expression,
+        meanings: Mapping[str, Expression],
+        line: JudgedLine,
+        open_: bool = False,
     ) -> bool:
-        """Whether nothing that happens at the impacts changes a side."""
+        """Whether nothing that happens at the impacts changes a side.
+
+        With ``open_`` the letters that the question asks for are as they are.
+        """
+        world = self._released if open_ else self._scattered
         try:
             true = self._base.value(side, meanings, line.line.scope)
-            other = self._scattered.value(side, meanings, line.line.scope)
+            other = world.value(side, meanings, line.line.scope)
         except UnvaluedError:
             return False
         return _same(self._base, true, other)
@@ -588,6 +699,16 @@ class Values:
     @cached_property
     def _scattered(self) -> World:
         return scattered_world(self._base, self.unknown)
+
+    @cached_property
+    def _told(self) -> World | None:
+        """A world in which all laws hold, with other letters than the question leads to."""
+        return told_world(self._base, self.unknown) if self.unknown else None
+
+    @cached_property
+    def _released(self) -> World:
+        """A world in which velocities are scattered, and no letters of the statement."""
+        return scattered_world(self._base, frozenset())
 
     def _meanings(self, line: JudgedLine) -> Mapping[str, Expression]:
         return {**Interpretation(self.letters).trees(line.line.number), **line.meant}

@@ -108,6 +108,11 @@ def lawful_world(
     return _solved(scattered_world(base, unknown), [*facts_of(base), *laws], unknown)
 
 
+def told_world(base: World, unknown: Collection[str]) -> World | None:
+    """A world of other unknown letters, in which every law holds, whatever the question states."""
+    return _solved(scattered_world(base, unknown), list(laws_of(base)), unknown)
+
+
 def smooth_world(base: World, unknown: Collection[str]) -> World | None:
     """A world of scattered values in which components across lines of centres do not change."""
     laws = (each for each in laws_of(base) if each.law == "unchanged")
