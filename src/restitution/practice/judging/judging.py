@@ -26,7 +26,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.practice.judgement import JudgedLine, Judgement, Mistake
+from restitution.practice.judgement import JudgedLine, Judgement, Meaning, Mistake
 from restitution.practice.judging.bounds import bounds_of
 from restitution.practice.judging.misreading import (
     left_for_lost,
@@ -39,6 +39,7 @@ from restitution.practice.judging.support import Wanted, wanted_of
 from restitution.practice.judging.verdicts import Judge, Question
 from restitution.practice.letters.interpretation import Interpretation, Interpretations
 from restitution.practice.letters.letters import meanings_of
+from restitution.practice.reading.phrases import is_phrase
 from restitution.practice.script import Link, Script, ScriptLine
 from restitution.practice.worlds.sampling import true_worlds
 from restitution.practice.worlds.world import World
@@ -216,7 +217,20 @@ class _Sitting:
         if any(line.verdict == "false" for line in lines):
             lines = self._misread(lines)
             lines = self._asked(lines, asks)
-        return Judgement(lines, self.meanings.best.meanings, tuple(sorted(asks)))
+        return Judgement(lines, tuple(self._shown()), tuple(sorted(asks)))
+
+    def _shown(self) -> Iterator[Meaning]:
+        """The meanings of letters, and of the phrases that stand in the first reading of a line."""
+        first = {
+            name
+            for line in self.script.lines
+            for link in line.links
+            for side in (link.readings[0].left, link.readings[0].right, *link.readings[0].others)
+            for name in letters(side)
+        }
+        for each in self.meanings.best.meanings:
+            if each.letter in first or not is_phrase(each.letter):
+                yield each
 
     def _judge(
         self,

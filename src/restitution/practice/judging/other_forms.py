@@ -64,6 +64,17 @@ def times_sizes(senses: Sequence[Expression], side: Expression) -> Iterator[Expr
                     yield Binary("*", Apply("abs", vector), each)
 
 
+def energies_between(tree: Expression, meanings: Meanings) -> tuple[Expression, Expression] | None:
+    """The energies before and after of which an energy lost is the difference."""
+    meant = meanings.get(tree.name, tree) if isinstance(tree, Letter) else tree
+    if not isinstance(meant, Quantity) or meant.arguments or not isinstance(meant.stage, int):
+        return None
+    starts = {"energy_lost": meant.stage - 1, "total_energy_lost": 0}
+    if meant.kind not in starts:
+        return None
+    return Quantity("energy", (), starts[meant.kind]), Quantity("energy", (), meant.stage)
+
+
 def of_sizes(claim: Claim, meanings: Meanings) -> Iterator[Claim]:
     """A claim about a size with its other side turned: momenta subtracted in the other order."""
     if claim.sign != "=" or claim.others:

@@ -5,7 +5,7 @@ A line with such a number in it follows where it is true with what the number wa
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import islice, product
@@ -29,6 +29,14 @@ _MOST = 3
 _MEANT = 4
 _TRIED = 24
 _SMALL = frozenset(map(Fraction, (0, 1)))
+_TWO = Number(Fraction(2))
+_FACTORS = (Fraction(2), Fraction(3), Fraction(1, 2))
+_ROUNDED = Fraction(3, 1000)
+
+
+Meant = tuple[tuple[Expression, ...], tuple[Fraction, ...]]
+"""What a number may stand for, and the wrong numbers of which it is made."""
+Put = tuple[Claim, tuple[int, ...]]
 
 
 class OwnNumbers:
@@ -52,7 +60,7 @@ class OwnNumbers:
 
         ``others`` are what a phrase that was meant may mean as well.
         """
-        value, meant = _without_root(value, meant)
+        value, meant = _without_letters(*_without_root(value, meant))
         size = _size(value)
         if size is None or size in _SMALL:
             return
@@ -66,20 +74,42 @@ class OwnNumbers:
         known = tuple(Negate(tree) if negative else tree for tree in trees)
         self._known[size] = known[:_MEANT], line
 
-    def put_back(self, claim: Claim) -> Iterator[tuple[Claim, tuple[int, ...]]]:
+    def put_back(self, claim: Claim) -> Iterator[Put]:
         """A claim with what its wrong numbers stand for, and the lines that these are from."""
         sizes = {size for side in (claim.left, claim.right) for size in _sizes(side)}
-        own = [size for size in self._known if size in sizes][-_MOST:]
-        if not own or claim.others:
+        if claim.others:
             return
-        lines = tuple(dict.fromkeys(self._known[size][1] for size in own))
+        own = [size for size in self._known if size in sizes][-_MOST:]
+        yield from self._put(claim, {size: (self._known[size][0], (size,)) for size in own})
+        made = {each: trees for each in sizes if (trees := self._made_of(each))}
+        if made:
+            known = {size: (self._known[size][0], (size,)) for size in own}
+            yield from self._put(claim, dict(islice({**made, **known}.items(), _MOST)))
+
+    def _put(self, claim: Claim, meant: Mapping[Fraction, Meant]) -> Iterator[Put]:
+        if not meant:
+            return
+        sources = [size for _, sizes in meant.values() for size in sizes]
+        lines = tuple(dict.fromkeys(self._known[size][1] for size in sources))
         forms = [
-            [each for tree in self._known[size][0] for each in (tree, Negate(tree))] for size in own
+            [each for tree in trees for each in (tree, Negate(tree))] for trees, _ in meant.values()
         ]
         for trees in islice(product(*forms), _TRIED):
-            put = dict(zip(own, trees, strict=True))
+            put = dict(zip(meant, trees, strict=True))
             left, right = (_with(side, put) for side in (claim.left, claim.right))
             yield replace(claim, left=left, right=right), lines
+
+    def _made_of(self, number: Fraction) -> Meant | None:
+        """What a number stands for that is the square of a wrong one, or a multiple."""
+        for size, (trees, _) in self._known.items():
+            if number == size:
+                return None
+            if _is_near(number, size * size):
+                return tuple(Binary("^", tree, _TWO) for tree in trees), (size,)
+            for factor in _FACTORS if size.denominator > 1 else ():
+                if _is_near(number, factor * size):
+                    return tuple(Binary("*", Number(factor), tree) for tree in trees), (size,)
+        return None
 
 
 def _without_root(value: Expression, meant: Expression) -> tuple[Expression, Expression]:
@@ -90,6 +120,21 @@ def _without_root(value: Expression, meant: Expression) -> tuple[Expression, Exp
         return value, meant
     above = Negate(inside.left) if turned else inside.left
     return above, Binary("*", meant, inside.right)
+
+
+def _without_letters(value: Expression, meant: Expression) -> tuple[Expression, Expression]:
+    """A number before a letter, which cancels later, and what is right in its place."""
+    if not (isinstance(value, Binary) and value.op == "*" and isinstance(value.right, Letter)):
+        return value, meant
+    if _size(value.left) is None:
+        return value, meant
+    return value.left, Binary("/", meant, value.right)
+
+
+def _is_near(number: Fraction, other: Fraction) -> bool:
+    """Whether a number is another one, or that rounded."""
+    whole = number.denominator == 1 == other.denominator
+    return number == other if whole else abs(number - other) <= _ROUNDED * abs(other)
 
 
 def _size(tree: Expression) -> Fraction | None:

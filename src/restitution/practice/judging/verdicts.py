@@ -23,6 +23,7 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Name,
     Negate,
     Pair,
     Quantity,
@@ -41,6 +42,7 @@ from restitution.practice.judging.entries import (
 )
 from restitution.practice.judging.naming import Explained, Stated
 from restitution.practice.judging.other_forms import (
+    energies_between,
     is_oblique,
     is_signed,
     is_to_a_line,
@@ -69,6 +71,7 @@ from restitution.practice.worlds.arrays import UnvaluedError
 from restitution.practice.worlds.principles import uses_of
 from restitution.practice.worlds.student import altered_world, facts_of, student_world
 from restitution.practice.worlds.world import World
+from restitution.problem import Impact
 
 _WORST: tuple[Verdict, ...] = ("false", "unread", "asks", "unsupported", "follows", "true")
 _GRADES: tuple[Accuracy, ...] = ("coarse", "rounded", "exact")
@@ -280,6 +283,7 @@ class Judge:
         if line.kind == "unread":
             return JudgedLine(line, "unread")
         if line.kind in ("remark", "heading", "crossed") or not line.links:
+            self._stated.update(self._seen(line))
             return JudgedLine(line, "remark")
         line = self._with_axes(line)
         links = self._links(line)
@@ -319,6 +323,23 @@ class Judge:
             for line in (other, number) if same else ():
                 self._confirmed.setdefault(line, set()).update(same)
         self._explained[number] = explained
+
+    def _seen(self, line: ScriptLine) -> Iterator[tuple[str, int | None]]:
+        """The laws of which a value in a remark, ``1.5u``, is the component after a wall."""
+        world = self._base
+        for number, step in enumerate(world.events, 1):
+            if not isinstance(step, Impact) or step.second not in world.walls:
+                continue
+            velocity = Quantity("velocity", (Name(step.first),), number)
+            wall = Quantity("line_of_centres", (), number)
+            for kind, law in (("along", "restitution"), ("across", "unchanged")):
+                part = Apply("abs", Quantity(kind, (velocity, wall)))
+                for value in line.values:
+                    try:
+                        if agrees(Claim(part, "=", value), world, self.meanings(line.number), ()):
+                            yield law, number
+                    except RestitutionError:
+                        continue
 
     # --- a link -------------------------------------------------------------------------------
 
@@ -402,7 +423,7 @@ class Judge:
         if key not in self._phrases:
             world = self._base
             stages = range(len(world.events) + 1) if event is None else (event, event - 1)
-            trees = read_phrase(phrase, world.problem, event)
+            trees = read_phrase(phrase, world.problem, event, world.now())
             meanings = [
                 staged(tree, world.problem, world.part, now)
                 for tree in trees
@@ -603,6 +624,7 @@ class Judge:
             self._relabelled(line, link, self.students(), "follows")
             or self._of_unnamed_angle(line, link, self.students(), "follows")
             or self._with_own_numbers(line, link)
+            or self._with_own_energies(line, link)
             or self._adopted(line, link)
             or self._consistent(line, link)
         )
@@ -662,6 +684,32 @@ class Judge:
                 )
                 if grade is not None:
                     return JudgedLink("follows", claim, grade, numbers, right=each)
+        return None
+
+    def _with_own_energies(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """An energy lost that is the difference of the energies which the student has."""
+        meanings = self.meanings(line.number)
+        for claim in link.readings:
+            pair = energies_between(claim.left, meanings)
+            own = [self._own_value(each) for each in pair or ()]
+            if len(own) != 2 or None in own:
+                continue
+            before, after = (each for each in own if each is not None)
+            lost = Binary("-", before.claim.right, after.claim.right)
+            other = replace(claim, left=lost)
+            for world in self.worlds:
+                grade = self.accuracy(other, world, line, link)
+                if grade is not None:
+                    return JudgedLink("follows", claim, grade, (before.number, after.number))
+        return None
+
+    def _own_value(self, quantity: Expression) -> Entry | None:
+        """The last line that gives a quantity a value."""
+        for entry in reversed(self.entries):
+            left = entry.claim.left
+            meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+            if meant == quantity and entry.claim.sign == "=":
+                return entry
         return None
 
     def _in_all_meanings(self, link: Link, line: ScriptLine) -> Iterator[Claim]:
@@ -871,7 +919,7 @@ class Judge:
     def _note_number(self, line: ScriptLine, judged: JudgedLink, start: Expression) -> None:
         """Keep a number that is wrong, with what is right in its place."""
         claim = judged.right or judged.claim
-        named = isinstance(start, Letter | Quantity)
+        named = isinstance(start, Letter | Quantity | Apply)
         if claim.sign == "=" and (named or is_numeric(start)):
             meant = start if named else claim.left
             meanings = self.meanings(line.number)

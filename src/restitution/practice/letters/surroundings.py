@@ -144,7 +144,7 @@ class Surroundings:
             return ()
         key = words, event
         if key not in self._phrases:
-            self._phrases[key] = read_phrase(words, self.problem, event)
+            self._phrases[key] = read_phrase(words, self.problem, event, self.world.now())
         return self._phrases[key]
 
     def staged(self, tree: Expression, scope: Scope) -> Expression:

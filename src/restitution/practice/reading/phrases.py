@@ -76,12 +76,15 @@ def names_axis(name: str) -> bool:
     return not {"i", "j"}.isdisjoint(name.casefold().split())
 
 
-def read_phrase(words: str, problem: Problem, event: int | None = None) -> tuple[Expression, ...]:
+def read_phrase(
+    words: str, problem: Problem, event: int | None = None, until: int | None = None
+) -> tuple[Expression, ...]:
     """What a phrase may mean, as quantities of the statement language, most natural first.
 
     Text of the statement language itself (``along(velocity(A), i)``) is read as it stands. Where
-    no event is named, it is that of the heading above, ``event``; else the latest one comes first.
-    No candidates where the words name nothing.
+    no event is named, it is that of the heading above, ``event``; else the latest one comes first,
+    of those ``until`` the number that a part has come to. No candidates where the words name
+    nothing.
     """
     text = words.strip()[:400]
     if "(" in text:
@@ -99,7 +102,9 @@ def read_phrase(words: str, problem: Problem, event: int | None = None) -> tuple
         features = replace(features, event=_counted(event, features, problem))
     stages: tuple[Literal["after", "before"], ...] = ("after", "before")
     staged = [features] if features.stage else [replace(features, stage=each) for each in stages]
-    return _unique(chain.from_iterable(_Reader(each, problem).candidates() for each in staged))
+    return _unique(
+        chain.from_iterable(_Reader(each, problem, until).candidates() for each in staged)
+    )
 
 
 def _counted(event: int, features: Features, problem: Problem) -> int | None:
@@ -134,8 +139,8 @@ def _unique(candidates: Iterator[Expression]) -> tuple[Expression, ...]:
 class _Reader:
     """The candidates of one phrase."""
 
-    def __init__(self, features: Features, problem: Problem) -> None:
-        self.features, self.problem = features, problem
+    def __init__(self, features: Features, problem: Problem, until: int | None = None) -> None:
+        self.features, self.problem, self.until = features, problem, until
         self.events = problem.events
         self.spheres = tuple(each.name for each in problem.spheres)
         self.walls = tuple(each.name for each in problem.walls)
@@ -213,7 +218,8 @@ class _Reader:
         walled = [n for n in impacts if self.met(n) & set(self.walls) & set(self.features.names)]
         if walled:
             return list(reversed(walled))
-        taking_part = [n for n in impacts if not bodies or bodies & self.met(n)] or impacts
+        known = [n for n in impacts if self.until is None or n <= self.until] or impacts
+        taking_part = [n for n in known if not bodies or bodies & self.met(n)] or known
         return list(reversed(taking_part)) or [max(len(self.events), 1)]
 
     def met(self, number: int) -> set[str]:

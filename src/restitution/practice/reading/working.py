@@ -12,6 +12,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from restitution.practice.reading.characters import Plain, plain
+from restitution.practice.reading.energies import energy_links
 from restitution.practice.reading.headings import (
     case_of,
     crossed,
@@ -127,8 +128,10 @@ class _Reader:
     ) -> ScriptLine:
         if statements.body and scope.body is None:
             scope = replace(scope, body=statements.body)
+        links = energy_links(statements.links, statements.values, scope, self.usage, self.problem)
+        values = statements.values if links == statements.links else ()
         kind: LineKind = "remark"
-        if statements.links:
+        if links:
             kind = "relations"
         elif statements.declarations:
             kind = "declaration"
@@ -141,9 +144,9 @@ class _Reader:
             typed,
             kind,
             scope,
-            links=statements.links,
+            links=links,
             declarations=statements.declarations,
-            values=statements.values,
+            values=values,
             fault=statements.fault,
             column=statements.column,
         )

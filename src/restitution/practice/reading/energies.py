@@ -1,0 +1,83 @@
+"""Energies behind a label that says only when: ``before 0.5*3*16 + 0.5*2*9 = 33``.
+
+A sum whose terms are half a product is a kinetic energy: of all, of one sphere, or of the
+components along the line of centres alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    letters,
+    line_and_column,
+    walk,
+)
+from restitution.practice.reading.tokens import Usage
+from restitution.practice.script import Claim, Link, Scope
+from restitution.problem import Problem
+
+_HALF = Fraction(1, 2)
+
+
+def energy_links(
+    links: tuple[Link, ...],
+    values: tuple[Expression, ...],
+    scope: Scope,
+    usage: Usage,
+    problem: Problem,
+) -> tuple[Link, ...]:
+    """The relations of a line under *before* or *after*: its energy is that of the stage."""
+    if scope.stage is None or (links and values):
+        return links
+    first = links[0].readings[0] if links else None
+    if first is None and len(values) != 1:
+        return links
+    energy = values[0] if first is None else first.left
+    if not _is_energy(energy) or not letters(energy) <= usage.letters:
+        return links
+    readings = tuple(Claim(name, "=", energy) for name in _names(scope, problem))
+    if not links:
+        return (Link(readings, 1, 1),)
+    columns = {line_and_column(each.place)[1] for each in walk(energy) if isinstance(each, Number)}
+    decimals = tuple(each for each in links[0].decimals if each.column in columns)
+    return (Link(readings, links[0].start, links[0].end, decimals), *links)
+
+
+def _names(scope: Scope, problem: Problem) -> Iterator[Letter]:
+    """The phrases for an energy of which a label says only when, the most natural first."""
+    spheres = [each.name for each in problem.spheres]
+    owners = [scope.body] if scope.body else [None, *(spheres if len(spheres) > 1 else ())]
+    for way in ("", " along line of centres"):
+        for owner in owners:
+            of = f" of {owner}" if owner else ""
+            yield Letter(f"KE{of}{way} {scope.stage}")
+
+
+def _is_energy(tree: Expression) -> bool:
+    """Whether every term is half a product of two factors at least."""
+    if isinstance(tree, Binary) and tree.op in ("+", "-"):
+        return _is_energy(tree.left) and _is_energy(tree.right)
+    factors = list(_factors(tree))
+    halves = [each for each in factors if each == Number(_HALF)]
+    squares = [each for each in factors if isinstance(each, Binary) and each.op == "^"]
+    return len(halves) == 1 and len(factors) + len(squares) > 2
+
+
+def _factors(tree: Expression) -> Iterator[Expression]:
+    """The factors of a product; division by 2 is a factor of a half."""
+    match tree:
+        case Binary("*", left, right):
+            yield from _factors(left)
+            yield from _factors(right)
+        case Binary("/", left, Number(value)) if value == 2:
+            if left != Number(Fraction(1)):
+                yield from _factors(left)
+            yield Number(_HALF)
+        case _:
+            yield tree
