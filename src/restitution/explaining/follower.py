@@ -170,6 +170,31 @@ def with_identities(derivation: Derivation, oracle: Oracle) -> Derivation:
     return replace(derivation, lines=tuple(lines))
 
 
+def without_idle_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
+    """The same working, in which of a sine and a cosine that are found together none is idle."""
+    ends = {item.line for item in derivation.items}
+    for line in derivation.lines:
+        own = line.relation
+        if (
+            line.move.id != "triangle"
+            or line.number in ends
+            or not isinstance(own, Relation)
+            or len(own.options) != 1
+            or len(own.only) != 2
+        ):
+            continue
+        users = [each.number for each in derivation.lines if line.number in each.premises]
+        for link in own.only:
+            alone = replace(line, relation=Relation(((link,),)))
+            lines = tuple(alone if each is line else each for each in derivation.lines)
+            shorter = replace(derivation, lines=lines)
+            read = _reader(shorter, oracle)
+            if all(read.accepts(read.lines[each]) for each in (line.number, *users)):
+                derivation = shorter
+                break
+    return derivation
+
+
 def _reader(derivation: Derivation, oracle: Oracle) -> _Reader:
     """Who reads the lines of a working, made only where one has to be read."""
     return _Reader(settled_derivation(derivation), oracle, frozenset())

@@ -407,6 +407,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "either-side.wall": "{wall} may slope to either side of 𝐢",
     "either-side.title": "The line of centres may be on either side of 𝐢",
+    "restitution.none": "Newton's experimental law, as the coefficient of restitution is 0",
     "restitution.products": "Newton's experimental law, by scalar products with this vector",
     "moves-along.title": "{body} moves along the line of centres",
     "moves-along.why": (
@@ -659,6 +660,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.solve": "Solving {equations:and}:",
     "derived.solve-this": "Solving this equation:",
     "derived.formula": "By the formula for the roots of a quadratic:",
+    "derived.multiple": "Comparing the two vectors:",
     "derived.put": "Substituting for {letters:and}:",
     "derived.put-in": "Substituting for {letters:and} in {equation}:",
     "derived.put-last": "Substituting in {equation}:",
@@ -690,6 +692,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.since-put": "Since {facts:and}, substituting for {letters:and}:",
     "derived.since-in": "Since {facts:and}, from {equation}:",
     "derived.since-by": "Since {facts:and}, {how}:",
+    "derived.right-angle": "and {angle} if {at}",
     "derived.as": "as {reasons:and}",
     "derived.would": "{value} would give {result} by {equations:and}",
     "derived.the": "the {quantity}",

@@ -221,6 +221,10 @@ def dimensions_of_letters(problem: Problem) -> dict[str, Dimension]:
             dimension = dimension_of(step.expression)
             if dimension is not None:
                 dimensions.setdefault(step.letter, dimension)
+    for node in (each for tree in trees(problem) for each in walk(tree)):
+        if isinstance(node, Quantity) and isinstance(node.stage, AtTime):
+            for letter in _alone(node.stage.time, angle=False):
+                dimensions.setdefault(letter, TIME)
     return dimensions
 
 

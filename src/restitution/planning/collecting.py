@@ -144,6 +144,11 @@ def _without_common(
     ):
         return None
     common = _common(coefficients, ratios)
+    constant = [each for each in polynomials if each.is_ground]
+    sums = [each for each in polynomials if len(each.terms()) > 1]
+    if len(constant) == len(sums) == 1:
+        # 1 - e^2 = 4/5, and not 5 - 5e^2 = 4
+        common = _common([c for c in sums[0].coeffs() if c != 0], ratios)
     left, right = (
         sp.Poly.from_dict(
             {m: expanded(cancelled(c / common)) for m, c in polynomial.terms()}

@@ -22,10 +22,20 @@ def swept_product(scene: Scene, last: sp.Expr, first: sp.Expr, pace: sp.Expr) ->
     return negative(tree) if minus else tree
 
 
-def slope(scene: Scene, last: sp.Expr, first: sp.Expr, pace: sp.Expr, over: sp.Expr) -> Expression:
-    """A way in one direction by that in another: each size positive as far as values tell."""
+def slope(
+    scene: Scene,
+    last: sp.Expr,
+    first: sp.Expr,
+    pace: sp.Expr,
+    over: sp.Expr,
+    by_degrees: tuple[Expression, Expression] | None = None,
+) -> Expression:
+    """A way in one direction by that in another: each size positive as far as values tell.
+
+    ``by_degrees`` are the sizes of the two speeds by an angle of the data.
+    """
     (distance, *paces), minus = _sizes(scene, last, first, pace, over)
-    tree = product(distance, Binary("/", *paces))
+    tree = product(distance, Binary("/", *(by_degrees or paces)))
     return negative(tree) if minus else tree
 
 

@@ -294,7 +294,7 @@ _EASY = 12
 
 def _is_plain(before_: sp.Expr, after_: sp.Expr) -> bool:
     """Whether a product of letters and a rational number still is one, of one letter less."""
-    return not (
+    return bool(after_.free_symbols) and not (
         sp.Mul.make_args(before_)[0].is_Add
         or before_.atoms(sp.Add, sp.Function, sp.Pow)
         or after_.atoms(sp.Add, sp.Function, sp.Pow)
@@ -340,7 +340,10 @@ def _by_ratio(
 def by_degrees(
     scene: Scene, kind: str, body: str, frame: Frame, value: sp.Expr
 ) -> Expression | None:
-    """A component at the start by the angle in degrees: ``u cos 60°``; None without one."""
+    """A component at the start by the angle, a number: ``u cos 60°``, ``5 × 0.6``.
+
+    None without one.
+    """
     initial = scene.initial(body).value
     fact = scene.facts.get(f"velocity {body}")
     if fact is None:
@@ -357,11 +360,21 @@ def by_degrees(
     # At a straight wall, angles are measured from it.
     straight = frame.wall is not None and circle_of(scene, frame.number) is None
     function = "sin" if straight == (kind == "along") else "cos"
-    share = share_by_degrees(ratio, function)
+    share = share_by_degrees(ratio, function) or _share_in_numbers(link.right, ratio)
     if share is None:
         return None
     own = product(tree_of(size), share)
     return negative(own) if scene.model.sign(value) < 0 else own
+
+
+def _share_in_numbers(velocity: Expression, ratio: sp.Expr) -> Expression | None:
+    """The size of a ratio of an angle that is told by another of its ratios: ``arccos(0.6)``."""
+    match velocity:
+        case Polar(angle=Apply("arcsin" | "arccos" | "arctan")) if (
+            ratio.is_Rational and abs(ratio) not in (0, 1)
+        ):
+            return tree_of(abs(ratio))
+    return None
 
 
 def share_by_degrees(ratio: sp.Expr, function: str) -> Expression | None:
@@ -638,8 +651,8 @@ def _momentum_of(mass: Expression, velocity: Expression) -> Expression:
     return swept(product(mass, velocity))
 
 
-def restitution(scene: Scene, frame: Frame) -> int:
-    """Newton's law of restitution between two spheres."""
+def restitution(scene: Scene, frame: Frame, separation: sp.Expr | None = None) -> int:
+    """Newton's law of restitution between two spheres; with what the ``separation`` comes to."""
     first, second = scene.bodies(frame.number)
     step = scene.model.happening(frame.number).step
     assert isinstance(step, Impact)
@@ -654,11 +667,11 @@ def restitution(scene: Scene, frame: Frame) -> int:
     approach = difference(u, x)
     if scene.model.sign(early[0].value - early[1].value) < 0:
         v, w, approach = w, v, difference(x, u)
-    return scene.desk.write(
-        Move("law", "restitution", frame.number, (first, second)),
-        refs,
-        chain(ZERO if w == v else difference(w, v), (product(tree_of(e.value), approach), None)),
-    )
+        separation = None if separation is None else -separation
+    law = chain(ZERO if w == v else difference(w, v), (product(tree_of(e.value), approach), None))
+    if separation is not None and scene.judge.standing(law) is None:
+        law = chain(law.only[0].left, (law.only[0].right, None), (tree_of(separation), "rearrange"))
+    return scene.desk.write(Move("law", "restitution", frame.number, (first, second)), refs, law)
 
 
 def _now(scene: Scene, body: str, frame: Frame) -> Source:

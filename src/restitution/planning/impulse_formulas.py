@@ -90,9 +90,17 @@ def _size_of_impulse(scene: Scene, quantity: Quantity, event: int) -> Formula | 
         known = scene.desk.known(Quantity("impulse", (Name(body),), event))
         if known is None or not isinstance(known.value, Vector):
             continue
-        if not any(sp.sympify(each, strict=True).free_symbols for each in known.value):
+        if _is_in_a_plain_direction(known.value):
             return _size(Move("define", "size", event, (body,)), quantity, known)
     return None
+
+
+def _is_in_a_plain_direction(vector: Vector) -> bool:
+    """Whether the components of a vector are numbers, or in the ratio of numbers."""
+    x, y = (sp.sympify(each, strict=True) for each in vector)
+    if not (x.free_symbols | y.free_symbols):
+        return True
+    return bool(x) and bool(y) and bool(tidy(y / x).is_number)
 
 
 def _size_of_blow(scene: Scene, quantity: Quantity, event: int) -> Formula:

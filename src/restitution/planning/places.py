@@ -168,7 +168,9 @@ def _by_the_other(scene: Scene, body: str, stage: int, axis: Axis) -> Source | N
     pace, over = velocity(scene, body, since, axis), velocity(scene, body, since, other)
     distance = tidy(end.value - start_.value)
     value = tidy(first.value + distance * pace.value / over.value)
-    slope_ = slope(scene, end.value, start_.value, pace.value, over.value)
+    one, two = (_by_degrees(scene, body, since, each) for each in (axis, other))
+    shares = None if one is None or two is None else (one, two)
+    slope_ = slope(scene, end.value, start_.value, pace.value, over.value, shares)
     quantity = coordinate_tree(body, stage, axis)
     number = scene.desk.write(
         Move("define", "straight-line", stage, (body,)),

@@ -19,7 +19,7 @@ from restitution.explaining.derivation import (
     equation,
 )
 from restitution.explaining.facts import events_of, facts_of, staged
-from restitution.explaining.follower import with_identities, with_ranges, without_spare
+from restitution.explaining.follower import with_identities, with_ranges, without_idle_ratios, without_spare
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Apply, Binary, Expression, Negate, Number, letters, walk
 from restitution.oracle import Oracle
@@ -90,7 +90,7 @@ def plan(solution: Solution, route: int = 1, *, partial: bool = False) -> Deriva
     )
     oracle = Oracle(roles(problem))
     whole = without_idle(whole)
-    for mended in (with_ranges, with_identities, without_spare):
+    for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):
         whole = mended(whole, oracle)
     return gathered(whole)
 

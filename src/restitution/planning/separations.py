@@ -42,7 +42,7 @@ def write_separation(scene: Scene, frame: Frame) -> None:
     u, x = (before(scene, "along", body, frame) for body in bodies)
     letters = [after(scene, "along", body, frame) for body in bodies]
     value = tidy(e.value * (u.value - x.value))
-    number = restitution(scene, frame)
+    number = restitution(scene, frame, value)
     refs = together((number,), *(letter.refs for letter in letters))
     scene.desk.know(_separation_tree(scene, frame), value, refs)
 

@@ -28,6 +28,7 @@ from restitution.planning.velocity_formulas import body_and_stage, frame_after
 from restitution.problem import (
     Aligned,
 )
+from restitution.vector import Vector
 
 
 def write_aligned(claims: Claims, relation: Aligned, now: int) -> tuple[int, Relation]:
@@ -127,4 +128,7 @@ def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[in
             raise NotPlannedError("a line of centres that is to be worked out")
         right = fact.relation.only[0].right
     parallel = Link(left, "=", product(tree_of(factor), right))
-    return Equation(claims, parallel).write(), Relation(((parallel,),))
+    line = Equation(claims, parallel).write()
+    if left.kind == "impulse":  # a velocity is known by its components
+        scene.desk.know(left, Vector(*(factor * each for each in (bx, by))), (line,))
+    return line, Relation(((parallel,),))

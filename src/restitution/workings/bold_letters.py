@@ -8,7 +8,7 @@ the wall and **t** at right angles to it, so that a component is a scalar produc
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -257,9 +257,13 @@ class BoldLetters:
         self._pending.append(say(name, **slots))
 
     def _leads_into(self, event: Event) -> bool:
-        """Whether the axis at a wall is the direction into it, by a component along that."""
+        """Whether the axis at a wall is the direction into it, by all components along that."""
         axis = Quantity("line_of_centres", (), event.number)
-        letters_ = self.derivation.meanings
+        letters_ = {
+            **_values_of_letters(self.derivation),
+            **dict.fromkeys(self.derivation.meanings),
+        }
+        components = []
         for line in self.derivation.lines:
             match line.relation:
                 case Relation(
@@ -273,9 +277,20 @@ class BoldLetters:
                     )
                 ) if direction == axis:
                     value = _of_acute_angles(line.relation.only[-1].right, letters_)
-                    into = -value if stage == event.number else value
-                    return bool(into.is_nonnegative)
-        return False
+                    components.append(-value if stage == event.number else value)
+        return bool(components) and all(each.is_nonnegative for each in components)
+
+
+def _values_of_letters(derivation: Derivation) -> dict[str, sp.Expr]:
+    """The numbers that lines find for letters."""
+    values: dict[str, sp.Expr] = {}
+    for line in derivation.lines:
+        match line.relation:
+            case Relation(((Link(Letter(name)), *_),)) if line.relation.only[-1].sign == "=":
+                value = _of_acute_angles(line.relation.only[-1].right, {})
+                if value.is_number:
+                    values[name] = value
+    return values
 
 
 def _direction(derivation: Derivation, number: int) -> Vector | None:
@@ -344,21 +359,32 @@ def _in_numbers(tree: Expression) -> Vector | None:
 
 
 def _at(tree: Expression) -> Vector | None:
-    """The direction at an angle from **i**, where its sine and its cosine are exact, or letters."""
+    """The direction at an angle from **i**, where its sine and its cosine are roots, or letters.
+
+    Nobody writes out the sums of roots that those of 15° and 75° are.
+    """
     try:
         angle = sp.sympify(evaluate(tree, sp.Symbol), strict=True)
     except RestitutionError:
         return None
     unit_vector = Vector(*(tidy(each) for each in (sp.cos(angle), sp.sin(angle))))
-    plain = angle.free_symbols or not any(each.has(sp.sin, sp.cos, sp.pi) for each in unit_vector)
+    plain = angle.free_symbols or not any(
+        each.has(sp.Add, sp.sin, sp.cos, sp.pi) for each in unit_vector
+    )
     return unit_vector if plain and all(unit_vector) else None
 
 
-def _of_acute_angles(tree: Expression, open_: Container[str]) -> sp.Expr:
-    """A value of which letters, and sines and cosines of them, are positive, but for some."""
+def _of_acute_angles(tree: Expression, letters_: Mapping[str, sp.Expr | None]) -> sp.Expr:
+    """A value of which letters, and sines and cosines of them, are positive.
 
-    def symbol(name: str) -> sp.Symbol:
-        return sp.Symbol(name, real=True) if name in open_ else sp.Symbol(name, positive=True)
+    ``letters_`` are those that have a value, or None where nothing is known of their sign.
+    """
+
+    def symbol(name: str) -> sp.Expr:
+        if name not in letters_:
+            return sp.Symbol(name, positive=True)
+        value = letters_[name]
+        return sp.Symbol(name, real=True) if value is None else value
 
     value = sp.sympify(evaluate(tree, symbol), strict=True)
     ratios = (atom for atom in value.atoms(sp.sin, sp.cos) if atom.free_symbols)

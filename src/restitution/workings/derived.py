@@ -325,17 +325,20 @@ class _Writer:
     def _heading(self, line: Line) -> Iterator[Step]:
         """A heading where the next of several events begins."""
         number = line.move.event if line.move.id != "fact" else _impact_of_a_line(line)
-        if number is None or number == self.heading or len(self.naming.impacts) < 2:
+        event = self.naming.events.get(number or 0)
+        if event is None or number == self.heading:
+            return
+        if len(self.naming.impacts_with(event)) < 2:
+            self.naming.now = event.number
             return
         if line.move.record in _OF_THE_WHOLE:
             return
         again = line.move.id == "define" and not _is_before(line)
         if number in self.entered and (again or line.move.record == "impulse"):
             return
-        event = self.naming.events.get(number)
-        if event is not None and event.kind == "impact":
-            self.heading = self.naming.now = number
-            self.entered.add(number)
+        if event.kind == "impact":
+            self.heading = self.naming.now = event.number
+            self.entered.add(event.number)
             self.afresh()
             yield Step("heading", sentences=(self.naming.heading(event),), event=number)
 

@@ -226,6 +226,8 @@ class Leads:
             return one
         if self._by_products(line):
             return say("restitution.products")
+        if record.id in ("restitution", "restitution-wall") and is_zero(last.right):
+            return say("restitution.none")
         slots = {"body": bodies[:1], "wall": () if event is None else event.bodies[1:2]}
         return say(name, **{each: slots[each][0] for each in slots_of(name)})
 
@@ -735,6 +737,8 @@ class Leads:
                 yield say("derived.divide", first=first, second=second)
             case "square-add":
                 yield say("derived.square-add", equations=equations)
+            case "put" if not source.facts and _is_multiple(line.relation):
+                yield say("derived.multiple")
             case "put":
                 facts = tuple(self._fact(fact) for fact in source.facts)
                 self._given |= {*source.facts}
@@ -961,6 +965,17 @@ def _degrees(tree: Expression) -> Fraction:
         case Degrees(value):
             return value
     return Fraction(0)
+
+
+def _is_multiple(relation: Relation | Meaning) -> bool:
+    """Whether a velocity is a multiple of another."""
+    match relation:
+        case Relation(((Link(Quantity("velocity") as one, "=", right),),)):
+            return any(
+                isinstance(node, Quantity) and node.kind == "velocity" and node != one
+                for node in walk(right)
+            )
+    return False
 
 
 def _subject(relation: Relation) -> Expression | None:

@@ -313,7 +313,7 @@ class Naming:
         """What an event is called within a sentence: *the impact*, *the second impact*."""
         if event.kind == "kick":
             return say("event.kick", body=event.bodies[0])
-        if len(self.impacts) < 2:
+        if len(self.impacts_with(event)) < 2:
             return say("event.only")
         number = self._order(event)
         if f"ordinal.{number}" in SENTENCES:
@@ -322,7 +322,17 @@ class Naming:
 
     def _order(self, event: Event) -> int:
         """Which of the impacts an event is, counted from 1."""
-        return 1 + sum(impact.number < event.number for impact in self.impacts)
+        return 1 + sum(impact.number < event.number for impact in self.impacts_with(event))
+
+    def impacts_with(self, event: Event) -> list[Event]:
+        """The impacts of one story with an event: parts may tell of different bodies."""
+        bodies, size = set(event.bodies), 0
+        while size != len(bodies):
+            size = len(bodies)
+            for each in self.events.values():
+                if bodies & set(each.bodies):
+                    bodies |= set(each.bodies)
+        return [impact for impact in self.impacts if bodies & set(impact.bodies)]
 
     # --- words ----------------------------------------------------------------------------------
 
@@ -445,6 +455,8 @@ class Naming:
                 return name
             case Quantity("line_of_centres", _, stage):
                 return self._centres(stage)
+            case Quantity("impulse" | "momentum") if tree not in self._own:
+                return say("derived.the", quantity=self.quantity(tree))
         return self.layout(tree)
 
     def _centres(self, stage: Stage) -> Sentence:

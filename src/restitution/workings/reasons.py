@@ -63,6 +63,9 @@ class Reasons:
         """What a line rests on, to stand behind it."""
         if self._by_pythagoras(line):
             return (say("derived.pythagoras"),)
+        vertical = self._right_angle(line)
+        if vertical is not None:
+            return (vertical,)
         if line.move.id not in _REASONED and not (self._ordered(line) or self._is_root(line)):
             return ()
         if line.move.id == "cancel" and factor_cancelled(self._derivation, line) is not None:
@@ -87,6 +90,55 @@ class Reasons:
         if line.move.id == "reject" and not reasons:
             reasons = tuple(self._positive(line))
         return (say("derived.as", reasons=reasons),) if reasons else ()
+
+    def _right_angle(self, line: Line) -> Sentence | None:
+        """For which value of a letter an angle of the motion has no tangent, since it is 90°."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.options:
+            case ((Link(Apply("tan", angle), "="), *_),) if line.move.id in ("define", "rearrange"):
+                value = line.relation.only[-1].right
+            case _:
+                return None
+        meaning = self._naming.meanings.get(angle.name) if isinstance(angle, Letter) else None
+        meant = angle if meaning is None else meaning.quantity
+        if not isinstance(meant, Quantity) or meant.kind not in ("angle", "deflection"):
+            return None
+        below = [e.right for e in walk(value) if isinstance(e, Binary) and e.op == "/"]
+        for factor in (each for tree in below for each in factors(tree)):
+            (name, *more) = letters(factor) or ("",)
+            if more or not name or not isinstance(factor, Binary) or factor.op not in ("+", "-"):
+                continue
+            letter, above = sp.Symbol(name), _in_letters(value)
+            difference = _in_letters(factor)
+            if difference is None or above is None or not difference.is_polynomial(letter):
+                continue
+            for root in sp.roots(sp.Poly(difference, letter)):
+                over, under = sp.fraction(sp.together(above))
+                is_pole = under.subs(letter, root) == 0 != over.subs(letter, root)
+                if is_pole and self._may_be(name, root):
+                    right = Relation(((Link(angle, "=", Degrees(Fraction(90))),),))
+                    at = Relation(((Link(Letter(name), "=", tree_of(root)),),))
+                    return say("derived.right-angle", angle=self._laid(right), at=self._laid(at))
+        return None
+
+    def _may_be(self, name: str, value: sp.Expr) -> bool:
+        """Whether a letter may have a value, which is a number, by its role and by the data."""
+        role = self._roles.get(name)
+        if role is None or role.kind == "angle" or not value.is_Rational:
+            return False
+        for end, sign_, closed in ((role.low, 1, role.closed[0]), (role.high, -1, role.closed[1])):
+            if end is not None and not (
+                sign_ * (value - end) > 0 or (closed and value == end)
+            ):
+                return False
+        return not any(
+            name in letters(side)
+            for fact in self._derivation.facts
+            if fact.kind == "range"
+            for links in fact.relation.options
+            for link in links
+            for side in (link.left, link.right)
+        )
 
     def _would(self, line: Line) -> Sentence | None:
         """What the root that is rejected would make of another letter, by which laws."""
@@ -620,6 +672,14 @@ def _part_with(tree: Expression, name: str) -> Expression | None:
 def _is_short(tree: Expression) -> bool:
     """Whether an expression fits behind a line as what grows or falls."""
     return sum(1 for _ in walk(tree)) <= _LONGEST
+
+
+def _in_letters(tree: Expression) -> sp.Expr | None:
+    """What a tree is worth in its letters; None where it holds more than these."""
+    try:
+        return sp.sympify(evaluate(tree, sp.Symbol), strict=True)
+    except RestitutionError:
+        return None
 
 
 def _merged(bounds: list[Link]) -> Iterator[Relation]:
