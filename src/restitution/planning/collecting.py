@@ -7,6 +7,7 @@ common factor, brackets, an unknown in several terms or below a line) gets a lin
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import permutations
 
 import sympy as sp
 
@@ -144,11 +145,10 @@ def _without_common(
     ):
         return None
     common = _common(coefficients, ratios)
-    constant = [each for each in polynomials if each.is_ground]
-    sums = [each for each in polynomials if len(each.terms()) > 1]
-    if len(constant) == len(sums) == 1:
-        # 1 - e^2 = 4/5, and not 5 - 5e^2 = 4
-        common = _common([c for c in sums[0].coeffs() if c != 0], ratios)
+    for one, other in permutations(polynomials):
+        if other.is_ground and _is_difference(one):
+            # 1 - e^2 = 4/5, and not 5 - 5e^2 = 4
+            common = _common(one.coeffs(), ratios)
     left, right = (
         sp.Poly.from_dict(
             {m: expanded(cancelled(c / common)) for m, c in polynomial.terms()}
@@ -158,6 +158,12 @@ def _without_common(
         for polynomial in polynomials
     )
     return left, right
+
+
+def _is_difference(polynomial: sp.Poly) -> bool:
+    """Whether a polynomial is the difference of two powers, or their sum, times something."""
+    (one, *others) = polynomial.coeffs()
+    return len(others) == 1 and bool(expanded(one**2 - others[0] ** 2) == 0)
 
 
 def _common(coefficients: Sequence[sp.Expr], ratios: bool) -> sp.Expr:

@@ -360,18 +360,21 @@ def by_degrees(
     # At a straight wall, angles are measured from it.
     straight = frame.wall is not None and circle_of(scene, frame.number) is None
     function = "sin" if straight == (kind == "along") else "cos"
-    share = share_by_degrees(ratio, function) or _share_in_numbers(link.right, ratio)
+    share = share_by_degrees(ratio, function) or _share_in_numbers(link.right, size, ratio)
     if share is None:
         return None
     own = product(tree_of(size), share)
     return negative(own) if scene.model.sign(value) < 0 else own
 
 
-def _share_in_numbers(velocity: Expression, ratio: sp.Expr) -> Expression | None:
-    """The size of a ratio of an angle that is told by another of its ratios: ``arccos(0.6)``."""
+def _share_in_numbers(velocity: Expression, size: sp.Expr, ratio: sp.Expr) -> Expression | None:
+    """The size of a ratio of an angle that is told by another of its ratios: ``arccos(0.6)``.
+
+    None where a letter is the speed: ``12u/13`` is read off.
+    """
     match velocity:
         case Polar(angle=Apply("arcsin" | "arccos" | "arctan")) if (
-            ratio.is_Rational and abs(ratio) not in (0, 1)
+            size.is_number and ratio.is_Rational and abs(ratio) not in (0, 1)
         ):
             return tree_of(abs(ratio))
     return None

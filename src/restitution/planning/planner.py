@@ -19,7 +19,12 @@ from restitution.explaining.derivation import (
     equation,
 )
 from restitution.explaining.facts import events_of, facts_of, staged
-from restitution.explaining.follower import with_identities, with_ranges, without_idle_ratios, without_spare
+from restitution.explaining.follower import (
+    with_identities,
+    with_ranges,
+    without_idle_ratios,
+    without_spare,
+)
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Apply, Binary, Expression, Negate, Number, letters, walk
 from restitution.oracle import Oracle

@@ -326,10 +326,7 @@ class _Writer:
         """A heading where the next of several events begins."""
         number = line.move.event if line.move.id != "fact" else _impact_of_a_line(line)
         event = self.naming.events.get(number or 0)
-        if event is None or number == self.heading:
-            return
-        if len(self.naming.impacts_with(event)) < 2:
-            self.naming.now = event.number
+        if event is None or number == self.heading or len(self.naming.impacts_with(event)) < 2:
             return
         if line.move.record in _OF_THE_WHOLE:
             return

@@ -7,7 +7,7 @@ from typing import Any
 
 from restitution.explaining.derivation import Derivation, ItemEnd, Line, Relation
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Quantity, walk
+from restitution.expression.tree import Expression, Quantity, walk
 from restitution.problem import (
     Aligned,
     Arrival,
@@ -130,9 +130,15 @@ class Ends:
             case Aligned(_, how, other) if end.answer.only[0].sign == "=":
                 link = end.answer.only[0]
                 own = [e for e in walk(link.right) if isinstance(e, Quantity)]
-                left, right = map(self._naming.side, (link.left, *own[:1], other)[:2])
+                left, right = map(self._side, (link.left, *own[:1], other)[:2])
                 return say(_ALIGNED[how], left=left, right=right)
         return None
+
+    def _side(self, tree: Expression) -> Sentence | lay.Layout | str:
+        """A direction or a vector; words have their article."""
+        side = self._naming.side(tree)
+        words = isinstance(side, lay.Words | lay.Phrase)
+        return say("derived.the", quantity=side) if words else side
 
 
 def _laid(words: Words) -> lay.Layout | str:

@@ -455,8 +455,6 @@ class Naming:
                 return name
             case Quantity("line_of_centres", _, stage):
                 return self._centres(stage)
-            case Quantity("impulse" | "momentum") if tree not in self._own:
-                return say("derived.the", quantity=self.quantity(tree))
         return self.layout(tree)
 
     def _centres(self, stage: Stage) -> Sentence:

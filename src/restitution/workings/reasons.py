@@ -127,9 +127,7 @@ class Reasons:
         if role is None or role.kind == "angle" or not value.is_Rational:
             return False
         for end, sign_, closed in ((role.low, 1, role.closed[0]), (role.high, -1, role.closed[1])):
-            if end is not None and not (
-                sign_ * (value - end) > 0 or (closed and value == end)
-            ):
+            if end is not None and not (sign_ * (value - end) > 0 or (closed and value == end)):
                 return False
         return not any(
             name in letters(side)
