@@ -10,7 +10,7 @@ from test_planning_closing import lines, moves, planned, said
 
 from restitution.explaining.derivation import Derivation, Line, Link, Move, Relation
 from restitution.explaining.follower import follow
-from restitution.explaining.notation import read_relation
+from restitution.explaining.notation import read_relation, write_relation
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
@@ -108,12 +108,46 @@ def test_a_component_has_a_line_once_its_letters_are_known() -> None:
     assert set(speed.premises) == {each.number for each in put}
 
 
-def test_a_number_in_the_place_of_a_letter_is_mental_arithmetic() -> None:
+def test_a_component_that_becomes_a_number_has_a_line() -> None:
     _, derivation = kept(
         "wall W: along i\nsphere P: mass 2, velocity 3i - 4j\nP hits W\n"
         "given impulse = 10\nfind e, speed(P)"
     )
+    (put,) = (each for each in lines(derivation, "put") if each.move.id == "put")
+    assert write_relation(put.relation) == "along(velocity(P, 1), j) = 1"  # type: ignore[arg-type]
+
+
+def test_a_number_in_the_place_of_a_letter_is_mental_arithmetic() -> None:
+    _, derivation = kept(
+        "wall W: along i\nsphere P: mass 2, velocity u (3i - 4j)\nP hits W\n"
+        "given impulse = 10u\nfind e, speed(P)"
+    )
     assert moves(derivation).count("put") == 0
+
+
+def test_a_speed_of_separation_that_is_used_is_written() -> None:
+    _, derivation = kept(
+        "sphere A: mass 2, velocity 3i + j\nsphere B: mass 1, velocity -2i + j\n"
+        "A hits B: along i, e = 2/5\nfind distance(A, B, at 3)"
+    )
+    assert "w - v = 2/5 (3 + 2) = 2 [rearrange]" in said(derivation)
+
+
+def test_of_a_sine_and_a_cosine_only_that_is_written_which_is_used() -> None:
+    _, derivation = kept(
+        "sphere A: mass m, velocity 3u i\nsphere B: mass m, at rest\nA hits B: along phi, e = 1/3\n"
+        "given speed(A) = 2u\nfind phi, tan(phi), speed(B)"
+    )
+    (ratios,) = lines(derivation, "triangle")
+    assert write_relation(ratios.relation) == "cos(phi) = sqrt(10)/4"  # type: ignore[arg-type]
+
+
+def test_a_difference_of_squares_is_left_as_it_is() -> None:
+    _, derivation = kept(
+        "sphere A: mass 2m, velocity 3u i\nsphere B: mass 3m, velocity -2u i\nA hits B: along i\n"
+        "given energy_lost = 80% of energy(0)\nfind e"
+    )
+    assert "1 - e^2 = 4/5" in said(derivation)
 
 
 def test_a_speed_that_is_given_makes_the_energy() -> None:
