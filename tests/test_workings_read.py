@@ -84,7 +84,7 @@ find velocity(A), velocity(B)
 """
 SLANTED = """
 wall AB: along i
-wall BC: along 75°
+wall BC: along 4059i + 4060j
 sphere P: velocity u at 45° to AB
 P hits AB: e = 1/3
 P hits BC: e = 1/2
@@ -270,7 +270,7 @@ def test_a_working_does_not_say(statement: str, words: str) -> None:
 
 
 def test_an_equation_among_words_goes_to_the_next_line_as_a_whole() -> None:
-    assert "Let\n𝐧 = ((√2 + √6)/4)𝐢 + ((√2 − √6)/4)𝐣 be the unit vector" in text(SLANTED)
+    assert "Let\n𝐧 = (4060𝐢 − 4059𝐣)/5741 be the unit vector" in text(SLANTED)
 
 
 def test_a_link_after_a_broken_side_has_its_sign_below_the_one_above() -> None:

@@ -153,9 +153,10 @@ SAYS = {
         ),
         [
             "e = ¼",
+            "Substituting in (1):\n    component of 𝐯_P along 𝐣 = 1",
             "(b)\n\nFrom part (a):\n    e = ¼",
             "(c)",
-            "Substituting for e in (1):\n    component of 𝐯_P along 𝐣 = 1",
+            "From part (a):\n    component of 𝐯_P along 𝐣 = 1",
             "tan θ = ⅓",
         ],
     ),

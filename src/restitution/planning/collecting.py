@@ -161,9 +161,13 @@ def _without_common(
 
 
 def _is_difference(polynomial: sp.Poly) -> bool:
-    """Whether a polynomial is the difference of two powers, or their sum, times something."""
+    """Whether a polynomial is the difference of two squares, or their sum, times something."""
     (one, *others) = polynomial.coeffs()
-    return len(others) == 1 and bool(expanded(one**2 - others[0] ** 2) == 0)
+    return (
+        polynomial.total_degree() > 1
+        and len(others) == 1
+        and bool(expanded(one**2 - others[0] ** 2) == 0)
+    )
 
 
 def _common(coefficients: Sequence[sp.Expr], ratios: bool) -> sp.Expr:
