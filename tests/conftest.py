@@ -121,7 +121,8 @@ def browser_type_launch_args(browser_type_launch_args: dict[str, Any]) -> dict[s
     if found is None:
         reason = f"no browser: none of {', '.join(browsing.BROWSERS)} is installed"
         pytest.fail(reason) if os.environ.get("CI") else pytest.skip(reason)
-    arguments = list(browsing.ARGUMENTS)
+    # Tabs share a process: to begin one takes longer than most of what is done in a tab.
+    arguments = [*browsing.ARGUMENTS, "--renderer-process-limit=1"]
     return {**browser_type_launch_args, "executable_path": found, "args": arguments}
 
 
@@ -129,6 +130,7 @@ def browser_type_launch_args(browser_type_launch_args: dict[str, Any]) -> dict[s
 def context(browser: Browser) -> Iterator[BrowserContext]:
     """One for all tests, so that files which may be kept are fetched and compiled once."""
     with browser.new_context() as one:
+        one.new_page()  # it stays open, so that the process of tabs does not end with each of them
         yield one
 
 
