@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import browsing
+import bytecode  # noqa: F401 # before whatever it is to hold for
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 from statements import FILES, NAMES
