@@ -398,14 +398,12 @@ class Solver:
         open_ = self._open(own)
         if len(open_) < 2 or len(own.residuals) != 1 or open_ & self._letters.keys():
             return open_
+        model = self.scene.model
         put, _ = self.scene.put(own.residuals[0])
+        put = put.replace(sp.Abs, lambda x: x * model.sign(model.in_data(x)))
         above = sp.fraction(one_fraction(put))[0]
         factors = [base for base, _ in factor_powers(above)]
-        zero = [
-            factor
-            for factor in factors
-            if self.scene.model.sign(self.scene.model.in_data(factor)) == 0
-        ]
+        zero = [factor for factor in factors if model.sign(model.in_data(factor)) == 0]
         return frozenset(s for each in zero or [put] for s in self.scene.unknown(each))
 
     def _law(self, own: Candidate) -> Law | None:

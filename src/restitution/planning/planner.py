@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
@@ -13,6 +14,7 @@ from restitution.errors import MissingError
 from restitution.explaining.derivation import (
     Derivation,
     ItemEnd,
+    Line,
     Link,
     Meaning,
     Relation,
@@ -25,6 +27,7 @@ from restitution.explaining.follower import (
     without_idle_ratios,
     without_spare,
 )
+from restitution.explaining.trees import trees_of
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Apply, Binary, Expression, Negate, Number, letters, walk
 from restitution.oracle import Oracle
@@ -275,6 +278,7 @@ def _write_items(scene: Scene, ways: dict[str, int], last: int) -> None:
                     _write_end(scene, solver, item, result, now, name)
                 lines = scene.desk.lines
                 require_true(scene.model, lines[start:], lines, scene.desk.facts)
+                _require_short(lines[start:])
                 if solver.resort or scene.turned:
                     require_followed(scene, lines[start:])
                 _require_closed(scene.desk, name)
@@ -284,6 +288,14 @@ def _write_items(scene: Scene, ways: dict[str, int], last: int) -> None:
                     raise
                 solver.back(standing)
                 ways[name] += 1
+
+
+def _require_short(lines: Iterable[Line]) -> None:
+    """Refuses a line that is a tangle: none of those that people write comes near to that."""
+    for line in lines:
+        trees_ = () if isinstance(line.relation, Meaning) else trees_of(line.relation)
+        if any(sum(1 for _ in walk(tree)) > _MOST_IN_A_LINE for tree in trees_):
+            raise NotPlannedError(f"line {line.number} is too long")
 
 
 def _write_end(
@@ -401,3 +413,5 @@ _MOST_EVENTS = 12
 _MOST_ITEMS = 40
 # Data of exam questions stay far below these.
 _MOST_NODES, _MOST_FUNCTIONS, _MOST_POWER, _LARGEST = 60, 6, 6, 10**12
+# The longest side of a line in the statements of the tests has 81 nodes.
+_MOST_IN_A_LINE = 120
