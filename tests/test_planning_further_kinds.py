@@ -5,10 +5,12 @@ from __future__ import annotations
 import pytest
 from laws_of_workings import answers, complaints, printed_results
 
-from restitution.explaining.derivation import Derivation, Line, Move
+from restitution.explaining.derivation import Derivation, Line, Move, Relation
 from restitution.explaining.facts import events_of, facts_of
 from restitution.explaining.follower import follow
 from restitution.explaining.notation import read_relation
+from restitution.explaining.trees import trees_of
+from restitution.expression.tree import walk
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.desk import NotPlannedError
@@ -111,6 +113,36 @@ let theta = angle(velocity(P), W)
 given 30° <= theta <= 45°
 find range of e
 """,
+    "an equation with a cosine that is not zero on both sides": """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, velocity u at 90°
+A hits B: along i, e = 1/2
+given velocity(A) parallel to velocity(B)
+find tan(alpha)
+""",
+    "two solutions that approach from either side": """
+sphere A: mass m, velocity p i + 3j
+sphere B: mass 2m, velocity i - j
+A hits B: along i, e = 1/3
+given speed(A) = speed(B)
+find p
+""",
+    "a ratio of losses in letters": """
+wall V: along i
+wall W: along j
+sphere P: mass m, velocity u at theta to V
+P hits V: e = e
+P hits W: e = e
+show speed(P) = e u
+find energy_lost(2)/energy_lost(1)
+""",
+    "an impulse that is a multiple of what would stop": """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W: e = e
+given impulse = 3/2 m u sin(alpha), energy_lost = 1/4 energy(0)
+find e, alpha
+""",
     "equal deflections": """
 wall W: along i
 wall X: along j
@@ -167,7 +199,7 @@ wall W: along i
 sphere P: mass m, velocity p i - 4j
 P hits W: e = e
 given tan(angle(velocity(P), W)) = 1/2, e = 1/2
-given e >= 1/2, p^2 = 9
+given e >= 1/2, p^2 = 9, energy_lost = e p, energy(P) = 4e
 find p
 """
 AFTER = (
@@ -243,6 +275,46 @@ def test_a_tangent_to_a_wall_has_the_size_of_what_is_of_either_sign(
 ) -> None:
     move = Move("define", "tan", 1, ("P",))
     lines = refused(*COMPONENTS, (move, ("given 1", "axis 1", 1, 2), tangent))
+    assert (3 not in lines) == right
+
+
+def test_no_line_is_a_tangle() -> None:
+    statement = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W: e = 1/3
+find tan(deflection(P)) in terms of alpha
+given deflection(P) = 60°
+find alpha
+"""
+    solution = solve(parse(statement))
+    with pytest.raises(NotPlannedError, match="too long"):
+        plan(solution)
+    whole = plan(solution, partial=True)
+    longest = max(
+        sum(1 for _ in walk(tree))
+        for line in whole.lines
+        if isinstance(line.relation, Relation)
+        for tree in trees_of(line.relation)
+    )
+    assert longest <= 120
+
+
+@pytest.mark.parametrize(
+    ("text", "right"),
+    [
+        ("energy_lost(1)/energy(P, 1) = p/4", True),
+        ("energy_lost(1)/energy(P, 1) = p/5", False),
+        ("energy_lost(1) = p/4 energy(P, 1)", True),
+        ("1/energy(P, 1) = 1/(4e)", False),
+    ],
+)
+def test_who_writes_a_ratio_does_not_divide_by_zero(text: str, right: bool) -> None:
+    lines = refused(
+        (Move("fact"), ("given 5",), "energy_lost(1) = e p"),
+        (Move("fact"), ("given 6",), "energy(P, 1) = 4e"),
+        (Move("put"), (1, 2), text),
+    )
     assert (3 not in lines) == right
 
 

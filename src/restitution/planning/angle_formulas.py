@@ -98,7 +98,7 @@ def angle_formula(scene: Scene, quantity: Quantity) -> Formula:
     if not is_zero(trees[0]) and not _of_one_sign(scene, above.value):
         raise NotPlannedError("a tangent of open sign")
     both = {each.sign(each.in_data(below.value)) for each in scene.others} >= {1, -1}
-    if both or not _of_one_sign(scene, below.value):
+    if (both and isinstance(line, Name)) or not _of_one_sign(scene, below.value):
         # Which way the body goes along the line is open, or not the same in each solution.
         size = sp.Abs(below.value, evaluate=False)
         trees[1], value = Apply("abs", tree_of(below.value)), tidy(above.value) / size

@@ -369,6 +369,31 @@ def _quadratic(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     return by_roots(scene, number, above, symbol, Letter(symbol.name), symbol)
 
 
+def _without_a_factor(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """A sine or cosine of the unknown is a factor that is certain not to vanish: it goes."""
+    if not _is_angle(scene, symbol.name):
+        return None
+    whole = factored(numerator(residual(scene, number)))
+    ratios = {sp.sin(symbol), sp.cos(symbol)}
+    common = [
+        each
+        for each in sp.Mul.make_args(whole)
+        if each.as_base_exp()[0] in ratios and proved_sign(scene.model.ground, each)
+    ]
+    if not common:
+        return None
+    link = scene.desk.last_link(number)
+    left, right = (
+        tree_of(tidy(scene_value(scene, side) / sp.Mul(*common)))
+        for side in (link.left, link.right)
+    )
+    relation = chain(left, (right, None))
+    refs = scene.judge.enough(Move("cancel"), (number,), relation, background(scene, {symbol.name}))
+    if refs is None:
+        return None
+    return close(scene, scene.desk.write(Move("cancel"), refs, relation), symbol)
+
+
 def _without_an_angle(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     """An angle of the data goes, as sin² + cos² = 1; what is left is solved."""
     whole = numerator(residual(scene, number))
@@ -405,6 +430,7 @@ SHAPES: tuple[Shape, ...] = (
     _squared,
     sum_of_angles,
     ratio,
+    _without_a_factor,
     by_its_half,
     even,
     divided_angle,

@@ -668,7 +668,9 @@ def restitution(scene: Scene, frame: Frame, separation: sp.Expr | None = None) -
     v, w = (tree_of(each.value) for each in late)
     u, x = (tree_in_law(each) for each in early)
     approach = difference(u, x)
-    if scene.model.sign(early[0].value - early[1].value) < 0:
+    # As long as solutions have their lines in common, all write it as the first one does.
+    chosen = scene.others[0] if scene.others else scene.model
+    if chosen.sign(early[0].value - early[1].value) < 0:
         v, w, approach = w, v, difference(x, u)
         separation = None if separation is None else -separation
     law = chain(ZERO if w == v else difference(w, v), (product(tree_of(e.value), approach), None))

@@ -23,6 +23,7 @@ from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
+    Quantity,
     walk,
 )
 
@@ -40,6 +41,7 @@ def is_put(step: Step, line: Link) -> bool:
     rules = step.rules(others_cited(step))
     if line.sign == "parallel to":
         return any(points_along(step, line, each, rules) for each in base.only)
+    _note_divisor(step, line, rules)
     alone = without_angles(step)
     if step.move.id == "put" and any(
         matches(alone, line, expected, each.sign)
@@ -53,6 +55,15 @@ def is_put(step: Step, line: Link) -> bool:
         matches_with(step, line, expected_residual(step, each, rules), rules, each.sign)
         for each in flat(base.only)
     )
+
+
+def _note_divisor(step: Step, line: Link, rules: Rules) -> None:
+    """Who writes the ratio of two quantities says that there is one: it is not divided by 0."""
+    match line.left:
+        case Binary("/", Quantity(), Quantity() as below):
+            value = rules.put_into(step.world.value(below))
+            if isinstance(value, Quotient) and not value.vanishes:
+                step.world.denominators.append(value.above)
 
 
 def points_along(step: Step, line: Link, base: Link, rules: Rules) -> bool:
