@@ -22,11 +22,12 @@ from restitution.expression.tree import (
     Letter,
     Negate,
     Number,
+    Quantity,
     letters,
 )
 from restitution.practice.judging.entries import Entry
 from restitution.practice.script import Claim, Sign
-from restitution.problem import Compare, Given, Part, Problem, Range
+from restitution.problem import Aligned, Compare, Given, Part, Problem, Range
 from restitution.solving.solution import PartSolution
 
 Array = Any
@@ -41,6 +42,7 @@ _COMPARISONS: Mapping[Sign, Callable[[Array, Array], Array]] = {
     ">=": np.greater_equal,
 }
 _TURNED: Mapping[Sign, Sign] = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}
+_WAYS: Mapping[str, Sign] = {"in the direction of": ">", "opposite to": "<"}
 _FUNCTIONS: Mapping[str, Callable[[Array], Array]] = {
     "sqrt": np.sqrt,
     "sin": np.sin,
@@ -89,6 +91,9 @@ def bounds_of(problem: Problem, part: Part, solved: PartSolution) -> Bounds:
 def _given(problem: Problem, part: Part) -> Iterator[Claim]:
     for step, _, _ in problem.timeline(part):
         for relation in step.relations if isinstance(step, Given) else ():
+            if isinstance(relation, Aligned) and relation.relation in _WAYS:
+                part_along = Quantity("along", (relation.left, relation.right))
+                yield Claim(part_along, _WAYS[relation.relation], Number(Fraction(0)))
             if not isinstance(relation, Compare):
                 continue
             links = zip(relation.operands, relation.operators, relation.operands[1:], strict=False)

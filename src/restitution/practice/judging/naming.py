@@ -144,7 +144,11 @@ class Names:
         Of several altered laws those stay that a line below is an instance of too (``confirmed``
         are their ids), and those that contradict no law which is stated rightly.
         """
-        variants = [each for each in explained.variants if each.id in confirmed] or [
+        variants = [each for each in explained.variants if each.id in confirmed]
+        if variants and all(_family_of(each) in _OF_SPEEDS for each in variants):
+            # What the speeds of a direct impact are taken for has a plainer name.
+            variants += [each for each in explained.variants if _family_of(each) in _PLAINER]
+        variants = variants or [
             each for each in explained.variants if not _contradicts(each, stated)
         ]
         variants.sort(key=lambda each: 0 if each.event.wall else len(each.laws))

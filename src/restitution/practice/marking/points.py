@@ -117,7 +117,9 @@ class _Examiner:
 
     def _method(self, point: MarkPoint) -> PointMark:
         """A line that uses the principle; one with a mistake has the rule of that mistake."""
-        lost: PointMark | None = None
+        lost = self._of_other_energy(point)
+        if lost is not None:
+            return lost
         for line, use in self._uses(point):
             if point.principle == "solve" and not line.grounded:
                 continue
@@ -140,6 +142,21 @@ class _Examiner:
             if line_of_value is not None:
                 return self._earned(point, line_of_value, "")
         return lost or self._missing(point)
+
+    def _of_other_energy(self, point: MarkPoint) -> PointMark | None:
+        """An energy without all its terms, beside one that is right: the method needs both."""
+        if point.principle != "energy":
+            return None
+        true = (line for line in self.lines if line.verdict == "true")
+        if any(self.values.matches(point, line) == "true" for line in true):
+            return None
+        for line, use in self._uses(point):
+            if line.verdict == "false" and line.mistake is not None:
+                named = line.mistake.kind == "misconception"
+                kept, why = self._with_mistake(line, use)
+                if named and not kept:
+                    return PointMark(point, "lost", line.line.number, why)
+        return None
 
     def _compared(self, point: MarkPoint) -> JudgedLine | None:
         """A line that uses the condition of a point, or compares what the part is to compare."""

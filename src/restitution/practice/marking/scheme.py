@@ -17,6 +17,7 @@ from restitution.explaining.titles import title_of
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import Expression, Letter
 from restitution.planning.planner import plan
+from restitution.problem import Compare, Show, Value
 from restitution.solving.solution import PartSolution, Solution
 
 ROUTES = 3
@@ -231,17 +232,34 @@ def _points(derivation: Derivation, solved: PartSolution) -> Iterator[MarkPoint]
     for note in derivation.notes:
         if note.part != label:
             continue
+        place = items.get(note.item)
+        answer, shown = _asked(solved, place)
         for mark in note.marks:
             count += 1
+            of_method = mark.kind == "M"
             yield MarkPoint(
                 f"{label or ''}{count}",
                 str(mark),
-                "a method for it" if mark.kind == "M" else "the answer",
-                "method" if mark.kind == "M" else "answer",
-                depends=(f"{label or ''}{count - 1}",) if mark.kind == "A" else (),
-                above=(f"{label or ''}{count - 1}",) if mark.kind == "A" else (),
-                item=items.get(note.item),
+                "a method for it" if of_method else "the answer",
+                "method" if of_method else "answer",
+                link=None if of_method else answer,
+                depends=() if of_method else (f"{label or ''}{count - 1}",),
+                above=() if of_method else (f"{label or ''}{count - 1}",),
+                item=place,
+                shown=shown and not of_method,
             )
+
+
+def _asked(solved: PartSolution, place: int | None) -> tuple[Link | None, bool]:
+    """What an item asks for, as a relation, and whether the statement prints it."""
+    item = solved.items[place].item if place is not None and place < len(solved.items) else None
+    if isinstance(item, Value):
+        return Link(item.expression, "=", item.expression), False
+    relation = item.relation if isinstance(item, Show) and item.subject is None else None
+    if isinstance(relation, Compare) and relation.operators == ("=",):
+        left, right = relation.operands
+        return Link(left, "=", right), True
+    return None, False
 
 
 def _item_of(line: Line, ends: Mapping[int, ItemEnd]) -> str:

@@ -25,6 +25,7 @@ from restitution.practice.reading.headings import (
 from restitution.practice.reading.merging import with_phrases
 from restitution.practice.reading.scanner import scan
 from restitution.practice.reading.segments import segments
+from restitution.practice.reading.spoken import with_labels
 from restitution.practice.reading.statements import Past, Statements, read_statements
 from restitution.practice.reading.tokens import Token, Usage
 from restitution.practice.reading.usage import GREEK_ANGLES, usage_of
@@ -100,6 +101,7 @@ class _Reader:
 
     def _read(self, number: int, typed: str, line: Plain) -> ScriptLine:
         line, opened = self._behind_headings(line)
+        line = with_labels(line, self.problem)
         tokens = with_phrases(scan(line, self.usage), line.text, self.problem)
         if not tokens:
             return self._script_line(number, typed, "heading" if opened else "remark")

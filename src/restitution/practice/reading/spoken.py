@@ -1,0 +1,100 @@
+"""What is said in a sentence, as the label that it amounts to: ``the 6 becomes 1/4 x 6 = 1.5``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+
+from restitution.expression.tree import Binary, Expression, Letter, Negate, Number, Polar, Unit
+from restitution.practice.reading.characters import Plain
+from restitution.problem import Problem
+
+Put = Callable[[re.Match[str], Problem], str]
+
+_NUMBER = r"\d+(?:\.\d+)?"
+_OF_A_SPEED = re.compile(
+    rf"\b(?:components?|comp|cpt|part)\s+of\s+([A-Za-z]|{_NUMBER})\s+"
+    r"(?=along|parallel|perp|across|in\s+the|normal)",
+    re.IGNORECASE,
+)
+_IT_IS = re.compile(
+    r"^(\s*(?:so\s+)?(?:after|before)\s+\w+),?\s+it(?:\s+is|'s|\s+has|\s+moves\s+(?:with|at))\s+"
+    r"(?=.*\d[ij]\b)",
+    re.IGNORECASE,
+)
+_BECOMES = re.compile(
+    rf"\bthe\s+({_NUMBER})\s+(?:becomes|turns\s+into|changes\s+to|goes\s+to)\s+", re.IGNORECASE
+)
+_DEFLECTED = re.compile(
+    r"\bit\s+(?:is|gets|was|has\s+been)\s+deflected\s+(?:through|by)\s+(?:an\s+angle\s+of\s+)?"
+    rf"(?={_NUMBER})",
+    re.IGNORECASE,
+)
+_PART = re.compile(r"\b([ij])[- ]part\b(?=[^:=]*=)")
+
+
+def with_labels(line: Plain, problem: Problem) -> Plain:
+    """A line in which sentences are labels; the rest is as typed."""
+    for pattern, put in _RULES:
+        match = pattern.search(line.text)
+        if match is not None:
+            line = _replaced(line, match, put(match, problem))
+    return line
+
+
+def _replaced(line: Plain, match: re.Match[str], text: str) -> Plain:
+    start, end = match.span()
+    column = line.columns[start]
+    columns = (*line.columns[:start], *(column for _ in text), *line.columns[end:])
+    return Plain(line.text[:start] + text + line.text[end:], columns)
+
+
+def _component(match: re.Match[str], problem: Problem) -> str:
+    """The component of a speed: of the sphere that has it at the start, where one has."""
+    speed = _tree(match[1])
+    owners = [each.name for each in problem.spheres if speed in _speeds(each.velocity)]
+    return f"component of {owners[0]} before " if len(owners) == 1 else "component "
+
+
+def _after(match: re.Match[str], problem: Problem) -> str:
+    """The component along i or j that a number was at the start."""
+    units = {
+        unit
+        for each in problem.spheres
+        for size, unit in _components(each.velocity)
+        if size == _tree(match[1])
+    }
+    return f"{units.pop()} component after is " if len(units) == 1 else " "
+
+
+def _tree(text: str) -> Expression:
+    return Letter(text) if text.isalpha() else Number(Fraction(text))
+
+
+def _speeds(velocity: Expression | None) -> Iterator[Expression]:
+    if isinstance(velocity, Polar):
+        yield velocity.size
+    elif velocity is not None:
+        yield from (size for size, _ in _components(velocity))
+
+
+def _components(velocity: Expression | None) -> Iterator[tuple[Expression, str]]:
+    """The sizes along i and j as they stand in a velocity."""
+    match velocity:
+        case Binary("+" | "-", left, right):
+            yield from _components(left)
+            yield from _components(right)
+        case Negate(operand):
+            yield from _components(operand)
+        case Binary("*", Negate(size) | size, Unit(name)):
+            yield size, name
+
+
+_RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
+    (_OF_A_SPEED, _component),
+    (_IT_IS, lambda match, _: f"{match[1]} the velocity is "),
+    (_BECOMES, _after),
+    (_DEFLECTED, lambda match, _: "deflection = "),
+    (_PART, lambda match, _: f"{match[1]} component"),
+)
