@@ -143,6 +143,35 @@ P hits W: e = e
 given impulse = 3/2 m u sin(alpha), energy_lost = 1/4 energy(0)
 find e, alpha
 """,
+    "a speed that leaves no component, so that a square is zero": """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 3m, at rest
+A hits B: along i, e = e
+given speed(A) = u sin(alpha)
+find e
+find speed(B) in terms of u, alpha
+""",
+    "the same at a wall": """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W: e = e
+given speed(P) = u cos(alpha)
+find e, energy_lost/energy(0)
+""",
+    "a deflection by a letter that makes a right angle": """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+given deflection(A) = 90° - alpha
+find e
+""",
+    "an obtuse angle with who moves along the line of centres": """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i, e = 1
+given angle(velocity(A), velocity(B)) = 120°, alpha = 30°
+find k
+""",
     "equal deflections": """
 wall W: along i
 wall X: along j

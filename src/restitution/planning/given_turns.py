@@ -48,11 +48,10 @@ def _by_angle(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
     angles = [side.angle for side in (turn.first, turn.second)]
     right = each.link.right if not refs else tree_of(value, angle=True)
     mark = scene.desk.mark()
-    if not value.free_symbols:
-        line = _one_angle(scene, each, turn, right, value)
-        if line is not None:
-            return line
-        scene.desk.back(mark)
+    line = _one_angle(scene, each, turn, right, value)
+    if line is not None:
+        return line
+    scene.desk.back(mark)
     if None not in angles:
         relation = chain(turn.made_of(*angles), (right, None))
         return made_of_angles(scene, turn, relation, given)
@@ -112,7 +111,7 @@ def _one_angle(
     (side,) = own
     (other,) = (e.angle for e in sides if e is not side)
     rest = sp.Integer(0) if other is None else scene.scalar(other)
-    if other is None or rest.free_symbols:
+    if other is None or rest.free_symbols != value.free_symbols:
         return None
     first = side is turn.first
     tree, _, _ = other_angle(turn, first, given, other)

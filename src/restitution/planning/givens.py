@@ -425,6 +425,12 @@ def _squared_tangent(
     """The square of a tangent: on which side the angle lies is open."""
     match own.quantity:
         case Quantity("angle", (_, Quantity("velocity"))):
+            # Up to 180° the tangent has the sign of the component along the line of centres.
+            premises = together(each.refs, refs, own.refs)
+            left = own.of(each.link.right if not refs else tree_of(angle, angle=True))
+            relation = chain(left, (swept(own.right), None))
+            if scene.judge.follows(own.move, premises, relation):
+                return scene.desk.write(own.move, premises, relation)
             raise NotPlannedError("an angle between velocities that are both open")
     assert isinstance(own.right, Binary)
     squares = [square(part) for part in (own.right.left, own.right.right)]

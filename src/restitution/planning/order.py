@@ -269,9 +269,24 @@ class Solver:
         unknowns -= self.waiting.keys()
         routes = Routes(candidates, self._points(), unknowns).cheapest(put)
         if not routes:
+            # A square has no slope where it is zero; what is squared has one.
+            plain = [replace(own, residuals=self._without_powers(own)) for own in candidates]
+            routes = Routes(plain, self._points(), unknowns).cheapest(put)
+        if not routes:
             raise NotPlannedError(f"nothing determines {goals}")
         chosen = min(scene.desk.route, len(routes)) - 1
         return [routes[chosen], *routes[:chosen], *routes[chosen + 1 :]]
+
+    def _without_powers(self, own: Candidate) -> tuple[sp.Expr, ...]:
+        """The residuals of an equation, each without powers of factors that vanish."""
+        model = self.scene.model
+        plain: list[sp.Expr] = []
+        for each in own.residuals:
+            factors = factor_powers(sp.fraction(one_fraction(_without_root(each)))[0])
+            zero = [base for base, _ in factors if model.sign(model.in_data(base)) == 0]
+            is_power = any(power > 1 and base in zero for base, power in factors)
+            plain.append(sp.Mul(*zero) if is_power else each)
+        return tuple(plain)
 
     def _points(self) -> tuple[Point, ...]:
         """The points at which gradients are taken; a hidden unknown may be new among them."""
@@ -984,6 +999,17 @@ def _two_by_two(
         symbols[0]: one_fraction(expanded(rest[0] * d - b * rest[1]) / whole),
         symbols[1]: one_fraction(expanded(a * rest[1] - rest[0] * c) / whole),
     }
+
+
+def _without_root(x: sp.Expr) -> sp.Expr:
+    """A sum with one root of letters, times the one with that root of the other sign."""
+    roots = [p for p in x.atoms(sp.Pow) if p.exp == sp.Rational(1, 2) and p.free_symbols]
+    if len(roots) != 1:
+        return x
+    (root,) = roots
+    rest = x.xreplace({root: sp.Integer(0)})
+    share = expanded((x - rest) / root)
+    return x if share.has(root) else expanded(rest**2 - share**2 * root.base)
 
 
 def _solved(residual_: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
