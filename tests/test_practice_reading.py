@@ -357,6 +357,17 @@ def test_a_line_goes_on_from_the_value_of_a_remark() -> None:
     assert "4v = 2mu²" in written
 
 
+def test_a_letter_of_the_question_before_a_tangent_is_no_inverse() -> None:
+    walls = problem(WALLS.replace("find", "given tan(theta) = 3a/u\nfind", 1))
+    for typed, claim in (
+        ("y = 3atan(theta)", "y = 3a tan θ"),
+        ("y = atanθ", "y = a tan θ"),
+        ("y = atan(3/4)", "y = arctan(3/4)"),
+    ):
+        (line_,) = read_working(typed, walls).lines
+        assert write_claim(line_.links[0].readings[0]) == claim
+
+
 def test_a_declared_letter_is_no_alias() -> None:
     alias, own = (
         read_working("tan a = 3/4", problem(WALLS), declared).lines[0] for declared in ((), ("a",))

@@ -36,13 +36,13 @@ def test_a_seed_gives_one_question():
     assert one == again
     assert one.statement != other.statement
     assert "--seed 5" in one.statement
-    assert one.address == "spheres-vectors/1/5/v1"
+    assert one.address == "spheres-vectors/1/5/v2"
     # frozen: the same on every machine, for this version of the generator
     assert practice_question("wall-forward", 1, 1).statement == WALL
 
 
 WALL = """\
-# restitution practise wall-forward --level 1 --seed 1  (generator version 1)
+# restitution practise wall-forward --level 1 --seed 1  (generator version 2)
 title Velocity after an impact with a wall
 wall W: along j
 sphere A: velocity -10i + 4j
@@ -285,3 +285,10 @@ def test_questions_by_the_hundred(cell):
         assert r.draw(asked.solution) is not None
         seen.add(asked.statement.partition("\n")[2])
     assert len(seen) > 20
+
+
+def test_the_second_part_on_lines_of_centres_asks_what_the_first_does_not_give():
+    for seed in (1, 2):
+        text = practice_question("line-of-centres", 1, seed).statement
+        asked = [line for line in text.splitlines() if line.startswith("find")]
+        assert asked == ["find velocity(B)", "find line_of_centres"]

@@ -120,6 +120,7 @@ def is_to_a_line(tree: Expression) -> bool:
     if not isinstance(tree, Quantity) or tree.kind != "angle":
         return False
     other = tree.arguments[1]
+    other = other.operand if isinstance(other, Negate) else other
     return isinstance(other, Unit | Name) or (
         isinstance(other, Quantity) and other.kind == "line_of_centres"
     )

@@ -245,23 +245,33 @@ class Judge:
         )
 
     def _take_acute(self, script: Script) -> None:
-        """Take the acute angle for a letter that means an obtuse one to a line, if more is true so.
+        """Take another angle for a letter that means one to a line, if more is true so.
 
-        A line has two directions, and students measure from either.
+        A line has two directions, and students measure from either, and in either sense.
         """
         for name in {name for known in self._meanings.values() for name in known}:
             tree = next(known[name] for known in self._meanings.values() if name in known)
-            if not is_to_a_line(tree) or not self._is_obtuse(tree):
+            if not is_to_a_line(tree):
                 continue
-            before = self._count(script, name)
-            own = self._meanings
-            other = Binary("-", Degrees(Fraction(180)), tree)
-            self._meanings = {
-                number: {**known, name: other} if known.get(name) == tree else known
-                for number, known in own.items()
-            }
-            if self._count(script, name) <= before:
-                self._meanings = own
+            most, own = self._count(script, name), self._meanings
+            best = own
+            for other in self._other_angles(tree):
+                self._meanings = {
+                    number: {**known, name: other} if known.get(name) == tree else known
+                    for number, known in own.items()
+                }
+                true = self._count(script, name)
+                if true > most:
+                    most, best = true, self._meanings
+            self._meanings = best
+
+    def _other_angles(self, tree: Expression) -> Iterator[Expression]:
+        """The acute angle for an obtuse one, and angles in the other sense."""
+        if self._is_obtuse(tree):
+            straight = Degrees(Fraction(180))
+            yield Binary("-", straight, tree)
+            yield Binary("-", tree, straight)
+        yield Negate(tree)
 
     def _is_obtuse(self, tree: Expression) -> bool:
         try:

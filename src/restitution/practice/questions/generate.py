@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from restitution.solving.solution import Solution
     from restitution.wording import Question
 
-VERSION = 1
+VERSION = 2
 """The version of the generator: it grows whenever a seed gives another question than before."""
 
 MOST_DRAWS = 2000
@@ -129,7 +129,7 @@ def _question(topic: str, level: int, seed: int, mistake: str | None) -> Practic
     best: tuple[float, PracticeQuestion] | None = None
     admitted = 0
     for draw in range(1, MOST_DRAWS + 1):
-        dice = Dice(f"{VERSION}/{topic}/{level}/{seed}/{draw}")
+        dice = Dice(f"{_DRAWS}/{topic}/{level}/{seed}/{draw}")
         # A seed keeps to one recipe for some draws, so that no recipe is crowded out.
         recipe = recipes[Dice(f"{topic}/{level}/{seed}/{draw // 20}").below(len(recipes))]
         text = recipe(dice)
@@ -157,6 +157,8 @@ def _question(topic: str, level: int, seed: int, mistake: str | None) -> Practic
 
 
 _CHOICES = 4
+_DRAWS = 1
+"""What the dice are shaken with: most questions of a version are those of the one before."""
 
 
 def _headed(topic: str, level: int, seed: int, mistake: str | None, text: str) -> str:

@@ -31,7 +31,7 @@ def _one_velocity_given(d: Dice, *asked: str) -> str:
 
 
 def _line_1(d: Dice) -> str:
-    return _one_velocity_given(d, "part a", "find impulse(B)", "part b", "find velocity(B)")
+    return _one_velocity_given(d, "part a", "find velocity(B)", "part b", "find line_of_centres")
 
 
 def _line_2(d: Dice) -> str:

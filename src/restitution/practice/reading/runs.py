@@ -49,10 +49,20 @@ def _pieces(run: str, usage: Usage) -> Iterator[tuple[str, str]]:
         offset += len(text)
 
 
-def piece(run: str, offset: int, usage: Usage) -> tuple[str, str]:
-    """The piece of a run at an offset: its kind (function, greek, pi, letter) and its text."""
+def piece(run: str, offset: int, usage: Usage, behind: str = "") -> tuple[str, str]:
+    """The piece of a run at an offset: its kind (function, greek, pi, letter) and its text.
+
+    ``behind`` is what stands behind the run: ``3atan(θ)`` has no arctan where a is a letter of
+    the question, as ``atan(3/4)`` has.
+    """
     low = run[offset:].lower()
     for name in _FUNCTIONS:
+        short = name in _SHORT_INVERSES and low.startswith(name)
+        if short and run[offset] in usage.letters:
+            inside = run[offset + len(name) :] or behind.lstrip(" (")
+            short = offset > 0 or not inside[:1].isalpha()
+            if not short:
+                continue
         if low.startswith(name) and not (offset and name in _SHORT_INVERSES):
             return "function", run[offset : offset + len(name)]
     for name in _GREEK:

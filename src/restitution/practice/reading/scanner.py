@@ -398,7 +398,7 @@ class _Scanner:
         run = self.text[self.offset : end]
         start = self.offset
         while self.offset < end:
-            kind, text = piece(run, self.offset - start, self.usage)
+            kind, text = piece(run, self.offset - start, self.usage, self.text[end : end + 8])
             stop = self.offset + len(text)
             space = gap if self.offset == start else 0
             if kind == "function":
