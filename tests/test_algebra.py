@@ -301,3 +301,13 @@ def test_cubics_with_letters_are_beyond_people():
     with pytest.raises(UnsupportedError, match="degree 3 with letters"):
         roots(x**3 + m * x + y, x)
     assert roots(x**3 - 8 * m**3, x) == [2 * m]
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_root_stays_where_the_leading_coefficient_vanishes(sign):
+    """Of (1 - m)x² ± 2x - 3 = 0, the root of ± 2x - 3 has a value for m = 1 as well."""
+    equation = (1 - m) * x**2 + sign * 2 * x - 3
+    values = roots(equation, x)
+    assert [value.subs(m, 1) for value in values].count(sp.Rational(3 * sign, 2)) == 1
+    for value in values:
+        assert sp.simplify(equation.subs(x, value)) == 0

@@ -85,6 +85,13 @@ CLAIMS = {
         ),
         "The speed of S is not 4.25u: it is 4.19u.",
     ),
+    "only at an angle that is found": (
+        (
+            "sphere A: mass m, velocity u at theta\nsphere B: mass m, at rest\n"
+            "A hits B: along i, e = 1/2\nshow deflection(A) < arctan(3/4)"
+        ),
+        "θ = arctan(1/2)",
+    ),
     "a relation of letters": (
         (
             "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\nA hits B: along i\n"

@@ -132,6 +132,28 @@ find range of k, range of q, range of M/m
 #= range of k -> k > 1/e
 #= range of q -> q > 1/e
 #= range of M/m -> M/m > 1/e""",
+    # 3(1 - k) e^2 + 6e = 1 + k: e = 1 where k = 2, and e = 1/3 where k = 1, where it is no
+    # longer quadratic.
+    "a quadratic that is linear inside": """sphere A: mass m, velocity u at 30°
+sphere B: mass k m, at rest
+A hits B: along i
+given speed(A) = speed(B)
+find range of k, e
+#= range of k -> 0 < k <= 2
+#= e -> (1 + k)/(3 + sqrt(12 - 3k^2))""",
+    # The line of centres makes theta with i, sin(theta) = d/(2r): B has 3/4 u cos(theta).
+    "an offset and a radius that both vary": """sphere A: mass m, radius r, velocity u i
+sphere B: mass m, at rest
+A hits B: offset d, e = 1/2
+find range of speed(B) in terms of u
+#= range of speed(B) -> 0 < speed(B) < 3/4 u""",
+    # 1 - e^2 = 3/8 (1 + v^2/u^2), and e = 0 where v^2 = 5/3 u^2.
+    "a ratio of components of either sign": """sphere A: mass 2m, velocity u i + v j
+sphere B: mass m, velocity -u i + v j
+A hits B: along i
+given energy_lost = 1/3 energy(0)
+find range of v/u
+#= range of v/u -> -√15/3 <= v/u <= √15/3""",
 }
 
 

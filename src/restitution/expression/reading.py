@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
@@ -124,6 +125,16 @@ def read_expression(
     reading = Reading(scan(source, kinds))
     span = parse_tokens(expression_parser(), reading, BUILDERS)
     return without_units(span.value, NOWHERE, _no_unit, {})
+
+
+def read_number(text: str) -> Expression:
+    """The number that a text in SymPy's syntax says, with its powers and inverse functions.
+
+    >>> read_number("atan(1/2)**2") == read_expression("arctan(1/2)^2")
+    True
+    """
+    own = re.sub(r"\ba(?=(?:sin|cos|tan)\()", "arc", text)
+    return read_expression(own.replace("**", "^"))
 
 
 def _no_unit(measured: Measured, slot: Slot) -> Expression:

@@ -13,8 +13,8 @@ from restitution.exact import rationalised, tidy, tidy_angle
 from restitution.explaining.derivation import Link, Meaning, Note, Ref, Relation
 from restitution.explaining.facts import links_of, staged
 from restitution.explaining.trees import trees_of
-from restitution.expression import read_expression
 from restitution.expression.evaluate import Angle, evaluate
+from restitution.expression.reading import read_number
 from restitution.expression.tree import (
     Binary,
     Degrees,
@@ -367,5 +367,5 @@ def _numbers(scene: Scene, given: Mapping[str, str]) -> Iterator[tuple[str, sp.E
     known = roles(scene.problem)
     for name, text in given.items():
         if name in known:
-            value: Any = evaluate(read_expression(text.replace("**", "^")), sp.Symbol)
+            value: Any = evaluate(read_number(text), sp.Symbol)
             yield name, sp.sympify(value, strict=True)

@@ -219,6 +219,9 @@ def _candidates(
             role = roles[name]
             points += [-sp.oo if role.low is None else role.low]
             points += [sp.oo if role.high is None else role.high]
+            if expression.xreplace({symbol: 2 * symbol}) == expression:
+                # v/|v| depends on the sign alone, and so it is reached in the midst of a letter.
+                points += [sp.Integer(1), sp.Integer(-1)]
             for atom in atoms:
                 put = {roles[n].symbol(n): v for n, v in candidate.where.items()}
                 try:
@@ -256,14 +259,38 @@ def is_reached(region: Region, candidate: Candidate, drawn: Sample) -> bool:
     """Whether the letters may have the values at which a candidate lies."""
     if candidate.value in (sp.oo, -sp.oo):
         return False
-    values = _numbers(region, candidate, drawn)
-    return values is not None and region._possible(values)
+    for known in _others(region, candidate, drawn):
+        values = _numbers(region, candidate, known)
+        if values is not None and region._possible(values):
+            return True
+    return False
 
 
 def is_near(region: Region, candidate: Candidate, drawn: Sample) -> bool:
     """Whether allowed values come as near to a candidate's place as one likes."""
-    if is_reached(region, candidate, drawn):
-        return True
+    return is_reached(region, candidate, drawn) or any(
+        _is_near(region, candidate, known) for known in _others(region, candidate, drawn)
+    )
+
+
+def _others(region: Region, candidate: Candidate, drawn: Sample) -> list[Sample]:
+    """The data with a few values of the running letters to which a candidate gives none.
+
+    An offset of 0 is a place for every radius, and yet a radius is needed to try it.
+    """
+    names = [
+        name
+        for name in (region.letter, *region.free)
+        if name not in candidate.where and name not in drawn
+    ]
+    if not names:
+        return [drawn]
+    rng = random.Random(31)
+    roles = region.setting.roles
+    return [{**drawn, **{name: draw(roles[name], rng) for name in names}} for _ in range(8)]
+
+
+def _is_near(region: Region, candidate: Candidate, drawn: Sample) -> bool:
     values: Sample = dict(drawn)
     names = list(candidate.where)
     for step in (at(sp.Rational(1, 10**7), {}),):

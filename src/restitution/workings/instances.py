@@ -33,9 +33,9 @@ def instances(given: Mapping[str, str]) -> list[Layout]:
 
 def _read(text: str) -> Expression:
     # It loads the parser, which a working seldom needs.
-    from restitution.expression import read_expression
+    from restitution.expression.reading import read_number
 
-    return read_expression(text)
+    return read_number(text)
 
 
 def _number_look(text: str) -> Layout:
