@@ -25,6 +25,14 @@ from restitution.explaining.trees import renamed, trees_of
 from restitution.expression.tree import Quantity, walk
 
 
+def _x(body: str, stage: int) -> str:
+    return f"along(velocity({body}, {stage}), i)"
+
+
+def _y(body: str, stage: int) -> str:
+    return f"along(velocity({body}, {stage}), j)"
+
+
 def _square(body: str, stage: int) -> str:
     return f"({_c(body, stage)}^2 + {_s(body, stage)}^2)"
 
@@ -281,6 +289,10 @@ DEFINITIONS = (
             (
                 f"tan(deflection(X, 1)) = ({_c('X', 0)} {_s('X', 1)} - {_s('X', 0)} {_c('X', 1)})"
                 f"/({_c('X', 0)} {_c('X', 1)} + {_s('X', 0)} {_s('X', 1)})"
+            ),
+            (
+                f"tan(deflection(X, 1)) = ({_x('X', 0)} {_y('X', 1)} - {_y('X', 0)} {_x('X', 1)})"
+                f"/({_x('X', 0)} {_x('X', 1)} + {_y('X', 0)} {_y('X', 1)})"
             ),
         ),
         gives=("deflection",),

@@ -28,7 +28,7 @@ from restitution.planning.angle_ratios import range_of
 from restitution.planning.angles import angle_to_a_line
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.either_side import angle_of_centres
-from restitution.planning.forms import difference, in_tangents, total, tree_of
+from restitution.planning.forms import difference, in_tangents, swept, total, tree_of
 from restitution.planning.formulas import Formula
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import in_direction
@@ -564,6 +564,10 @@ def _deflection(
         refs = together((meaning,), refs, *(_own_size(scene, each) for each in (a, b)))
         line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
         return Ratio(line, letter, "cos", value, _RANGES["deflection"].format(letter))
+    if wanted != "cos" and frame.is_slanted:
+        from_axis = _from_an_axis(scene, body, event, asked)
+        if from_axis is not None:
+            return from_axis
     if frame.wall is not None and wanted is None:
         return _by_sum(scene, asked)
     if frame.wall is not None and wanted == "tan":
@@ -586,6 +590,40 @@ def _deflection(
     own = formula(scene, asked)
     line, letter = tangent_line(scene, asked, own, own.move)
     return Ratio(line, letter, "tan", own.value, _RANGES["deflection"].format(letter))
+
+
+def _from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio | None:
+    """The tangent of a deflection of a body that came along **i** or **j**, by its velocity after.
+
+    None where no line says that velocity as a vector, or the tangent has letters.
+    """
+    late = scene.desk.known(Quantity("velocity", (Name(body),), event))
+    if late is None or not isinstance(late.value, Vector):
+        return None
+    early = in_the_plane(scene, body, event - 1)
+    axis = next((n for n in (0, 1) if early[1 - n].value == 0 != early[n].value), None)
+    if axis is None:
+        return None
+    ahead, aside = late.value[axis], late.value[1 - axis]
+    if scene.model.sign(early[axis].value) < 0:
+        ahead = -ahead
+    if scene.model.sign(aside) < 0:
+        aside = -aside
+    value = tidy(aside / ahead)
+    if not value.is_number:
+        return None
+    letter, meaning = letter_of(scene, asked)
+    move = Move("define", "tan-deflection", event, (body,))
+    subject, right = (
+        Apply("tan", Letter(letter)),
+        swept(Binary("/", tree_of(aside), tree_of(ahead))),
+    )
+    whole = together((meaning,), late.refs, *(each.whole for each in early))
+    refs = scene.judge.needed(move, whole, chain(subject, (right, None)))
+    if refs is None:
+        return None
+    line = ratio_line(scene, move, refs, subject, right, value)
+    return Ratio(line, letter, "tan", value, _RANGES["deflection"].format(letter))
 
 
 def _turned_by_a_blow(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio | int:
