@@ -141,6 +141,37 @@ sphere B: at rest
 A hits B: along i
 find range of deflection(A)
 """
+AWAY = """
+sphere A: mass m, velocity 2u i
+sphere B: mass 2m, at rest
+sphere C: mass m, at rest
+A hits B: along i, e = 1/2
+B hits C: along 60°, e = 1/2
+find velocity(B), deflection(B)
+"""
+AGAIN = """
+sphere A: mass m, velocity 4u i
+sphere B: mass m, at rest
+sphere C: mass m, at rest
+A hits B: along i, e = 1/2
+B hits C: along i, e = 1/2
+find velocity(B), velocity(C)
+show B and C do not collide again
+"""
+BOUNDED = """
+sphere A: mass 2, velocity 3i
+sphere B: mass 1, velocity -i + 2j
+A hits B: along i
+given 1/4 < e
+given e < 1/2
+find range of speed(B), range of energy_lost
+"""
+MEETING = """
+wall W: along i, through (0, 0)
+sphere P: at (0, 3), velocity 4i - 2j
+P hits W: e = 1/2
+find time(1)
+"""
 DEAD = """
 wall W: along i
 sphere P: mass m, velocity u at alpha to W
@@ -159,6 +190,11 @@ READINGS = [
     (LATER, "T = √5 ≈ 2.24 s"),
     (TWO_STORIES, "v cos 45° = mw + mx"),
     (UPRIGHT, "= 2/(1 − e), and β = 90° if e = 1"),
+    (AWAY, "tan δ = (√3 u/8)/(7u/8) = √3/7"),
+    (AGAIN, "v₂ = 3u/4 < 9u/4 = w₂"),
+    (BOUNDED, " m s⁻¹ < speed of B < "),
+    (BOUNDED, " J < kinetic energy lost < "),
+    (MEETING, "Time = distance ÷ speed in that direction:"),
     (DEAD, "Newton's experimental law, as the coefficient of restitution is 0:"),
     (VECTORS, "Let 𝐮_A and 𝐮_B be the velocities of A and B before the impact."),
     (VECTORS, "Let 𝐯_A and 𝐯_B be the velocities of A and B after the impact."),

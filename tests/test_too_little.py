@@ -50,6 +50,9 @@ OPEN = {
     WALL + "find tan(deflection(P))": [
         "tan(deflection(P)) needs the direction of the wall W (write 'wall W: along …')",
     ],
+    WALL + "find direction(W)": [
+        ("the direction of the wall W is not fixed by what is given (write 'wall W: along …')"),
+    ],
     "sphere A: mass 2, velocity u at 30°\nsphere B: mass 3, at rest\nA hits B: e = 2/3\n"
     "given speed(A) = 2\nfind u": [
         f"there are more unknowns than facts that could fix them: {LINE}, and u {WRITTEN}",

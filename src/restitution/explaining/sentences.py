@@ -732,8 +732,8 @@ SENTENCES: Mapping[SentenceId, str] = {
         "velocity times the time since."
     ),
     "distance.coordinates": "Distance, from the coordinates",
-    "flight.time": "Time = distance ÷ speed",
-    "flight.time-of": "Time = distance ÷ speed, for {body}",
+    "flight.time": "Time = distance ÷ speed in that direction",
+    "flight.time-of": "Time = distance ÷ speed in that direction, for {body}",
     "flight.at-once": "{bodies:and} are at one place at the start",
     "flight.rest": "{body} is at rest, so it stays where it is",
     "flight.origin-taken": (

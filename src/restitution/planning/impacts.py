@@ -281,7 +281,8 @@ def settled(scene: Scene, tree: Expression) -> Source | None:
     (line,) = lines
     if _is_plain(known.value, value) and scene.desk.is_of_this_part(line):
         return known
-    if scene.desk.last_link(line).left != tree:
+    link = scene.desk.last_link(line)
+    if link.left != tree and (link.right != tree or value.free_symbols):
         return known
     move = Move("put")
     line = scene.desk.write(move, (line, *refs), chain(tree, (tree_of(value), None)))

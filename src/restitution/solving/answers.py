@@ -10,7 +10,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.errors import ImpossibleError, MissingError
-from restitution.expression.tree import Binary, Expression, Negate, Number, Quantity
+from restitution.expression.tree import Binary, Expression, Name, Negate, Number, Quantity
 from restitution.problem import Value
 from restitution.render.layout import Layout, display, display_point, display_vector
 from restitution.render.text import to_text
@@ -26,7 +26,15 @@ def missing_for(item: Value, branch: Branch, names: Iterable[str]) -> MissingErr
     own = next((phrase for phrase in phrases if phrase.startswith(called)), None)
     if own is not None:
         return missing.is_open(own)
+    match item.expression:
+        case Quantity("direction", (Name(wall),), None) if [*phrases] == [_direction_of(wall)]:
+            return missing.is_open(_direction_of(wall))  # it is what is asked
     return missing.needs(called, phrases)
+
+
+def _direction_of(wall: str) -> str:
+    """What the direction of a wall is called that is to be found."""
+    return f"the direction of the wall {wall}"
 
 
 def phrase_of(branch: Branch, name: str) -> str:

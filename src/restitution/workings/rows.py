@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from restitution.explaining.derivation import Derivation, Line, Link, Relation
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explaining.derivation import Derivation, Line, Link, Relation, Sign
 from restitution.explaining.layouts import chains
 from restitution.explaining.saying import Sentence, operand, say
+from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -48,6 +52,8 @@ _GOES_ON = frozenset({"rearrange", "put", "identity", "value", "cancel"})
 _REMEMBERED = 3
 _TANGENTS = frozenset({"tan", "tan-direction"})
 _ORDERS = frozenset({"<", "<=", ">", ">="})
+# What two values are that are known to differ.
+_STRICT: Mapping[str, Sign] = {"<": "<", "<=": "<", ">": ">", ">=": ">"}
 _VECTORS = ("velocity", "impulse")
 _WORDS = {"parallel to": "claim.parallel", "perpendicular to": "claim.perpendicular"}
 
@@ -126,8 +132,40 @@ class Rows:
                 whole = [*before, *whole]
         return tuple(whole)
 
+    def _with_values(self, line: Line, links: tuple[Link, ...]) -> tuple[Link, ...]:
+        """A comparison of two letters with what they are worth: ``w₃ = ¾u < 3u/2 = w₂``.
+
+        Only products are put in: a sum is too long beside its name.
+        """
+        if line.move.id not in ("sign", "compare") or len(links) != 1:
+            return links
+        (own,) = links
+        known: dict[Expression, Expression] = {}
+        for ref in line.premises:
+            above = self._derivation.line(ref) if isinstance(ref, int) else None
+            match above.relation if above is not None else None:
+                case Relation(((Link(Letter() as letter, "="), *_),) as options):
+                    known[letter] = options[0][-1].right
+        if own.sign not in _STRICT or own.left not in known or own.right not in known:
+            return links
+        left, right = known[own.left], known[own.right]
+        signs = ("+", "-")
+        if any(
+            isinstance(e, Binary) and e.op in signs for tree in (left, right) for e in walk(tree)
+        ):
+            return links
+        return (
+            Link(own.left, "=", left),
+            Link(left, _STRICT[own.sign] if _differ(left, right) else own.sign, right),
+            Link(right, "=", own.right),
+        )
+
     def _chain(self, line: Line, links: tuple[Link, ...], last: bool = True) -> Row:
         """A chain as a row: with the name of what was asked, units, and a decimal at its end."""
+        compared = self._with_values(line, links)
+        if compared != links:
+            trees = [compared[0].left, *(link.right for link in compared)]
+            return Row(tuple(map(self._naming.layout, trees)), tuple(map(_sign, compared)))
         words = _WORDS.get(links[0].sign)
         if words is not None:
             left, right = map(self._naming.side, (links[0].left, links[0].right))
@@ -172,6 +210,8 @@ class Rows:
         if signs[-1] in ("=", "≈") and last:
             self._ended(line, links, sides, signs)
             reasons = self._placed(line, links, sides, signs)
+        elif last and self._ends.of(line) is not None:
+            self._bounded(trees, sides)
         return Row(tuple(sides), tuple(signs), reasons=reasons)
 
     def _tangent_of(self, line: Line, link: Link) -> Expression | None:
@@ -288,6 +328,14 @@ class Rows:
         if unit and not nothing and (answered or is_plain(sides[-1])):
             sides[-1] = with_unit(sides[-1], unit)
 
+    def _bounded(self, trees: Sequence[Expression], sides: list[lay.Layout]) -> None:
+        """Puts the unit of what a range is of behind the numbers that bound it."""
+        subject = [each for each in trees if has_quantity(each) or isinstance(each, Letter)]
+        unit = self._measures.unit(subject[0]) if len(subject) == 1 else ""
+        for n, tree in enumerate(trees):
+            if unit and tree not in subject and not is_zero(tree):
+                sides[n] = with_unit(sides[n], unit)
+
     def _called(self, line: Line) -> Sentence | None:
         """What a letter stands for that was introduced a while ago, where it is what was asked."""
         asked = self._ends.asked(line)
@@ -323,7 +371,9 @@ class Rows:
         if figures == exact:
             return None
         reasons = (say("shown.figures", figures="3"),)
-        return Row(figures, tuple(_sign(link) for link in links), reasons=reasons)
+        bounded = list(figures)
+        self._bounded(sides, bounded)
+        return Row(tuple(bounded), tuple(_sign(link) for link in links), reasons=reasons)
 
     def _alternatives(self, options: tuple[tuple[Link, ...], ...], asked: bool) -> Row:
         """``t = 1 or t = −1``, set at the first sign; opposite roots as ``t = ±1``."""
@@ -377,6 +427,18 @@ class Rows:
         if _is_value(trees[0]) and is_plain(sides[-1]) and signs[-1] in ("=", "≈"):
             sides[-1] = with_unit(sides[-1], self._measures.unit(trees[0]))
         return lay.Relation(tuple(sides), tuple(signs))
+
+
+def _differ(left: Expression, right: Expression) -> bool:
+    """Whether two values are known to differ, whatever positive letters are in them."""
+    try:
+        one, other = (
+            sp.sympify(evaluate(each, lambda name: sp.Symbol(name, positive=True)), strict=True)
+            for each in (left, right)
+        )
+    except RestitutionError:
+        return False
+    return bool((one - other).is_nonzero)
 
 
 def _quotient(line: Line, link: Link) -> lay.Layout | None:
