@@ -286,7 +286,10 @@ def _number(tree: Expression) -> float | None:
 
 
 def marks(solution: Solution, derivation: Derivation) -> list[str]:
-    """Every item has an A at its end, or a B, and a part at most one mark more than lines."""
+    """Every item has an A at its end, or a B, and a part at most one mark more than lines.
+
+    Each of the two laws of an impact of spheres is M1 A1, and counts as two lines.
+    """
     found = []
     styles: tuple[Style, ...] = ("fm1", "m4", "caie")
     for style in styles:
@@ -299,7 +302,8 @@ def marks(solution: Solution, derivation: Derivation) -> list[str]:
                 found.append(f"{style}: no A or B at the end of {end.item}")
         for part, total in marks_of(marked).items():
             room = sum(
-                1 if isinstance(line.relation, Meaning) else max(map(len, line.relation.options))
+                (1 if isinstance(line.relation, Meaning) else max(map(len, line.relation.options)))
+                + (line.move.record in ("momentum", "restitution"))
                 for line in derivation.lines
                 if parts.get(line.item) == part
             )

@@ -32,7 +32,7 @@ from restitution.workings import explain
             P hits W
             find range of a
             """,
-            ["P hits W between its ends: 1 < a < 4"],
+            ["P hits W between its ends: 1 m s⁻¹ < a < 4 m s⁻¹"],
         ),
         (
             """

@@ -65,6 +65,7 @@ _CLOSING = (
     "tan-squared",
     "tan-direction",
     "tan-deflection",
+    "tan-from-axis",
     "perpendicular",
     "parallel",
     "sum",

@@ -290,6 +290,15 @@ DEFINITIONS = (
                 f"tan(deflection(X, 1)) = ({_c('X', 0)} {_s('X', 1)} - {_s('X', 0)} {_c('X', 1)})"
                 f"/({_c('X', 0)} {_c('X', 1)} + {_s('X', 0)} {_s('X', 1)})"
             ),
+        ),
+        gives=("deflection",),
+        cost=2,
+        marks=("M",),
+    ),
+    Record(
+        "tan-from-axis",
+        "definition",
+        (
             (
                 f"tan(deflection(X, 1)) = ({_x('X', 0)} {_y('X', 1)} - {_y('X', 0)} {_x('X', 1)})"
                 f"/({_x('X', 0)} {_x('X', 1)} + {_y('X', 0)} {_y('X', 1)})"

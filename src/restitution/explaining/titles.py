@@ -23,6 +23,7 @@ _TITLES: Mapping[str, tuple[SentenceId | None, SentenceId | None]] = {
     "sum": ("turned-wall.title", "turned.title"),
     "difference": ("turned-wall.title", "turned.title"),
     "tan-deflection": ("turned.title", "turned.title"),
+    "tan-from-axis": ("turned.title", "turned.title"),
     "scalar-angle": ("derived-between.title", "derived-between.title"),
     "energy-lost": ("loss-wall.title", "loss-spheres.title"),
     "energy-change": ("change-of-energy.title", "change-of-energy.title"),

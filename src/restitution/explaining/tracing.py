@@ -51,7 +51,15 @@ _NEAR = 4
 _SIZES = ("speed", "size", "energy", "energy-ratio", "total", "total-lost", "energy-lost")
 
 
-_ANGLES = ("tan", "tan-direction", "tan-deflection", "tan-squared", "scalar-angle", "sum")
+_ANGLES = (
+    "tan",
+    "tan-direction",
+    "tan-deflection",
+    "tan-from-axis",
+    "tan-squared",
+    "scalar-angle",
+    "sum",
+)
 
 
 _PLACES = ("difference", "momentum-of", "distance", "straight-line", "perpendicular", "parallel")

@@ -613,7 +613,7 @@ def _from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio
     if not value.is_number:
         return None
     letter, meaning = letter_of(scene, asked)
-    move = Move("define", "tan-deflection", event, (body,))
+    move = Move("define", "tan-from-axis", event, (body,))
     subject, right = (
         Apply("tan", Letter(letter)),
         swept(Binary("/", tree_of(aside), tree_of(ahead))),

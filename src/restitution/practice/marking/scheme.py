@@ -49,6 +49,7 @@ PRINCIPLES: Mapping[str, str] = {
     "sum": "deflection",
     "difference": "deflection",
     "tan-deflection": "deflection",
+    "tan-from-axis": "deflection",
     "perpendicular": "fact",
     "parallel": "fact",
     "energy": "energy",
