@@ -303,6 +303,15 @@ def test_cubics_with_letters_are_beyond_people():
     assert roots(x**3 - 8 * m**3, x) == [2 * m]
 
 
+def test_a_root_is_finite_where_a_coefficient_with_cosines_vanishes() -> None:
+    """Of (k - 1) c² x² - 2c² x + (k + 1) s², the root of the rest, s²/c², has a value at k = 1."""
+    x, k, alpha = sp.Symbol("x"), sp.Symbol("k", positive=True), sp.Symbol("alpha", positive=True)
+    c, s = sp.cos(alpha), sp.sin(alpha)
+    values = roots((k - 1) * c**2 * x**2 - 2 * c**2 * x + (k + 1) * s**2, x)
+    numbers = [value.subs({k: 1, alpha: sp.pi / 6}) for value in values]
+    assert sp.Rational(1, 3) in numbers
+
+
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_root_stays_where_the_leading_coefficient_vanishes(sign):
     """Of (1 - m)x² ± 2x - 3 = 0, the root of ± 2x - 3 has a value for m = 1 as well."""

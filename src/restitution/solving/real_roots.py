@@ -179,9 +179,9 @@ def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
     if vanishing(discriminant):
         return [_tidy_root(-b / (2 * a))]
     d = _sqrt(discriminant)
-    if a.free_symbols and definite(a) == 0 and definite(b) != 0:
+    turn = definite(b, frozenset(), True)
+    if a.free_symbols and definite(a) == 0 and turn != 0:
         # The leading coefficient may vanish, and one root is then that of b x + c.
-        turn = definite(b)
         finite, other = -2 * c / (b + turn * d), (-b - turn * d) / (2 * a)
         return [_tidy_root(each) for each in ((finite, other) if turn > 0 else (other, finite))]
     return [_tidy_root((-b + d) / (2 * a)), _tidy_root((-b - d) / (2 * a))]

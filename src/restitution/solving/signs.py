@@ -73,13 +73,14 @@ def sign(x: sp.Expr) -> int | None:
 
 
 @remembered(2048)
-def definite(x: sp.Expr, positive: frozenset[sp.Expr] = frozenset()) -> int:
+def definite(x: sp.Expr, positive: frozenset[sp.Expr] = frozenset(), weak: bool = False) -> int:
     """1 or −1 where the signs of letters and terms prove that sign; 0 where they do not.
 
-    ``positive`` are other expressions in it that are known to be so, such as sines.
+    ``positive`` are other expressions in it that are known to be so, such as sines. ``weak`` takes
+    what may vanish too, such as −cos²α: it is nowhere of the other sign.
     """
     if x.is_Symbol:
-        return 1 if x.is_positive else 0
+        return 1 if x.is_positive or (weak and x.is_nonnegative) else 0
     if x.is_number:
         return sign(x) or 0
     try:
@@ -87,10 +88,11 @@ def definite(x: sp.Expr, positive: frozenset[sp.Expr] = frozenset()) -> int:
         above, below = field.fraction(x)
     except (PolynomialError, TooLargeError):
         return 0
-    return _definite(field, above, positive) * _definite(field, below, positive)
+    one, other = (_definite(field, each, positive, weak) for each in (above, below))
+    return one * other
 
 
-def _definite(field: Field, a: Element, known_positive: frozenset[sp.Expr]) -> int:
+def _definite(field: Field, a: Element, known_positive: frozenset[sp.Expr], weak: bool) -> int:
     numbers = {index for index, atom in enumerate(field.atoms) if atom.is_number}
     terms: dict[tuple[int, ...], Element] = {}
     for monomial, c in a.items():
@@ -114,7 +116,7 @@ def _definite(field: Field, a: Element, known_positive: frozenset[sp.Expr]) -> i
         if common not in (0, own):
             return 0
         common, strict = own, strict or positive
-    return common if strict else 0
+    return common if strict or weak else 0
 
 
 def _sign_of_atom(x: sp.Expr, positive: frozenset[sp.Expr]) -> bool | None:
