@@ -48,10 +48,10 @@ class Record:
     """A principle, a definition or an identity.
 
     ``templates`` are its forms, of which a line takes one. ``where`` tells at which impacts it
-    holds; ``gives`` the kinds of quantity for which it is read, ``cost`` what a line of it costs a
-    reader, ``marks`` the points it earns. Of the angle to a wall or to a line of centres, which is
-    at most 90°, the right side is taken positive; of an angle up to 180° whose tangent is a
-    quotient, what stands above.
+    holds; ``gives`` the kinds of quantity for which it is read. What it earns stands in
+    `mark_rules`, what a line of it costs a reader in the planner. Of the angle to a wall or to a
+    line of centres, which is at most 90°, the right side is taken positive; of an angle up to 180°
+    whose tangent is a quotient, what stands above.
     """
 
     id: str
@@ -59,8 +59,6 @@ class Record:
     templates: tuple[str, ...] = ()
     where: Literal["wall", "spheres", "impact", "any"] = "any"
     gives: tuple[str, ...] = ()
-    cost: float = 1.0
-    marks: tuple[str, ...] = ()
 
     @property
     def needs(self) -> frozenset[str]:
@@ -125,8 +123,6 @@ PRINCIPLES = (
         (f"{_s('X', 1)} = {_s('X', 0)}",),
         "impact",
         ("across",),
-        1,
-        ("B",),
     ),
     Record(
         "restitution-wall",
@@ -134,8 +130,6 @@ PRINCIPLES = (
         (f"{_c('X', 1)} = -restitution(1) {_c('X', 0)}",),
         "wall",
         ("along", "restitution"),
-        1,
-        ("B",),
     ),
     Record(
         "momentum",
@@ -148,8 +142,6 @@ PRINCIPLES = (
         ),
         "spheres",
         ("along", "mass"),
-        2,
-        ("M", "A"),
     ),
     Record(
         "restitution",
@@ -157,8 +149,6 @@ PRINCIPLES = (
         (f"{_c('S', 1)} - {_c('F', 1)} = restitution(1) ({_c('F', 0)} - {_c('S', 0)})",),
         "spheres",
         ("along", "restitution"),
-        2,
-        ("M", "A"),
     ),
     Record(
         "momentum-vector",
@@ -171,8 +161,6 @@ PRINCIPLES = (
         ),
         "spheres",
         ("velocity", "mass"),
-        2,
-        ("M", "A"),
     ),
     Record(
         "impulse-vector",
@@ -180,8 +168,6 @@ PRINCIPLES = (
         ("impulse(X, 1) = mass(X) (velocity(X, 1) - velocity(X, 0))",),
         "any",
         ("impulse", "velocity", "line_of_centres"),
-        2,
-        ("M", "A"),
     ),
     Record(
         "opposite-impulses",
@@ -189,7 +175,6 @@ PRINCIPLES = (
         ("impulse(S, 1) = -impulse(F, 1)",),
         "spheres",
         ("impulse",),
-        1,
     ),
     Record(
         "impulse",
@@ -201,8 +186,6 @@ PRINCIPLES = (
         ),
         "impact",
         ("impulse", "along", "mass"),
-        2,
-        ("M", "A"),
     ),
     Record(
         "across-the-impulse",
@@ -210,8 +193,6 @@ PRINCIPLES = (
         (f"{AXIS} parallel to impulse(X, 1)",),
         "impact",
         ("line_of_centres",),
-        1,
-        ("M", "A"),
     ),
     Record(
         "along-the-change",
@@ -219,19 +200,15 @@ PRINCIPLES = (
         (f"{AXIS} parallel to velocity(X, 1) - velocity(X, 0)",),
         "impact",
         ("line_of_centres",),
-        1,
-        ("M", "A"),
     ),
     # Who was at rest goes along the line of centres: to where its next event is.
-    Record("moves-off", "principle", (), "spheres", ("line_of_centres",), 1, ("M", "A")),
+    Record("moves-off", "principle", (), "spheres", ("line_of_centres",)),
     Record(
         "wall-direction",
         "principle",
         (f"direction(S) perpendicular to {AXIS}",),
         "wall",
         ("direction",),
-        1,
-        ("A",),
     ),
     Record(
         "equal-across",
@@ -242,15 +219,13 @@ PRINCIPLES = (
         ),
         "wall",
         ("direction",),
-        1.5,
-        ("M", "A"),
     ),
 )
 
 DEFINITIONS = (
-    Record("component", "definition", gives=("along", "across"), cost=1.5, marks=("M", "A")),
-    Record("assemble", "definition", gives=("velocity",), cost=1.5, marks=("M", "A")),
-    Record("product", "definition", gives=("dot",), cost=1.5, marks=("M", "A")),
+    Record("component", "definition", gives=("along", "across")),
+    Record("assemble", "definition", gives=("velocity",)),
+    Record("product", "definition", gives=("dot",)),
     Record(
         "tan",
         "definition",
@@ -270,7 +245,6 @@ DEFINITIONS = (
             "tan(angle(velocity(X, 1), j)) = along(velocity(X, 1), i)/along(velocity(X, 1), j)",
         ),
         gives=("angle",),
-        marks=("M",),
     ),
     Record(
         "tan-direction",
@@ -280,7 +254,6 @@ DEFINITIONS = (
             "tan(direction(X, 0)) = along(velocity(X, 0), j)/along(velocity(X, 0), i)",
         ),
         gives=("direction",),
-        marks=("M",),
     ),
     Record(
         "tan-deflection",
@@ -292,8 +265,6 @@ DEFINITIONS = (
             ),
         ),
         gives=("deflection",),
-        cost=2,
-        marks=("M",),
     ),
     Record(
         "tan-from-axis",
@@ -305,8 +276,6 @@ DEFINITIONS = (
             ),
         ),
         gives=("deflection",),
-        cost=2,
-        marks=("M",),
     ),
     Record(
         "speed",
@@ -322,15 +291,12 @@ DEFINITIONS = (
             "speed(X, 0) = abs(velocity(X, 0))",
         ),
         gives=("speed",),
-        cost=1.5,
-        marks=("M", "A"),
     ),
     Record(
         "size",
         "definition",
         ("impulse(1) = abs(impulse(X, 1))", "impulse(1) = abs(impulse(F, 1))"),
         gives=("impulse",),
-        marks=("M", "A"),
     ),
     Record(
         "energy",
@@ -344,8 +310,6 @@ DEFINITIONS = (
             "energy(X, 0) = 1/2 mass(X) dot(velocity(X, 0), velocity(X, 0))",
         ),
         gives=("energy",),
-        cost=1.2,
-        marks=("M",),
     ),
     Record(
         "energy-ratio",
@@ -356,15 +320,11 @@ DEFINITIONS = (
             for early in _squares("X", 0)
         ),
         gives=("energy",),
-        cost=1.2,
-        marks=("M",),
     ),
     # The energies of all spheres: the terms are those of the spheres that there are.
-    Record("total", "definition", gives=("energy",), cost=2.4, marks=("M",)),
-    Record("total-lost", "definition", gives=("total_energy_lost",), cost=2.5, marks=("M",)),
-    Record(
-        "energy-lost", "definition", where="impact", gives=("energy_lost",), cost=2.5, marks=("M",)
-    ),
+    Record("total", "definition", gives=("energy",)),
+    Record("total-lost", "definition", gives=("total_energy_lost",)),
+    Record("energy-lost", "definition", where="impact", gives=("energy_lost",)),
     # Of one body, of which the component across the line does not change.
     Record(
         "energy-change",
@@ -372,12 +332,10 @@ DEFINITIONS = (
         ((f"energy(X, 1) - energy(X, 0) = 1/2 mass(X) ({_c('X', 1)}^2 - {_c('X', 0)}^2)"),),
         "impact",
         ("energy",),
-        2.5,
-        ("M", "A"),
     ),
     # What a cited right angle, or a cited common direction, says of components or vectors.
-    Record("perpendicular", "definition", gives=("along", "across"), marks=("M",)),
-    Record("parallel", "definition", gives=("along", "across"), marks=("M",)),
+    Record("perpendicular", "definition", gives=("along", "across")),
+    Record("parallel", "definition", gives=("along", "across")),
     Record(
         "scalar-angle",
         "definition",
@@ -399,8 +357,6 @@ DEFINITIONS = (
             ),
         ),
         gives=("angle", "deflection"),
-        cost=3,
-        marks=("M", "A"),
     ),
     Record(
         "sum",
@@ -414,7 +370,6 @@ DEFINITIONS = (
         ),
         "wall",
         gives=("deflection",),
-        marks=("M",),
     ),
     Record(
         "difference",
@@ -422,22 +377,19 @@ DEFINITIONS = (
         # Of angles to the line of centres: how they are put together, the components tell.
         ("energy_lost(1) = energy(0) - energy(1)",),
         gives=("deflection", "angle", "energy_lost"),
-        cost=2,
-        marks=("M",),
     ),
     Record(
         "momentum-of",
         "definition",
         ("momentum(X, 1) = mass(X) velocity(X, 1)", "momentum(X, 0) = mass(X) velocity(X, 0)"),
         gives=("momentum",),
-        marks=("M",),
     ),
     # A velocity by its size and how far it is turned, to a side that is told, or else taken.
-    Record("turned", "definition", where="impact", gives=("velocity",), marks=("M", "A")),
+    Record("turned", "definition", where="impact", gives=("velocity",)),
     # What is mirrored, where a line of centres may be on either side of **i**.
-    Record("either-side", "definition", where="impact", gives=("direction",), marks=("M",)),
+    Record("either-side", "definition", where="impact", gives=("direction",)),
     # The places are those of which a line speaks.
-    Record("distance", "definition", gives=("distance",), marks=("M",)),
+    Record("distance", "definition", gives=("distance",)),
     Record(
         "tan-squared",
         "definition",
@@ -446,15 +398,13 @@ DEFINITIONS = (
             f"tan(angle(velocity(X, 0), {AXIS}))^2 = {_s('X', 0)}^2/{_c('X', 0)}^2",
         ),
         gives=("angle",),
-        cost=1.5,
-        marks=("M",),
     ),
     # Centres that touch, on their line.
-    Record("beside", "definition", where="spheres", gives=("position",), marks=("M",)),
+    Record("beside", "definition", where="spheres", gives=("position",)),
     # From one point of a circular wall to the next.
-    Record("chord", "definition", gives=("along", "across", "time"), marks=("M",)),
+    Record("chord", "definition", gives=("along", "across", "time")),
     # By three chords back to where they began.
-    Record("round", "definition", gives=("angle",), marks=("M",)),
+    Record("round", "definition", gives=("angle",)),
     Record(
         "straight-line",
         "definition",
@@ -471,7 +421,6 @@ DEFINITIONS = (
             ),
         ),
         gives=("position", "time"),
-        marks=("M",),
     ),
 )
 
