@@ -28,11 +28,6 @@ gc.set_threshold(200_000, 10, 10)
 expect.set_options(timeout=30_000)
 
 
-def pytest_xdist_auto_num_workers() -> int:
-    """One worker more than there are processors: some tests wait for a browser, or for a clock."""
-    return (os.cpu_count() or 1) + 1
-
-
 def pytest_addoption(parser: pytest.Parser) -> None:
     """An option for who looks for one law of statements."""
     parser.addoption("--law", default="", help="laws of statements whose name holds these letters")
