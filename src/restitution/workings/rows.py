@@ -30,6 +30,7 @@ from restitution.planning.forms import coordinates
 from restitution.problem import Value
 from restitution.render import layout as lay
 from restitution.render.text import to_text
+from restitution.solving.letters import roles
 from restitution.workings.ends import Ends
 from restitution.workings.extremes import EXTREMA, extreme, value_reached
 from restitution.workings.measured import (
@@ -156,9 +157,23 @@ class Rows:
             return links
         return (
             Link(own.left, "=", left),
-            Link(left, _STRICT[own.sign] if _differ(left, right) else own.sign, right),
+            Link(left, _STRICT[own.sign] if self._differ(left, right) else own.sign, right),
             Link(right, "=", own.right),
         )
+
+    def _differ(self, left: Expression, right: Expression) -> bool:
+        """Whether two values are known to differ: what has a coefficient in it may be zero."""
+        known = roles(self._naming.problem)
+
+        def letter(name: str) -> sp.Symbol:
+            positive = name in known and known[name].kind == "positive"
+            return sp.Symbol(name, positive=True) if positive else sp.Symbol(name, real=True)
+
+        try:
+            one, other = (sp.sympify(evaluate(e, letter), strict=True) for e in (left, right))
+        except RestitutionError:
+            return False
+        return bool((one - other).is_nonzero)
 
     def _chain(self, line: Line, links: tuple[Link, ...], last: bool = True) -> Row:
         """A chain as a row: with the name of what was asked, units, and a decimal at its end."""
@@ -427,18 +442,6 @@ class Rows:
         if _is_value(trees[0]) and is_plain(sides[-1]) and signs[-1] in ("=", "≈"):
             sides[-1] = with_unit(sides[-1], self._measures.unit(trees[0]))
         return lay.Relation(tuple(sides), tuple(signs))
-
-
-def _differ(left: Expression, right: Expression) -> bool:
-    """Whether two values are known to differ, whatever positive letters are in them."""
-    try:
-        one, other = (
-            sp.sympify(evaluate(each, lambda name: sp.Symbol(name, positive=True)), strict=True)
-            for each in (left, right)
-        )
-    except RestitutionError:
-        return False
-    return bool((one - other).is_nonzero)
 
 
 def _quotient(line: Line, link: Link) -> lay.Layout | None:
