@@ -279,3 +279,45 @@ def test_components_that_a_fact_makes_equal_are_two_quantities() -> None:
     )
     inference = inferred(text, "v = u*cos(60°)\nw = e*u*sin(60°)\nv = w")
     assert {quantities(inference)[name].partition("(")[0] for name in "vw"} == {"along", "across"}
+
+
+def test_an_equation_of_momentum_tells_more_than_wrong_values_above_it() -> None:
+    """b = 9/2 is right and a = 3 is not; by the values alone, a could be B's component along j."""
+    statement = (
+        "sphere A: mass 3, velocity 4i + j\nsphere B: mass M, velocity -2i + 3j\n"
+        "A hits B: along i\ngiven velocity(B) perpendicular to velocity(B, 0), e = 3/4\n"
+        "find M, velocity(B)\n"
+    )
+    text = "b = 9/2\nb - a = 3/4*(4 - 2)\na = 3\n12 - 2M = 3a + b M"
+    assert quantities(inferred(statement, text)) == {
+        "a": "along(velocity(A, 1), i)",
+        "b": "along(velocity(B, 1), i)",
+    }
+
+
+def test_a_speed_that_is_resolved_is_that_after_the_wall() -> None:
+    statement = (
+        "wall W: along i\nsphere P: mass m, velocity u at 75° to W\nP hits W\n"
+        "given angle(velocity(P), W) = 45°\nfind e\n"
+    )
+    text = "u sin(75°) = v sin(45°)"
+    assert quantities(inferred(statement, text)) == {"v": "speed(P, 1)"}
+
+
+def test_components_of_an_oblique_impact_are_along_its_line_of_centres() -> None:
+    statement = (
+        "sphere A: mass m, velocity u i\nsphere B: mass 2m, at rest\n"
+        "A hits B: along 30°, e = 3/4\nfind speed(B)\n"
+    )
+    found = quantities(inferred(statement, "m u = m v + 2 m w\nw - v = 3/4 u"))
+    assert found["v"] == "along(velocity(A, 1), line_of_centres(1))"
+    assert found["w"] == "along(velocity(B, 1), line_of_centres(1))"
+
+
+def test_a_whole_turning_after_two_walls_may_be_meant() -> None:
+    statement = (
+        "wall W: along i\nwall V: along j\nsphere P: mass 2, velocity 8i - 6j\n"
+        "P hits W: e = 1/2\nP hits V: e = 3/4\nfind angle(velocity(P), velocity(P, 0))\n"
+    )
+    found = quantities(inferred(statement, "cos(phi) = (-48 - 18)/(10*sqrt(45))"))
+    assert found == {"phi": "angle(velocity(P, 2), velocity(P, 0))"}

@@ -281,3 +281,37 @@ def test_a_condition_with_values_put_in_is_the_condition() -> None:
     assert marks.earned == marks.of
     without = restitution.mark(solution(statement), lines[:4] + lines[5:], None, letters).marks
     assert without.earned < without.of
+
+
+def test_the_speed_may_go_out_of_both_laws_before_the_tangents() -> None:
+    statement = (
+        "wall W: along i\nsphere P: mass m, velocity u at theta to W\nP hits W\n"
+        "let phi = angle(velocity(P), W)\nshow e = tan(phi)/tan(theta)\n"
+    )
+    lines = [
+        "v cos φ = u cos θ",
+        "v sin φ = e u sin θ",
+        "u cos θ/cos φ × sin φ = e u sin θ",
+        "cos θ tan φ = e sin θ",
+        "e = tan φ/tan θ",
+    ]
+    letters = {"v": "speed(P)"}
+    marks = restitution.mark(solution(statement), lines, None, letters).marks
+    assert marks.earned == marks.of
+    without = restitution.mark(solution(statement), [*lines[:2], lines[4]], None, letters).marks
+    assert without.earned < without.of
+
+
+def test_an_impulse_that_is_given_is_used_with_its_numbers_and_not_in_a_formula() -> None:
+    statement = (
+        "sphere A: mass 0.4, velocity 5i - 2j\nwall W: along 3i + 4j\nA hits W\n"
+        "given impulse(A) = -2.4 i + 1.8 j\nfind velocity(A)\n"
+    )
+    letters = {"v": "velocity(A)"}
+
+    def states(line: str) -> list[str]:
+        points = restitution.mark(solution(statement), line, None, letters).marks.points
+        return [each.state for each in points if each.point.principle == "impulse"]
+
+    assert states("v - u = (-2.4i + 1.8j)/0.4")[:2] == ["earned", "earned"]
+    assert set(states("I = m(v - u)")) == {"lost"}

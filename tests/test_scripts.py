@@ -64,11 +64,14 @@ def test_what_a_script_says_of_itself_agrees() -> None:
 VERDICTS = {"true", "follows", "false", "asks", "unread", "remark", "unsupported"}
 
 
-@pytest.mark.parametrize("folder", ["fourth", "fourth-sealed"])
-def test_the_scripts_of_a_set_are_well_formed(folder: str) -> None:
+@pytest.mark.parametrize(
+    ("folder", "number", "correct"),
+    [("fourth", 30, 14), ("fourth-sealed", 30, 14), ("fifth", 23, 12), ("fifth-sealed", 24, 12)],
+)
+def test_the_scripts_of_a_set_are_well_formed(folder: str, number: int, correct: int) -> None:
     scripts = scripts_of(SCRIPTS / folder)
-    assert len(scripts) == 30
-    assert sum(script.correct for script in scripts) == 14
+    assert len(scripts) == number
+    assert sum(script.correct for script in scripts) == correct
     for script in scripts:
         parts = [part.label for part in restitution.parse(script.statement).parts]
         assert script.part in parts or (script.part is None and parts == [None]), script.name
@@ -101,7 +104,7 @@ def test_a_sample_of_true_lines_in_many_spellings_is_not_accused(script: MarkedS
 
 @pytest.mark.nightly
 @pytest.mark.timeout(1800)
-@pytest.mark.parametrize("folder", ["typed", "third", "sealed"])
+@pytest.mark.parametrize("folder", ["typed", "third", "sealed", "fourth", "fifth"])
 def test_no_true_line_is_accused(folder: str) -> None:
     scripts = scripts_of(SCRIPTS / folder)
     for declared in (True, False):

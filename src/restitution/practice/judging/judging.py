@@ -212,6 +212,7 @@ class _Sitting:
 
     def judgement(self) -> Judgement:
         judge_, lines = self._judged(self.script, self.meanings.best)
+        judge_, lines = self._with_own_letters(judge_, lines)
         lines = self._with_crossed_out(lines)
         asks = set(judge_.unknown)
         if any(line.verdict == "false" for line in lines):
@@ -248,6 +249,40 @@ class _Sitting:
     ) -> tuple[Judge, tuple[JudgedLine, ...]]:
         judge_ = self._judge(interpretation, names=names)
         return judge_, judge_.judged(script)
+
+    # --- letters below a mistake ------------------------------------------------------------------
+
+    def _with_own_letters(
+        self, judge_: Judge, lines: tuple[JudgedLine, ...]
+    ) -> tuple[Judge, tuple[JudgedLine, ...]]:
+        """The lines with letters that only stand below a mistake: what they mean in his own world.
+
+        Taken if more lines then hold or follow, and none is false that was not before.
+        """
+        best = self.meanings.best
+        unknown = {name for name in judge_.unknown if not is_phrase(name)}
+        false = sum(line.verdict == "false" for line in lines)
+        if not unknown or not false or best.fixed_letters or any(m.since for m in best.meanings):
+            return judge_, lines
+        known = {m.letter: m.quantity for m in best.meanings if not is_phrase(m.letter)}
+        bench = self.bench
+        for world in judge_.students()[:1]:
+            own = meanings_of(
+                self.script, bench.problem, bench.solution, bench.solved.part.label, known, (world,)
+            ).best
+            found = tuple(each for each in own.meanings if each.letter in unknown)
+            merged = replace(
+                best,
+                meanings=(*best.meanings, *found),
+                unknown=best.unknown - {each.letter for each in found},
+            )
+            other, again = self._judged(self.script, merged)
+            more = sum(line.verdict in ("true", "follows") for line in again)
+            less = sum(line.verdict in ("true", "follows") for line in lines)
+            if more > less and sum(line.verdict == "false" for line in again) <= false:
+                self.meanings = replace(self.meanings, best=merged)
+                return other, again
+        return judge_, lines
 
     # --- letters that are not certain -----------------------------------------------------------
 

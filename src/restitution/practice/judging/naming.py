@@ -82,7 +82,8 @@ class Explained:
     """The altered laws that explain a false claim, and the slip that it may be instead.
 
     ``at`` is the text that would have to be another, ``near`` the laws of the
-    claim corrected, and ``mended`` the claim itself with what it uses.
+    claim corrected, and ``mended`` the claim itself with what it uses. ``plain`` is a misconception
+    in a line that states no law.
     """
 
     variants: tuple[VariantAt, ...] = ()
@@ -90,6 +91,7 @@ class Explained:
     at: str | None = None
     near: tuple[Use, ...] = ()
     mended: tuple[Claim, tuple[Use, ...]] | None = None
+    plain: str | None = None
 
 
 class JudgedSoFar(Protocol):
@@ -136,7 +138,8 @@ class Names:
         # One figure for another may make any equation true.
         sure = nearest is not None and nearest.change != "figure"
         claim = (nearest.claim, near) if nearest is not None and sure else None
-        return Explained(variants, slip, at, near if idle else (), claim)
+        plain = None if variants else _plainly(entry, judge, mended)
+        return Explained(variants, slip, at, near if idle else (), claim, plain)
 
     def named(self, explained: Explained, stated: Stated, confirmed: frozenset[str]) -> Mistake:
         """The mistake by its name.
@@ -154,6 +157,8 @@ class Names:
         variants.sort(key=lambda each: 0 if each.event.wall else len(each.laws))
         ids = tuple(dict.fromkeys(each.id for each in variants))
         families = tuple(dict.fromkeys(map(_family_of, variants)))
+        if not families and explained.plain:
+            return Mistake(explained.plain, "misconception", at=explained.at)
         if not families:
             return Mistake(explained.slip, "slip", at=explained.at) if explained.slip else NO_NAME
         wall = variants[0].event.wall
@@ -317,6 +322,38 @@ def _contradicts(variant: VariantAt, stated: Stated) -> bool:
     return any((law.law, variant.event.number) in stated for law in variant.laws)
 
 
+def _plainly(entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction]) -> str | None:
+    """A misconception in a line that is an instance of no law, altered or not."""
+    if entry.claim.sign != "=":
+        return None
+    if _is_other_component(entry, judge.base):
+        return "sine-cosine"
+    changes = {each.change for each in mended}
+    squares = "square" in changes and changes <= {"square", "power", "figure", "factor"}
+    above = (each for each in judge.entries if each.claim.left == entry.claim.left)
+    if squares and _is_energetic(entry) and not any(map(_is_energetic, above)):
+        return "square-not-taken"  # where no line above has squares that may be copied wrongly
+    return None
+
+
+def _is_other_component(entry: Entry, world: World) -> bool:
+    """Whether a component is given that at right angles to it, by a sine or a cosine."""
+    if not any(
+        isinstance(each, Apply) and each.function in ("sin", "cos")
+        for each in walk(entry.claim.right)
+    ):
+        return False  # a number may be one by a slip
+    left = entry.claim.left
+    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+    meant = meant.operand if isinstance(meant, Negate) else meant
+    if not isinstance(meant, Quantity) or meant.kind not in ("along", "across"):
+        return False
+    other = "across" if meant.kind == "along" else "along"
+    size = Apply("abs", replace(meant, kind=other))
+    claim = replace(entry.claim, left=size, right=Apply("abs", entry.claim.right))
+    return _holds(replace(entry, claim=claim), world)
+
+
 def _near(
     entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction]
 ) -> tuple[Correction | None, tuple[Use, ...]]:
@@ -342,11 +379,12 @@ def _is_law(correction: Correction, entry: Entry, judge: JudgedSoFar) -> bool:
 
 def _stands(variant: VariantAt, mended: Sequence[Correction]) -> bool:
     """Whether no slip explains a line as well as an altered law does."""
-    undone = {"radians"} if variant.mistake == "sine-cosine" else set()
+    undone = {"square", "radians"} if variant.mistake == "sine-cosine" else {"square"}
     if variant.mistake in _OF_SIGNS | _OF_SPEEDS:
         undone |= {"sign"}
-    if variant.mistake in _OF_POWERS:
-        undone |= {"power"}
+    linear = bool(variant.laws) and not _kinds(variant) & _OF_ENERGY
+    if variant.mistake in _OF_POWERS or linear:
+        undone |= {"power"}  # no square is missing in a law without squares
     if variant.mistake in _OF_FACTORS:
         undone |= {"factor"}
     if variant.mistake == "restitution-inverted":
@@ -405,7 +443,13 @@ def _holds(entry: Entry, world: World) -> bool:
 
 def _is_result(entry: Entry, result: ResultAt, world: World) -> bool:
     """Whether a claim gives a quantity the value that an altered definition gives it."""
-    if not _is_quantity(entry, result.quantity, world) or not _gives(entry, result.value, world):
+    if not _is_quantity(entry, result.quantity, world):
+        return False
+    kind = result.quantity
+    if isinstance(kind, Quantity) and kind.kind == "impulse" and not kind.arguments:
+        # Of a size people may write the difference in either order.
+        entry = replace(entry, claim=replace(entry.claim, right=Apply("abs", entry.claim.right)))
+    if not _gives(entry, result.value, world):
         return False
     return result.sense is None or _not_negative(result.sense, world)
 
@@ -477,7 +521,7 @@ def _is_near(entry: Entry, world: World) -> bool:
 
 def _slip(entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction]) -> str | None:
     """The slip that a false claim is, where only one kind of slip explains it."""
-    changes = {each.change for each in mended}
+    changes = {each.change for each in mended} - {"square"}
     claim = entry.claim
     if claim.sign != "=":
         return None

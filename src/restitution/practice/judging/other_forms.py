@@ -27,6 +27,7 @@ from restitution.expression.tree import (
 from restitution.practice.judging.entries import (
     Meanings,
 )
+from restitution.practice.reading.phrases import is_phrase
 from restitution.practice.script import Claim
 from restitution.practice.worlds.world import World
 from restitution.vector import Vector
@@ -48,6 +49,12 @@ def kind_of(tree: Expression) -> object:
     return tree.kind.removeprefix("total_") if isinstance(tree, Quantity) else type(tree)
 
 
+def are_alike(one: Expression, other: Expression) -> bool:
+    """Whether two trees are quantities of one kind, an energy and a loss of it being so."""
+    kinds = {kind_of(one), kind_of(other)}
+    return len(kinds) == 1 or kinds == {"energy", "energy_lost"}
+
+
 def is_signed(tree: Expression) -> bool:
     """Whether a quantity has a sense that may be turned."""
     return isinstance(tree, Quantity) and tree.kind in ("along", "across")
@@ -62,6 +69,25 @@ def times_sizes(senses: Sequence[Expression], side: Expression) -> Iterator[Expr
             for vector in node.arguments:
                 for each in senses:
                     yield Binary("*", Apply("abs", vector), each)
+
+
+def label_in(tree: Expression) -> Letter | None:
+    """The phrase that a side is, or has inside as its only letter: ``tan(angle)``."""
+    names = {each for each in walk(tree) if isinstance(each, Letter)}
+    label = next(iter(names)) if len(names) == 1 else None
+    return label if label is not None and is_phrase(label.name) else None
+
+
+def shares_of_energy(tree: Expression, side: Expression) -> Iterator[Expression]:
+    """An energy, or a loss of it, as a share of that before: ``KE lost is 3/4``."""
+    if not isinstance(tree, Quantity) or not isinstance(tree.stage, int) or tree.arguments:
+        return
+    if any(isinstance(each, Letter | Quantity) for each in walk(side)):
+        return
+    if tree.kind == "total_energy_lost" or (tree.kind == "energy" and tree.stage > 0):
+        yield Binary("/", tree, Quantity("energy", (), 0))
+    if tree.kind in ("energy", "energy_lost") and tree.stage > 0:
+        yield Binary("/", tree, Quantity("energy", (), tree.stage - 1))
 
 
 def energies_between(tree: Expression, meanings: Meanings) -> tuple[Expression, Expression] | None:

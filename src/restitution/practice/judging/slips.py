@@ -30,10 +30,11 @@ from restitution.expression.tree import (
 )
 from restitution.practice.script import Claim
 
-Change = Literal["sign", "figure", "power", "factor", "letter", "radians", "turned"]
+Change = Literal["sign", "figure", "power", "square", "factor", "letter", "radians", "turned"]
 
 LIMIT = 400
 _TWO = Number(Fraction(2))
+_ZERO, _ONE = Number(Fraction(0)), Number(Fraction(1))
 _TURNING = frozenset({"sin", "cos", "tan", "cot", "sec", "cosec"})
 _INVERSE = frozenset({"arcsin", "arccos", "arctan"})
 
@@ -184,6 +185,9 @@ def _powers(tree: Expression) -> Iterator[Edit]:
         case Letter() | Quantity():
             put = Binary("^", tree, _TWO)
             yield "power", put, tree, put
+        case Binary("/", Number(), Number()) | Number() if tree not in (_ZERO, _ONE):
+            put = Binary("^", tree, _TWO)
+            yield "square", put, tree, put
 
 
 def _factors(tree: Expression) -> Iterator[Edit]:

@@ -16,6 +16,7 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.explaining.misconceptions import VariantAt
+from restitution.explaining.trees import exchanged
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
     Apply,
@@ -42,16 +43,19 @@ from restitution.practice.judging.entries import (
 )
 from restitution.practice.judging.naming import Explained, Stated
 from restitution.practice.judging.other_forms import (
+    are_alike,
     energies_between,
     is_oblique,
     is_signed,
     is_to_a_line,
     kind_of,
+    label_in,
     lines_of,
     of_components,
     of_sizes,
     of_vectors,
     same_left,
+    shares_of_energy,
     times_sizes,
 )
 from restitution.practice.judging.own_numbers import OwnNumbers
@@ -62,6 +66,7 @@ from restitution.practice.letters.trial import inside_angles
 from restitution.practice.reading.lines import read_as
 from restitution.practice.reading.phrases import (
     is_phrase,
+    is_relative,
     names_axis,
     read_phrase,
 )
@@ -177,6 +182,7 @@ class Judge:
         self._meant: dict[str, Expression] = {}
         self._phrases: dict[tuple[str, int | None], tuple[Expression, ...]] = {}
         self._own_numbers = OwnNumbers()
+        self._event_above: int | None = None
         self._groundless: set[int] = set()
         self._roots: list[Entry] = []
         self._rooted: tuple[tuple[int, int], list[World]] = ((-1, -1), [])
@@ -190,7 +196,10 @@ class Judge:
         self._take_acute(script)
         question = self.question
         self._support = Support(self._base, question.wanted, question.unknown, question.given)
-        lines = [self._judged(line) for line in script.lines]
+        lines: list[JudgedLine] = []
+        for line in script.lines:
+            lines.append(self._judged(line))
+            self._event_above = line.scope.event
         return tuple(self._named(line) for line in lines)
 
     def _named(self, line: JudgedLine) -> JudgedLine:
@@ -301,8 +310,7 @@ class Judge:
         place = next(k for k, link in enumerate(links) if link.verdict == verdict)
         worst = links[place]
         if verdict == "false" and self._names and len(self._explained) < _NAMED:
-            entry = self._entry(line, line.links[place], worst)
-            self._explain(line.number, self.naming.explained(entry, self))
+            self._explain(line.number, self._explained_in(line, links, place))
         for name in worst.letters:
             self.unknown.add(name)
         accuracies = [link.accuracy for link in links if link.accuracy is not None]
@@ -320,11 +328,36 @@ class Judge:
             uses=uses,
             read_as=read_as(tuple(link.claim for link in links)),
             link=place if verdict == "false" else None,
-            sources=tuple(dict.fromkeys(n for link in links for n in link.sources)),
+            sources=tuple(
+                dict.fromkeys(n for link in links for n in link.sources if n != line.number)
+            ),
             remark=next((link.remark for link in links if link.remark), None),
             grounded=all(link.grounded for link in links),
             meant={**self._meant, **dict(pair for link in links for pair in link.meant)},
         )
+
+    def _explained_in(self, line: ScriptLine, links: Sequence[JudgedLink], place: int) -> Explained:
+        """What explains a link that is false, also as one of what its chain begins with.
+
+        In ``I = m(v - u) = 2(5 - 3)`` the formula is quoted, and I has the wrong value.
+        """
+        entry = self._entry(line, line.links[place], links[place])
+        explained = self.naming.explained(entry, self)
+        start = end = place
+        while start and _goes_on(links[start - 1], links[start]):
+            start -= 1
+        while end + 1 < len(links) and links[end].claim.right == links[end + 1].claim.left:
+            end += 1
+        first = links[start].claim.left
+        if start == end or not isinstance(first, Letter | Quantity):
+            return explained
+        quoted = not explained.variants or start < place
+        for link in links[place : end + 1] if quoted else ():
+            whole = replace(entry, claim=replace(entry.claim, left=first, right=link.claim.right))
+            other = self.naming.explained(whole, self)
+            if other.variants:
+                return other
+        return explained
 
     def _explain(self, number: int, explained: Explained) -> None:
         """Keep what explains a false line; altered laws of which two lines are instances stand."""
@@ -354,7 +387,19 @@ class Judge:
     # --- a link -------------------------------------------------------------------------------
 
     def _links(self, line: ScriptLine) -> list[JudgedLink]:
-        return [self._link(line, link) for link in line.links]
+        """The links of a line with their verdicts; one may follow from those before it."""
+        judged: list[JudgedLink] = []
+        known = len(self.entries)
+        for link in line.links:
+            each = self._link(line, link)
+            judged.append(each)
+            numeric = is_numeric(each.claim.left) and is_numeric(each.claim.right)
+            if each.verdict in ("false", "follows") and not numeric:
+                self.entries.append(self._entry(line, link, each))
+        if len(self.entries) > known:
+            del self.entries[known:]
+            self._own = -1, ()
+        return judged
 
     def _link(self, line: ScriptLine, link: Link) -> JudgedLink:
         held = self._holds(link, line, self.worlds)
@@ -390,17 +435,24 @@ class Judge:
         """
         best: JudgedLink | None = None
         for claim in link.readings:
-            if not isinstance(claim.left, Letter) or not is_phrase(claim.left.name):
+            label = label_in(claim.left)
+            if label is None:
                 continue
-            for meant in self._meanings_under(claim.left.name, line):
+            for meant in self._meanings_under(label.name, line):
                 senses = (meant, Negate(meant)) if is_signed(meant) else (meant,)
-                for each in (*senses, *times_sizes(senses, claim.right)):
-                    other = replace(claim, left=each)
+                alone = claim.left == label
+                further = (
+                    (*times_sizes(senses, claim.right), *shares_of_energy(meant, claim.right))
+                    if alone
+                    else ()
+                )
+                for each in (*senses, *further):
+                    other = replace(claim, left=exchanged(claim.left, {label: each}))
                     grade = self._best_accuracy(other, worlds, line, link)
                     if grade is None or (grade == "coarse" and best is not None):
                         continue
                     sources = sources_of(claim, self.entries) if verdict == "follows" else ()
-                    meant_here = ((claim.left.name, each),)
+                    meant_here = ((label.name, each),)
                     best = JudgedLink(verdict, other, grade, sources, meant=meant_here)
                     if grade != "coarse":
                         return best
@@ -422,22 +474,30 @@ class Judge:
         return None
 
     def _meanings_under(self, phrase: str, line: ScriptLine) -> Iterator[Expression]:
-        """The quantities that a phrase may name: of the body that labels its line as well."""
-        yield from self._meanings_of(phrase, line.scope.event)
-        if line.scope.body is not None and line.scope.body not in phrase.split():
-            yield from self._meanings_of(f"{phrase} of {line.scope.body}", line.scope.event)
+        """The quantities that a phrase may name: of the body that labels its line as well.
+
+        A line below the heading of one event may have come to another.
+        """
+        event, body = line.scope.event, line.scope.body
+        yield from self._meanings_of(phrase, event)
+        if body is not None and body not in phrase.split():
+            yield from self._meanings_of(f"{phrase} of {body}", event)
+        if event is not None and event == self._event_above:
+            yield from self._meanings_of(phrase, None)
 
     def _meanings_of(self, phrase: str, event: int | None) -> tuple[Expression, ...]:
         """The quantities that a phrase may name, at every stage where it tells none."""
         key = phrase, event
         if key not in self._phrases:
             world = self._base
-            stages = range(len(world.events) + 1) if event is None else (event, event - 1)
+            first = 1 if is_relative(phrase) else 0
+            every = range(first, len(world.events) + 1)
+            stages = list(every) if event is None else [event, event - 1][: 2 - first]
             trees = read_phrase(phrase, world.problem, event, world.now())
             meanings = [
                 staged(tree, world.problem, world.part, now)
                 for tree in trees
-                if kind_of(tree) == kind_of(trees[0])
+                if are_alike(tree, trees[0])
                 for now in stages
             ]
             self._phrases[key] = tuple(dict.fromkeys(meanings))
@@ -868,6 +928,12 @@ class Judge:
             )
             if world is not None:
                 yield world
+        # A quantity wrongly worked out need not be what its components make of it.
+        own = [each for each in self.entries if not (each.wrong and label_in(each.claim.left))]
+        if own and len(own) < len(self.entries):
+            world = student_world(self._base, own, self.question.unknown, laws_first=facts)
+            if world is not None:
+                yield world
 
     def _broken(self) -> frozenset[tuple[str, int | None]]:
         """The laws in whose place the student has an altered one."""
@@ -1001,6 +1067,11 @@ def _uses_of_variants(variants: Sequence[VariantAt], mistake: Mistake) -> Iterat
                 kind = _PRINCIPLES.get(str(kind_of(result.quantity)))
                 if kind is not None:
                     yield Use(kind, variant.event.number, (), variant.id)
+
+
+def _goes_on(before: JudgedLink, link: JudgedLink) -> bool:
+    """Whether a link goes on from a true one as a chain."""
+    return before.verdict == "true" and before.claim.right == link.claim.left
 
 
 def _family(variant: str) -> str:

@@ -55,7 +55,7 @@ class Candidate:
     component is taken along; ``start`` tells that it belongs to the start and is known from the
     statement. ``unchanged`` tells of a component that it is the same before and after ``event``,
     ``varies`` that the value depends on letters of the statement, ``asked`` that the part asks for
-    it.
+    it, ``beside`` that its axis is i or j where the line of centres is neither.
     ``cost`` grows from 0 for the most usual to 1 for the least usual.
     """
 
@@ -70,6 +70,7 @@ class Candidate:
     unchanged: bool = False
     varies: bool = False
     asked: bool = False
+    beside: bool = False
 
     @property
     def sensed(self) -> bool:
@@ -195,8 +196,17 @@ def _of_motion(
         for quantity, axis, cost in components(problem, event, number, v):
             if quantity not in seen:
                 seen.add(quantity)
+                beside = cost > 0 and wall_of(problem, event) is None
                 yield Candidate(
-                    quantity, "component", "scalar", body, stage, axis, start, cost + late
+                    quantity,
+                    "component",
+                    "scalar",
+                    body,
+                    stage,
+                    axis,
+                    start,
+                    cost + late,
+                    beside=beside,
                 )
         for quantity, cost in _angles(problem, event, number, v):
             if quantity not in seen:
@@ -206,6 +216,9 @@ def _of_motion(
                 yield Candidate(
                     tangent, "tangent", "scalar", body, stage, None, start, cost + late + 0.2
                 )
+    if stage > 1:
+        whole = Quantity("angle", (v, velocity(body, 0)))
+        yield Candidate(whole, "deflection", "angle", body, stage, None, False, 0.3)
     name = Name(body)
     direction = Quantity("direction", (name,), stage)
     yield Candidate(direction, "angle", "angle", body, stage, None, start, far + 0.4)

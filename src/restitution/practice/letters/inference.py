@@ -39,6 +39,8 @@ COST = 0.3
 # sphere, or to two lines, and of one in which the senses differ.
 _ODD_PAIR = 0.05
 _OTHER_SENSE = 0.8
+# That the letters are components along i or j, where the line of centres is along neither.
+_BESIDE = 0.6
 # Of two letters in the order of the alphabet the first mostly belongs to the first body.
 _OTHER_ORDER = 0.97
 # A line that defines its letter explains nothing, and less than a line that breaks a known law; one
@@ -570,6 +572,8 @@ def _naturalness(item: Item, means: Mapping[str, Candidate]) -> float:
     if one.event != other.event or one.axis != other.axis or (one.unchanged and other.unchanged):
         return _ODD_PAIR
     order = 1.0 if (one.body or "") < (other.body or "") else _OTHER_ORDER
+    if one.beside and one.axis is not None:
+        order *= _BESIDE
     same = isinstance(one.quantity, Negate) == isinstance(other.quantity, Negate)
     if item.pair.sign:
         return order if same == (item.pair.sign > 0) else _ODD_PAIR

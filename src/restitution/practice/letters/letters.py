@@ -54,9 +54,10 @@ from restitution.practice.letters.surroundings import (
     declarations,
     letters_of,
 )
-from restitution.practice.letters.trial import Frame, inside_angles
+from restitution.practice.letters.trial import Frame, inside_angles, resolved_in
 from restitution.practice.letters.wordings import words_of
 from restitution.practice.reading.angles import is_angle
+from restitution.practice.reading.phrases import is_relative
 from restitution.practice.script import ANYWHERE, Claim, Link, Scope, Script, ScriptLine
 from restitution.practice.worlds.arrays import is_bare
 from restitution.practice.worlds.sampling import true_worlds
@@ -322,7 +323,8 @@ class _Search:
             own = [around.staged(tree, scope) for tree in self._other_way(name, phrase)]
             last = len(around.events)
             stages = range(last + 1) if scope.event is None else (scope.event - 1, scope.event)
-            every = [*of_trees(own), *elsewhen(name, own, stages)]
+            other = () if is_relative(name) else elsewhen(name, own, stages)
+            every = [*of_trees(own), *other]
             return [*every, *scaled(every, self.directions)]
         dotted = name in self.dotted
         usage = Usage(name, name in self.angular, scope, name in self.defined, dotted)
@@ -373,7 +375,29 @@ class _Search:
             own = [each for each in after if each.body == suffix(name)]
             return own[-1] if own else after[0] if len(after) == 1 else None
         usage = Usage(name, name in self.angular, scope)
-        return usual(usage, self.around.candidates, self.around.problem, self.around.events)
+        known = usual(usage, self.around.candidates, self.around.problem, self.around.events)
+        return known or self._resolved_speed(name, scope)
+
+    def _resolved_speed(self, name: str, scope: Scope) -> Candidate | None:
+        """The speed after the impact of the only body there is, for the v of ``v cos 45``."""
+        if name not in _VELOCITIES or name not in self.resolved:
+            return None
+        events = len(self.around.events)
+        number = scope.event or (events if events == 1 else None)
+        after = [
+            each for each in self.around.candidates if each.kind == "speed" and each.event == number
+        ]
+        return after[0] if len(after) == 1 and number else None
+
+    @cached_property
+    def resolved(self) -> frozenset[str]:
+        """The letters that stand before sines and cosines."""
+        claims = [
+            claim for line in self.lines for link in line.links for claim in link.readings[:1]
+        ]
+        return frozenset[str]().union(
+            *(resolved_in(side) for claim in claims for side in (claim.left, claim.right))
+        )
 
     # --- searching
 
@@ -434,16 +458,18 @@ class _Search:
     def _weighed(self, items: Sequence[Item]) -> list[Item]:
         """The items with what each is worth, less where it follows from those above.
 
-        What a line is worth does not change with the scopes that its letters are given.
+        What a line is worth does not change with the scopes that its letters are given. Equations
+        of momentum come before all others: a value above them may be wrong.
         """
         dependence = Dependence(self.around.tester, self.angular)
-        weighed: list[Item] = []
-        for item in items:
+        for item in sorted(items, key=lambda each: not _is_momentum(each)):
             key = item.line, item.readings
             if key not in self.relations:
                 names = {name: f"{name} 0" for name in item.slots}
                 self.relations[key] = dependence.relation(item.readings[0], names, item.frame)
-            relation = self.relations[key]
+        weighed: list[Item] = []
+        for item in items:
+            relation = self.relations[item.line, item.readings]
             factor = _WORTH[relation]
             if relation == "new" and _is_momentum(item):
                 factor = _MOMENTUM

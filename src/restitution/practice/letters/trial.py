@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
@@ -14,6 +14,7 @@ from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Degrees,
     Expression,
     Letter,
@@ -244,6 +245,26 @@ def _as_vector(value: Value) -> Vector | None:
 def _in_degrees(tree: Expression, value: Value) -> Value:
     """A bare number beside an angle, which is in degrees."""
     return angle(np.radians(value)) if is_bare(tree) else value
+
+
+def resolved_in(tree: Expression) -> frozenset[str]:
+    """The letters of a tree that stand before a sine or a cosine: speeds that are resolved."""
+    return frozenset(
+        factor.name
+        for node in walk(tree)
+        if isinstance(node, Binary) and node.op == "*"
+        if isinstance(node.right, Apply) and node.right.function in ("sin", "cos")
+        for factor in _factors(node.left)
+        if isinstance(factor, Letter)
+    )
+
+
+def _factors(tree: Expression) -> Iterator[Expression]:
+    if isinstance(tree, Binary) and tree.op == "*":
+        yield from _factors(tree.left)
+        yield from _factors(tree.right)
+    else:
+        yield tree
 
 
 def inside_angles(tree: Expression) -> frozenset[str]:

@@ -137,6 +137,12 @@ class _Examiner:
         compared = self._compared(point)
         if compared is not None:
             return self._earned(point, compared, "")
+        if lost is None and point.principle == "angle":
+            # The components may go out of the equations of two laws together.
+            sound = (each for each in self.lines if each.verdict in _SOUND and each.grounded)
+            divided = next((each for each in sound if self.values.has_angle(point, each)), None)
+            if divided is not None:
+                return self._earned(point, divided, "")
         if lost is None and point.principle in ("solve", "condition", "method"):
             line_of_value = self._elimination()
             if line_of_value is not None:

@@ -33,6 +33,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine, Meaning
 from restitution.practice.letters.interpretation import Interpretation
+from restitution.practice.marking.formulas import has_data
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees
@@ -123,6 +124,24 @@ class Values:
             for claim in chain
             for side in (claim.left, claim.right)
             for each in dict.fromkeys((link.left, angle))
+        )
+
+    def has_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether the angle of a point is all that a line has of velocities, as a sine or so."""
+        link = point.link
+        if link is None or not line.uses or line.uses[0].principle not in _OF_SEVERAL:
+            return False
+        meanings = self._meanings(line)
+        angle = link.left.argument if isinstance(link.left, Apply) else link.left
+        return any(
+            isinstance(each, Apply)
+            and each.function in ("sin", "cos", "tan", "cot")
+            and self._names(each.argument, angle, meanings, line)
+            and self.velocities_in(claim, line) <= {each.argument}
+            for chain in _chains(line)
+            for claim in chain
+            for side in (claim.left, claim.right)
+            for each in walk(side)
         )
 
     def left_out(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> int:
@@ -282,6 +301,8 @@ class Values:
         """Whether a line is a formula that is only quoted: I = m(v - u), with m and u for data."""
         inferred = {each.letter for each in self.letters if each.by == "inferred"}
         meanings = self._meanings(line)
+        if has_data(line):
+            return False
         return any(
             isinstance(each, Letter)
             and each.name in inferred

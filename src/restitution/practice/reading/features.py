@@ -100,6 +100,8 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
             features = replace(features, stage="after")
         if low not in ("the", "of", "sphere", "ball", "particle", "point"):
             previous = low
+    if "energy" in features.heads and features.sense == "left":
+        features = replace(features, sense=None, stage="after")  # KE left: what remains
     return features
 
 

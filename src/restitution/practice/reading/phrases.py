@@ -30,12 +30,14 @@ from restitution.expression.tree import (
     Unit,
 )
 from restitution.practice.reading.features import AXES, Features, features_of, words_of
+from restitution.practice.reading.vocabulary import HEADS
 from restitution.problem import Find, Impact, Problem, Value
 
 __all__ = [
     "UNNAMED_ANGLE",
     "UNNAMED_DIRECTION",
     "is_phrase",
+    "is_relative",
     "names_axis",
     "names_quantity",
     "read_phrase",
@@ -71,6 +73,11 @@ def is_phrase(name: str) -> bool:
     return " " in name
 
 
+def is_relative(name: str) -> bool:
+    """Whether a phrase names a speed of approach or of separation, and so its moment."""
+    return any(HEADS.get(word) in ("approach", "separation") for word in name.casefold().split())
+
+
 def names_axis(name: str) -> bool:
     """Whether a phrase names i or j: *the j component*, and so its sense."""
     return not {"i", "j"}.isdisjoint(name.casefold().split())
@@ -102,6 +109,9 @@ def read_phrase(
         features = replace(features, event=_counted(event, features, problem))
     stages: tuple[Literal["after", "before"], ...] = ("after", "before")
     staged = [features] if features.stage else [replace(features, stage=each) for each in stages]
+    if features.heads == {"energy"} and not (features.stage or features.names):
+        # As a title it may stand for what is lost: KE: 50 - 34 = 16.
+        staged.append(replace(features, heads=frozenset(("energy", "loss"))))
     return _unique(
         chain.from_iterable(_Reader(each, problem, until).candidates() for each in staged)
     )

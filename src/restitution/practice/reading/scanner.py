@@ -22,12 +22,15 @@ from restitution.practice.reading.vocabulary import (
     DECLARES,
     EQUALS,
     FUNCTION_NAMES,
+    HEADS,
     PHRASE_WORDS,
     PROSE,
     SHORT,
     SPOKEN,
 )
 
+_LONGEST_PRODUCT = 3
+"""So many letters, at most, before an exponent may be a product and no word."""
 _NUMBER = re.compile(r"\d+\.\d+|\.\d+|\d+", re.ASCII)
 _RUN = re.compile(r"[A-Za-z]+(?:'(?=[a-z])[a-z]+)?")
 _SUBSCRIPT = re.compile(r"_\s?(?:\{([A-Za-z0-9' ]{1,12})\}|([A-Za-z0-9]{1,6}))|([0-9]+)(?![.\d])")
@@ -356,6 +359,8 @@ class _Scanner:
             return False
         if low == "ke" and run.islower() and set(run) <= self.usage.letters:
             return not re.match(r"\s*[=<>+*/^)-]|\s*$", self.text[end:])
+        if behind in ("^", "²") and low in HEADS and len(low) > _LONGEST_PRODUCT:
+            return True  # speed^2 = 9 + 16
         if behind in ("_", "^") or (behind.isdigit() and low not in PHRASE_WORDS):
             return False
         if low == "pi" or low in GREEK:

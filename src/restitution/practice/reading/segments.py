@@ -135,7 +135,7 @@ def _begins_body(tokens: Sequence[Token], place: int, pending: Sequence[Token]) 
 
 def _is_proportion(tokens: Sequence[Token], place: int) -> bool:
     """Whether a colon is one between numbers or letters: ``3:5``, ``w:u``."""
-    if not 0 < place < len(tokens) - 1:
+    if not 0 < place < len(tokens) - 1 or _ends_a_title(tokens, place):
         return False
     letters = tokens[place - 1].kind == tokens[place + 1].kind == "letter"
     if letters and place + 5 < len(tokens) + 1 and tokens[place + 2].kind == "relation":
@@ -148,6 +148,15 @@ def _is_proportion(tokens: Sequence[Token], place: int) -> bool:
         return False
     kinds = {tokens[place - 1].kind, tokens[place + 1].kind}
     return kinds in ({"number"}, {"letter"})
+
+
+def _ends_a_title(tokens: Sequence[Token], place: int) -> bool:
+    """Whether a colon stands behind prose and before a relation: ``product is -1: 3/b = 2``."""
+    apart = not tokens[place].gap and tokens[place + 1].gap > 0
+    words = any(each.kind in ("word", "phrase") for each in tokens[:place])
+    before = any(each.kind == "relation" for each in tokens[:place])
+    behind = any(each.kind == "relation" for each in tokens[place:])
+    return apart and words and behind and not before
 
 
 def _is_factor(tokens: Sequence[Token], place: int, pending: Sequence[Token]) -> bool:

@@ -75,6 +75,11 @@ def _is_way(label: Token) -> bool:
     return label.kind == "phrase" and heads <= {"direction", "component"}
 
 
+def _is_power_of_phrase(segment: Segment) -> bool:
+    """Whether a segment is the square of a quantity: ``speed^2: 9 + 16 = 25``."""
+    return [each.kind for each in segment.tokens] == ["phrase", "^", "number"]
+
+
 @dataclass(frozen=True)
 class Past:
     """What a line may go on from: the last right side, and a left side that waits for one."""
@@ -153,6 +158,7 @@ class _Reader:
         self.statements = Statements()
         self.links: list[Link] = []
         self.label: Token | None = None
+        self.power: tuple[Side, ...] = ()
         self.declares = self.supposes = False
         self.defines = False
         self.waiting: tuple[Side, ...] = ()
@@ -203,6 +209,9 @@ class _Reader:
             return
         if segment.is_phrase and self._is_label(segment, following):
             self.label = segment.tokens[0]
+            return
+        if _is_power_of_phrase(segment) and self._is_label(segment, following):
+            self.power = self.sides(segment.tokens)
             return
         if sum(each.kind == "phrase" for each in segment.tokens) > 1 and not segment.has_relation:
             self.titled = True  # mass x velocity: A 12i, B -3i
@@ -526,6 +535,10 @@ class _Reader:
         sides: Sequence[Sequence[Token]],
     ) -> None:
         """Makes a label the first link of a chain that works out its value; else drops it."""
+        if self.power:
+            power, self.power = self.power, ()
+            self.link(power, "=", read[0], sides[0])
+            return
         if self.label is None:
             return
         label, self.label = self.label, None

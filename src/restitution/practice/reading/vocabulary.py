@@ -178,14 +178,14 @@ start stationary stays still straight sub subbing substitute subtract such sum s
 taken takes taking tells than that thats the their them then there therefore these they thing
 think third this those three through thus time times to together too total towards travels
 triangle trig true try turn turned twice two type um unchanged under unit units unknown until up
-us use used uses using valid value values vector vectors velocity versa vertical vertically very
-via vice wait want was way ways we well were what when where which while whilst whole why will
-with within without wont work works would write wrong yep yes you zero
+us use used uses using valid value values vec vecs vect vector vectors velocity versa vertical
+vertically very via vice wait want was way ways we well were what when where which while whilst
+whole why will with within without wont work works would write wrong yep yes you zero
 """
 PROSE = frozenset(_ENGLISH.split())
 
 # Letters as well as words: what stands beside them decides.
-SHORT = frozenset(("a", "i", "an", "we", "me", "us", "am", "my", "he", "s", "be", "um", "k", "app"))
+SHORT = frozenset(("a", "i", "an", "we", "me", "us", "am", "my", "he", "s", "be", "um", "k"))
 
 FUNCTION_NAMES: Mapping[str, str] = {
     **{each: each for each in ("sin", "cos", "tan", "cot", "sec", "cosec", "sqrt", "abs")},

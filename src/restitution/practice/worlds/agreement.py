@@ -244,7 +244,9 @@ def _half_units(
     if given is None:
         given = world.plot.known["numbers"] = numbers_of(world.problem)
     columns = {
-        node.place.column for node in _numbers((claim.left, claim.right)) if node.place is not None
+        node.place.column
+        for node in _numbers((claim.left, claim.right))
+        if node.place is not None and not _is_half(node, claim, given)
     }
     fine: dict[int, tuple[float, float]] = {}
     coarse: dict[int, tuple[float, float]] = {}
@@ -262,6 +264,13 @@ def _half_units(
 
 def _numbers(sides: Iterable[Expression]) -> Iterator[Number | Degrees]:
     return (node for tree in sides for node in walk(tree) if isinstance(node, Number | Degrees))
+
+
+def _is_half(node: Number | Degrees, claim: Claim, given: Collection[Fraction]) -> bool:
+    """Whether a number inside a side is one half, or half a datum: ``0.2 × 29`` for ½ × 0.4."""
+    if node in (claim.left, claim.right):
+        return False
+    return node.value == Fraction(1, 2) or 2 * node.value in given
 
 
 def _whole_degrees(claim: Claim, angular: bool) -> Iterator[Number | Degrees]:

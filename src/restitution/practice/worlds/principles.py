@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations
 from math import gcd
+from typing import TypeGuard
 
 import numpy as np
 
@@ -36,7 +37,7 @@ from restitution.practice.worlds.terms import (
     law_put_in,
 )
 from restitution.practice.worlds.world import World
-from restitution.problem import Impact
+from restitution.problem import Compare, Given, Impact
 from restitution.vector import Vector
 
 _ENERGIES = frozenset({"energy", "energy_lost", "total_energy_lost"})
@@ -157,7 +158,7 @@ class _Trial:
             best = next((block for block in lawful if self._holds(block)), None)
             if best is None:
                 if self._fact(number):
-                    return (Use("fact", number),)
+                    return (Use(self._fact_name(number), number),)
                 continue
             return self._named(self._across(lawful) or best)
         if self.true and self._loose_everywhere():
@@ -211,6 +212,20 @@ class _Trial:
             for block, holds in zip(self.states.blocks, self.holding, strict=True)
         )
 
+    def _fact_name(self, number: int) -> str:
+        """``impulse`` for its definition where the impulse is given; else ``fact``."""
+        problem, part = self.states.base.problem, self.states.base.part
+        given = [
+            {node.kind for tree in relation.operands for node in walk(tree) if _is_quantity(node)}
+            for step, now, _ in problem.timeline(part)
+            if isinstance(step, Given) and now >= number
+            for relation in step.relations
+            if isinstance(relation, Compare)
+        ]
+        moving = [kinds for kinds in given if kinds]
+        impulsive = bool(moving) and all(kinds == {"impulse"} for kinds in moving)
+        return "impulse" if impulsive and not self.is_value else "fact"
+
     def _loose_everywhere(self) -> bool:
         return all(
             holds
@@ -225,7 +240,8 @@ class _Trial:
         if len(laws) > 1 and self.true:
             if self._fact(best.event):
                 uses = _uses_at(laws, best.event)
-                return (Use("fact", best.event, self._bodies(best.event)), *uses)
+                name = self._fact_name(best.event)
+                return (Use(name, best.event, self._bodies(best.event)), *uses)
             laws = self._with_facts(best.event, laws)
         uses = _uses_at(laws, best.event)
         name = self._principle(best.event, laws)
@@ -311,7 +327,7 @@ class _Trial:
                 return "speed" if "speed" in kinds else "angle"
             return "unchanged"
         if not laws:
-            return "fact"
+            return self._fact_name(event)
         if len(laws) == 1:
             return laws[0][0]
         if kinds == {"speed"} or (kinds == {"angle"} and not self.uses_letters):
@@ -373,6 +389,10 @@ def _size(world: World, value: Value) -> Array:
         return world.spread(np.hypot(value.x, value.y))
     number = value.measure() if isinstance(value, Angle) else value
     return np.abs(world.spread(number))
+
+
+def _is_quantity(node: Expression) -> TypeGuard[Quantity]:
+    return isinstance(node, Quantity)
 
 
 # --- what a line speaks of ------------------------------------------------------------------------
