@@ -60,7 +60,7 @@ def test_times_and_places_between_walls() -> None:
     lines = said(derivation)
     assert "time(2) - time(1) = 4/2 = 2 [rearrange]" in lines
     assert "time(2) = 1/2 + 2 = 5/2 [rearrange]" in lines
-    assert "along(position(P, 2), i) = 3 + 6*2 = 15 [rearrange]" in lines
+    assert "along(position(P, 2), i) = 6(5/2) = 15 [rearrange]" in lines
 
 
 def test_what_is_asked_of_one_direction_needs_no_other() -> None:
@@ -368,4 +368,4 @@ def test_who_is_sent_without_a_radius_comes_to_the_place_of_the_other() -> None:
         """
     )
     assert answers(derivation) == ["tan(alpha) = 2/5"]
-    assert "5(u sin(alpha)) = 2(u cos(alpha))" in said(derivation)
+    assert "tan(alpha) = 2/5" in said(derivation)

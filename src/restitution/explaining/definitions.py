@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise, product
 from typing import Any
 
 from restitution.explaining.derivation import FLIPPED, Event, Link, Relation, Sign, whole_of
@@ -42,6 +43,7 @@ def places(step: Step, event: Event | None, line: Link) -> Iterator[Link]:
     """Of a place at a time, and of a distance, what each is: times and bodies are the line's."""
     if step.move.record == "straight-line" and event is not None:
         yield from _journeys(step, event)
+        yield from _several_ways(step, event)
     for tree in (*walk(line.left), *walk(line.right)):
         match tree:
             case Quantity("position", _, AtTime()):
@@ -79,6 +81,25 @@ def _journeys(step: Step, event: Event) -> Iterator[Link]:
             paces.append(pace)
             yield Link(ways[-1], "=", Binary("*", pace, flight))
         yield Link(Binary("*", ways[1], paces[0]), "=", Binary("*", ways[0], paces[1]))
+
+
+def _several_ways(step: Step, event: Event) -> Iterator[Link]:
+    """How far a body comes from an earlier event over several ways, in one direction."""
+    for body in step.move.bodies:
+        own = [e.number for e in step.setting.events if body in e.bodies[:2]]
+        stages = [0, *(each for each in own if each < event.number), event.number]
+        for first, axis in product(range(len(stages) - 2), "ij"):
+            ways: list[Expression] = []
+            for early, late in pairwise(stages[first:]):
+                flight = Binary("-", Quantity("time", (), late), Quantity("time", (), early))
+                ways.append(Binary("*", _along("velocity", body, early, axis), flight))
+            ends = (_along("position", body, each, axis) for each in (stages[-1], stages[first]))
+            yield Link(Binary("-", *ends), "=", _sum(ways))
+
+
+def _along(kind: str, body: str, stage: int, axis: str) -> Quantity:
+    """A coordinate, or a component of a velocity, along **i** or **j**."""
+    return Quantity("along", (Quantity(kind, (Name(body),), stage), _unit(axis)))
 
 
 def _stage_of(step: Step, body: Expression, stage: Any) -> Any:

@@ -29,6 +29,7 @@ from restitution.planning.collecting import multiplied_out
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import ZERO, square, swept, total, tree_of
 from restitution.planning.impacts import residual, scene_value
+from restitution.planning.one_root import alone, in_squares
 from restitution.planning.polynomials import expanded, factored, numerator
 from restitution.planning.premises import background, nonzero, not_negative
 from restitution.planning.ratios import (
@@ -236,6 +237,12 @@ def _squared(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     return close(scene, scene.desk.write(move, refs, relation), symbol)
 
 
+def _by_one_root(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """One root in which the unknown stands: it is alone on a side, before both are squared."""
+    line = alone(scene, number, symbol)
+    return None if line is None else _squared(scene, line, symbol)
+
+
 def _has_root(tree: Expression, symbol: sp.Symbol) -> bool:
     """Whether an unknown stands below a root, or in a vector of which the size is taken."""
     return any(
@@ -428,6 +435,8 @@ SHAPES: tuple[Shape, ...] = (
     _already,
     _without_an_angle,
     _squared,
+    _by_one_root,
+    in_squares,
     sum_of_angles,
     ratio,
     _without_a_factor,

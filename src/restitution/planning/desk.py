@@ -288,6 +288,14 @@ class Desk:
             _scopes=dict(self._scopes),
         )
 
+    def take_last(self) -> None:
+        """Takes away the last line, and the values that it gives."""
+        number = len(self.lines)
+        self.version += 1
+        for key, own in self._sources.items():
+            self._sources[key] = [each for each in own if number not in each.whole]
+        del self._scopes[number], self.lines[-1]
+
     def forget(self, number: int) -> None:
         """Forgets the values that lines below one give, since they are those of one case."""
         for key, own in self._sources.items():

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import sympy as sp
 
 from restitution.explaining.derivation import Ref
 from restitution.expression.tree import Binary, Expression, Unit, has_quantity
-from restitution.planning.desk import together
+from restitution.planning.desk import Source, together
 from restitution.planning.forms import difference, negative, product, swept, total, tree_of
 from restitution.planning.place_trees import AXES
 from restitution.planning.polynomials import factored
@@ -37,6 +39,18 @@ def slope(
     (distance, *paces), minus = _sizes(scene, last, first, pace, over)
     tree = product(distance, Binary("/", *(by_degrees or paces)))
     return negative(tree) if minus else tree
+
+
+def gradient(
+    scene: Scene, above: Sequence[Source], below: Sequence[Source]
+) -> tuple[Expression, bool]:
+    """A way over another one, of each its two ends: both sizes, and whether it is negative."""
+    minus, sizes = False, []
+    for first, last in (above, below):
+        (size,), back = _sizes(scene, last.value, first.value)
+        minus ^= back
+        sizes.append(size)
+    return swept(Binary("/", *sizes)), minus
 
 
 def _sizes(

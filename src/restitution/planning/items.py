@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Fact, Link, Meaning, Move, Relation
+from restitution.explaining.derivation import Fact, Link, Meaning, Move, Ref, Relation
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Name,
     Number,
     Quantity,
+    children,
     has_quantity,
     letters,
     walk,
@@ -30,7 +31,7 @@ from restitution.planning.either_side import write_sides
 from restitution.planning.expressions import outermost, write_expression
 from restitution.planning.forms import ONE, difference, product, square, tree_of
 from restitution.planning.formulas import write_formula
-from restitution.planning.momenta import write_by_momentum
+from restitution.planning.momenta import write_by_momentum, write_total_kept
 from restitution.planning.order import Solver
 from restitution.planning.quantities import formula
 from restitution.planning.ratios import inverse
@@ -50,7 +51,9 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
     if isinstance(asked, Quantity) and asked.kind == "velocity" and write_by_momentum(scene, asked):
         solver.take_velocity(asked)
     placed = place_trees.serves(asked) or place_trees.is_duration(asked)
-    if placed:
+    if isinstance(asked, Quantity) and write_total_kept(scene, asked):
+        pass  # an impact of two spheres does not change it
+    elif placed:
         solver.determine(journeys.goals(scene, asked))
     else:
         determine(scene, solver, asked)
@@ -103,7 +106,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             line = write_formula(scene, own)
             scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
         case _ if not has_quantity(asked):
-            _of_letters(scene, asked, name)
+            _of_letters(scene, solver, asked, name)
         case _:
             _expression(scene, asked, name)
 
@@ -221,7 +224,7 @@ def _named_expression(scene: Scene, asked: Letter, fact: Fact, name: str) -> Non
     scene.desk.end(name, scene.desk.write(Move("put"), premises, relation), relation)
 
 
-def _of_letters(scene: Scene, asked: Expression, name: str) -> None:
+def _of_letters(scene: Scene, solver: Solver, asked: Expression, name: str) -> None:
     """A ratio of an angle, or another expression of letters: it stands in a line, or is made."""
     known = scene.desk.known(asked)
     if known is not None:
@@ -231,6 +234,10 @@ def _of_letters(scene: Scene, asked: Expression, name: str) -> None:
     value, refs = scene.put(scene.scalar(asked))
     if scene.unknown(value) or not any(isinstance(ref, int) for ref in refs):
         raise NotPlannedError("an expression of letters that are open")
+    straight = _from_its_equation(scene, solver, asked, value, refs, name)
+    if straight is not None:
+        scene.desk.end(name, straight, scene.desk.relation(straight))
+        return
     doubled = _of_double_angle(asked)
     if doubled is not None:
         values: dict[Expression, Expression] = {
@@ -251,8 +258,62 @@ def _of_letters(scene: Scene, asked: Expression, name: str) -> None:
     several = len(scene.desk.relation(first).options) > 1
     move = Move("put") if rest or several else Move("rearrange")
     if rest or len(lines) != len(refs):
-        raise NotPlannedError("an expression of several letters")
+        values = {each: tree_of(scene.put(scene.scalar(each))[0]) for each in _letters_in(asked)}
+        whole = rebuilt(asked, lambda each: values.get(each, each))
+        relation = chain(asked, (whole, None), (tree_of(value), "rearrange"))
+        premises = scene.judge.enough(Move("put"), refs, relation)
+        if premises is None:
+            raise NotPlannedError("an expression of several letters")
+        line = scene.desk.write(Move("put"), premises, relation)
+        scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
+        return
     scene.desk.end(name, scene.desk.write(move, (first,), relation), relation)
+
+
+def _letters_in(tree: Expression) -> Iterator[Expression]:
+    """The letters of an expression, and its ratios of angles as one."""
+    match tree:
+        case Letter() | Apply("sin" | "cos" | "tan", Letter()):
+            yield tree
+        case _:
+            for each in children(tree):
+                yield from _letters_in(each)
+
+
+def _from_its_equation(
+    scene: Scene, solver: Solver, asked: Expression, value: sp.Expr, refs: Sequence[Ref], name: str
+) -> int | None:
+    """The line of a ratio or product of letters, by the equation that was solved for one of them.
+
+    That letter follows from it for the items that come; after the last it is open again. None
+    where the equation is not enough.
+    """
+    match asked:
+        case Binary("*" | "/", Letter() | Apply(), Letter() | Apply()):
+            lines = [ref for ref in refs if isinstance(ref, int)]
+        case _:
+            return None
+    if len(lines) != 1 or lines[0] != len(scene.desk.lines):
+        return None
+    own = scene.desk.line(lines[0])
+    known = scene.desk.last_link(lines[0])
+    if own.move.id != "rearrange" or not isinstance(known.left, Letter):
+        return None
+    relation = chain(asked, (tree_of(value), None))
+    premises = scene.judge.enough(own.move, own.premises, relation)
+    if premises is None:
+        return None
+    letter = scene.desk.known(known.left)
+    assert letter is not None
+    scene.desk.take_last()
+    line = scene.desk.write(own.move, premises, relation)
+    scene.desk.know(asked, value, (line,))
+    if name.endswith(str(len(scene.solution.items))):
+        solver.reopen()
+        return line
+    further = scene.desk.write(own.move, (line,), chain(known.left, (known.right, None)))
+    scene.desk.know(known.left, letter.value, (further,))
+    return line
 
 
 def _of_double_angle(asked: Expression) -> Expression | None:

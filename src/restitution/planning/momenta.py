@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import sympy as sp
+
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move
-from restitution.expression.tree import Letter, Name, Polar, Quantity, walk
+from restitution.explaining.derivation import Move, Ref
+from restitution.expression.tree import Expression, Letter, Name, Polar, Quantity, walk
 from restitution.planning.axes import take_impulse
 from restitution.planning.desk import Source, chain, together
 from restitution.planning.forms import product, swept, total, tree_of
+from restitution.planning.formulas import Formula, itself, write_formula
+from restitution.planning.polynomials import expanded
 from restitution.planning.scene import Scene
 from restitution.planning.velocity_formulas import body_and_stage
 from restitution.vector import Vector
@@ -62,6 +66,36 @@ def write_by_momentum(scene: Scene, velocity: Quantity) -> bool:
     line = scene.desk.write(Move("rearrange"), (line,), chain(own, (tree_of(late), None)))
     scene.desk.know(own, late, (line,))
     return True
+
+
+def write_total_kept(scene: Scene, momentum: Quantity) -> bool:
+    """The momentum of all spheres after the first impact, by that before, which is data.
+
+    Nothing is written, and False returned, where that impact is no impact of two spheres.
+    """
+    kept = momentum.kind == "momentum" and not momentum.arguments and momentum.stage == 1
+    if not kept or 1 not in scene.model.frames or scene.model.frames[1].wall is not None:
+        return False
+    if scene.desk.known(momentum) is not None:
+        return False
+    refs: list[Ref] = []
+    terms: list[Expression] = []
+    value = Vector(sp.Integer(0), sp.Integer(0))
+    for body in scene.model.story.spheres:
+        early, mass = scene.initial(body), scene.mass(body)
+        moves = any(early.value)
+        if scene.unknown(early.value) or (moves and scene.unknown(mass.value)):
+            return False
+        refs += (*early.refs, *(mass.refs if moves else ()))
+        if moves:
+            terms.append(product(tree_of(mass.value), tree_of(early.value)))
+            value = value + early.value * mass.value
+    whole = Vector(*(tidy(expanded(each)) for each in value))
+    move = Move("law", "momentum-vector", 1, scene.bodies(1))
+    own = Formula(move, itself, momentum, total(terms), whole, together(refs))
+    return scene.judge.follows(move, own.refs, chain(momentum, (swept(own.right), None))) and bool(
+        write_formula(scene, own)
+    )
 
 
 def _component_is_wanted(scene: Scene, body: str, stage: int) -> bool:

@@ -116,6 +116,11 @@ class Solver:
         self.used, self.waiting = set(standing.used), dict(standing.waiting)
         scene.frames, scene.others = dict(standing.frames), standing.others
 
+    def reopen(self) -> None:
+        """Equations that were used may be used again, where something in them is open by now."""
+        own = [*(each.candidate for each in self.laws), *map(candidate, self.scene.given)]
+        self.used -= {each.id for each in own if self._open(each)}
+
     def _laws(self) -> Iterable[Law]:
         model = self.scene.model
         for law in model.laws:

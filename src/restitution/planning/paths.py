@@ -15,14 +15,14 @@ import sympy as sp
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref
-from restitution.expression.tree import Expression, Negate, Quantity
+from restitution.expression.tree import Expression, Negate, Quantity, has_quantity
 from restitution.planning.aims import place_at, striker, write_aim
 from restitution.planning.circles import circle_of
 from restitution.planning.desk import Source, chain, together
 from restitution.planning.encounters import aside, both_moving, in_the_other, with_the_gap
-from restitution.planning.flights import slope, swept_product
-from restitution.planning.forms import difference, product, swept, tree_of
-from restitution.planning.place_trees import AXES, place_tree, time_tree
+from restitution.planning.flights import gradient, slope, swept_product
+from restitution.planning.forms import difference, in_tangents, product, swept, tree_of
+from restitution.planning.place_trees import AXES, Axis, place_tree, time_tree
 from restitution.planning.places import (
     coordinate,
     coordinate_moved,
@@ -31,8 +31,9 @@ from restitution.planning.places import (
     leg_along,
     write_touch,
 )
+from restitution.planning.premises import background
 from restitution.planning.routes import Candidate
-from restitution.planning.scene import Scene
+from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.whereabouts import (
     axis_for,
     contact_of,
@@ -42,6 +43,7 @@ from restitution.planning.whereabouts import (
     partner_of,
     rests,
     standing,
+    start,
     value_of_coordinate,
     value_of_velocity,
     velocity,
@@ -86,12 +88,21 @@ def _time_value(scene: Scene, number: int) -> sp.Expr:
 
 
 @dataclass(frozen=True)
+class Steady:
+    """A direction in which a component is the same from the start on, and how long that is."""
+
+    axis: Axis
+    time: GivenEquation
+
+
+@dataclass(frozen=True)
 class Path:
     """That a body comes to a point, as an equation of a route."""
 
     number: int
     body: str
     candidate: Candidate
+    steady: Steady | None = None
 
 
 def paths(scene: Scene) -> Iterator[Path]:
@@ -116,11 +127,67 @@ def paths(scene: Scene) -> Iterator[Path]:
         are_placed = all(of_contact_tree(scene, body, number, axis) is not None for axis in AXES)
         if not are_placed and isinstance(step, Arrival):
             continue
+        steady = _steady(scene, body, number)
+        if steady is not None:
+            residual = _over_the_whole_time(scene, body, number, steady)
+            if scene.unknown(residual):
+                yield Path(number, body, Candidate(f"path {number}", 2.0, (residual,)), steady)
+                continue
         place, end = scene.value(place_tree(body, since)), _end_of(scene, body, number)
         gap = Vector(end.x - place.x, end.y - place.y)
         residual = tidy(without_walls(scene, gap.cross(scene.velocity(body, since))))
         if scene.unknown(residual):
             yield Path(number, body, Candidate(f"path {number}", 2.0, (residual,)))
+
+
+def _steady(scene: Scene, body: str, number: int) -> Steady | None:
+    """The direction in which nothing changes how a body moves, where the time to an event is given.
+
+    None on a way without an impact: there both directions are alike.
+    """
+    since = last_move(scene, body, number)
+    times = [
+        each
+        for each in scene.given
+        if each.link == Link(time_tree(number), "=", each.link.right)
+        and not has_quantity(each.link.right)
+    ]
+    if not since or not times or "start" not in scene.facts or start(scene)[0]:
+        return None
+    if _by_a_circle(scene, body, number) or scene.model.story.place(body, 0) is None:
+        return None
+    for axis in AXES:
+        paces, stage = [], since
+        while stage:
+            paces.append(without_walls(scene, value_of_velocity(scene, body, stage, axis)))
+            stage = last_move(scene, body, stage)
+        first = value_of_velocity(scene, body, 0, axis)
+        if first != 0 and all(pace == first for pace in paces):
+            return Steady(axis, times[0])
+    return None
+
+
+def _over_the_whole_time(scene: Scene, body: str, number: int, steady: Steady) -> sp.Expr:
+    """The equation of a way at one component over the time that is given."""
+    first, last = (value_of_coordinate(scene, body, each, steady.axis) for each in (0, number))
+    pace = value_of_velocity(scene, body, 0, steady.axis)
+    return tidy(last - first - pace * scene.scalar(steady.time.link.right))
+
+
+def _write_steady(scene: Scene, path: Path, steady: Steady) -> int:
+    """The line of a way at one component over the time that is given."""
+    body, number = path.body, path.number
+    first, last = (coordinate(scene, body, each, steady.axis) for each in (0, number))
+    stage = last_move(scene, body, number)
+    pace = velocity(scene, body, stage, steady.axis)
+    refs = list(pace.refs)
+    while stage:
+        stage = last_move(scene, body, stage)
+        refs += velocity(scene, body, stage, steady.axis).refs
+    distance = swept(difference(tree_of(last.value), tree_of(first.value)))
+    way = swept(product(tree_of(pace.value), steady.time.link.right))
+    whole = together(steady.time.refs, start(scene)[1], first.refs, last.refs, refs)
+    return scene.desk.write(_move(path), whole, chain(distance, (way, None)))
 
 
 def _who_goes(scene: Scene, number: int) -> str | None:
@@ -184,6 +251,8 @@ def write_path(scene: Scene, path: Path) -> int:
     Where one direction tells the time, the other gives the equation.
     """
     body, number = path.body, path.number
+    if path.steady is not None:
+        return _write_steady(scene, path, path.steady)
     pair = both_moving(scene, number)
     if pair is not None:
         return _write_meeting(scene, number, pair)
@@ -221,6 +290,9 @@ def write_path(scene: Scene, path: Path) -> int:
     by_slope = _by_slope(scene, path, paces)
     if by_slope is not None:
         return by_slope
+    by_tangent = _by_tangent(scene, path, paces)
+    if by_tangent is not None:
+        return by_tangent
     for axis, pace in zip(AXES, reversed(paces), strict=True):
         ends = [coordinate(scene, body, each, axis) for each in (since, number)]
         refs += [ref for each in (*ends, pace) for ref in each.refs]
@@ -252,8 +324,6 @@ def _by_slope(scene: Scene, path: Path, paces: Sequence[Source]) -> int | None:
     None where they have no factor in common that may vanish, by which both sides would be
     multiplied.
     """
-    body, number = path.body, path.number
-    since = last_move(scene, body, number)
     across, over = (each.value for each in paces)
     if across == 0 or over == 0:
         return None
@@ -261,17 +331,74 @@ def _by_slope(scene: Scene, path: Path, paces: Sequence[Source]) -> int | None:
     shared = (across.free_symbols & over.free_symbols) - ratio.free_symbols
     if all(proved_sign(scene.model.ground, symbol) for symbol in shared):
         return None
-    for order in ((0, 1), (1, 0)):
-        ends = [[coordinate(scene, body, each, AXES[n]) for each in (since, number)] for n in order]
-        (start, end), (first, last) = ends
-        pace, beside = (paces[n].value for n in order)
-        distance = slope(scene, end.value, start.value, beside, pace)
-        value = tidy((end.value - start.value) * beside / pace)
-        left = swept(difference(tree_of(last.value), tree_of(first.value)))
-        relation = chain(left, (swept(distance), None), (tree_of(value), "rearrange"))
-        refs = together(*(each.refs for each in (start, end, first, last, *paces)))
-        move = Move("define", "straight-line", number, (body,))
-        line = scene.judge.write((move,), refs, relation)
-        if line is not None:
-            return line
+    return next(filter(None, (_slope_line(scene, path, paces, n) for n in ((0, 1), (1, 0)))), None)
+
+
+def _slope_line(
+    scene: Scene, path: Path, paces: Sequence[Source], order: Sequence[int]
+) -> int | None:
+    """The line of a way in the second direction, by that in the first; None if it fails."""
+    body, number = path.body, path.number
+    since = last_move(scene, body, number)
+    ends = [[coordinate(scene, body, each, AXES[n]) for each in (since, number)] for n in order]
+    (begin, end), (first, last) = ends
+    pace, beside = (paces[n].value for n in order)
+    distance = slope(scene, end.value, begin.value, beside, pace)
+    value = tidy((end.value - begin.value) * beside / pace)
+    left, right = swept(difference(tree_of(last.value), tree_of(first.value))), swept(distance)
+    match left, right:
+        case Negate(), Negate():
+            left, right, value = left.operand, right.operand, -value
+    relation = chain(left, (right, None), (tree_of(value), "rearrange"))
+    refs = together(*(each.refs for each in (begin, end, first, last, *paces)))
+    return scene.judge.write((_move(path),), refs, relation)
+
+
+def _by_tangent(scene: Scene, path: Path, paces: Sequence[Source]) -> int | None:
+    """The tangent of an open angle by the ways, or an open way by the other one and the tangent.
+
+    None where the ratio of the components is not a multiple of such a tangent.
+    """
+    if any(each.value == 0 for each in paces):
+        return None
+    since = last_move(scene, path.body, path.number)
+    ends = [
+        [coordinate(scene, path.body, each, axis) for each in (since, path.number)] for axis in AXES
+    ]
+    open_ = [bool(scene.unknown(last.value - first.value)) for first, last in ends]
+    for order in ((1, 0), (0, 1)):
+        over, beside = (paces[n].value for n in order)
+        ratio = in_tangents(tidy(over / beside))
+        if ratio.has(sp.sin, sp.cos) or len(ratio.atoms(sp.tan)) != 1 or not scene.unknown(ratio):
+            continue
+        if any(open_):
+            known = [n for n in (0, 1) if not open_[n]]
+            return _slope_line(scene, path, paces, (*known, 1 - known[0])) if known else None
+        return _gradient_line(scene, path, ratio, [ends[n] for n in order], paces)
     return None
+
+
+def _gradient_line(
+    scene: Scene,
+    path: Path,
+    ratio: sp.Expr,
+    ends: Sequence[Sequence[Source]],
+    paces: Sequence[Source],
+) -> int | None:
+    """The line of a multiple of a tangent as a way over another one; None if it fails."""
+    quotient, minus = gradient(scene, *ends)
+    above, below = (last.value - first.value for first, last in ends)
+    value = tidy(above / below)
+    relation = chain(
+        tree_of(-ratio if minus else ratio),
+        (quotient, None),
+        (tree_of(-value if minus else value), "rearrange"),
+    )
+    refs = together(*(each.refs for pair in ends for each in pair), *(e.refs for e in paces))
+    known = background(scene, {each.name for each in ratio.free_symbols})
+    premises = scene.judge.enough(_move(path), refs, relation, known)
+    return None if premises is None else scene.desk.write(_move(path), premises, relation)
+
+
+def _move(path: Path) -> Move:
+    return Move("define", "straight-line", path.number, (path.body,))

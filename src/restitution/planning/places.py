@@ -121,9 +121,12 @@ def coordinate_moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
             return known
         leg(scene, stage)
     near = _nearest(scene, body, since, stage, axis)
-    first = coordinate(scene, body, near, axis)
     pace = velocity(scene, body, since, axis)
-    refs = [*first.refs, *pace.refs]
+    earlier: tuple[Ref, ...] = ()
+    if near == since:
+        near, earlier = _steady_since(scene, body, since, axis)
+    first = coordinate(scene, body, near, axis)
+    refs = [*first.refs, *pace.refs, *earlier]
     tree: Expression = tree_of(first.value)
     value = first.value
     if pace.value != 0:
@@ -142,6 +145,24 @@ def coordinate_moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
         chain(quantity, (tree, None), (tree_of(value), "rearrange")),
     )
     return scene.desk.know(quantity, value, (number,))
+
+
+def _steady_since(scene: Scene, body: str, since: int, axis: Axis) -> tuple[int, tuple[Ref, ...]]:
+    """The event at which a body was in a known place, and since which a component is the same.
+
+    With it what tells of the component from then on. It is ``since`` itself where something
+    changed the component after that event.
+    """
+    pace = velocity(scene, body, since, axis).value
+    stage = since
+    refs: list[Ref] = []
+    while stage and pace != 0 and coordinate_given(scene, body, stage, axis) is None:
+        stage = last_move(scene, body, stage)
+        own = velocity(scene, body, stage, axis)
+        if circle_of(scene, stage) is not None or own.value != pace:
+            return since, ()
+        refs += own.refs
+    return stage, tuple(refs)
 
 
 def _by_the_other(scene: Scene, body: str, stage: int, axis: Axis) -> Source | None:
@@ -383,6 +404,9 @@ def flight_time(
         before, own = leg(scene, stage)
         if before == since:
             return tree_of(own.value), own.value, own.refs
+    known = standing(scene, time_tree(stage)) if since == first else None
+    if known is not None:
+        return tree_of(known.value), known.value, together(begin, known.refs)
     late, early = _legs(scene, stage), _legs(scene, since)
     more = [late[each] for each in sorted(late.keys() - early.keys())]
     less = [early[each] for each in sorted(early.keys() - late.keys())]

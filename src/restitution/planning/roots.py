@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import sympy as sp
@@ -10,7 +10,7 @@ import sympy as sp
 from restitution.components.models import Model
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.expression.tree import Expression, Letter, Name, Quantity, walk
+from restitution.expression.tree import Binary, Expression, Letter, Name, Number, Quantity, walk
 from restitution.planning.desk import NotPlannedError, Source, chain
 from restitution.planning.forms import ZERO, product, square, total, tree_of
 from restitution.planning.impacts import momentum, residual, restitution
@@ -32,11 +32,16 @@ def by_roots(
     generator: sp.Expr,
     subject: Expression,
     symbol: sp.Symbol,
+    of: Of | None = None,
+    unsquared: tuple[Ref, ...] = (),
 ) -> Source | None:
     """The roots of a polynomial in a letter, or in a ratio of an angle, and what is left of them.
 
-    None where they cannot be written, or are none of the solution.
+    ``of`` makes what the polynomial is in of the letter, where that is neither; ``unsquared`` is
+    the line that was squared. None where the roots cannot be written, or are none of the solution.
     """
+    if of is None:
+        of = itself if generator == symbol else generator.func
     factors = [(base, power) for base, power in factor_powers(above) if base.has(generator)]
     polynomials = [sp.Poly(base, generator) for base, _ in factors]
     if not factors or any(
@@ -49,12 +54,12 @@ def by_roots(
     for polynomial in polynomials:
         roots += _real_roots(scene, polynomial)
     roots = list(dict.fromkeys(roots))
-    kept = [root for root in roots if is_reached(scene, root, generator, symbol)]
-    wanted = [each for each in kept if is_value(scene.model, each, generator, symbol)]
+    kept = [root for root in roots if is_reached(scene, root, of, symbol)]
+    wanted = [each for each in kept if is_value(scene.model, each, of, symbol)]
     if len(wanted) != 1:
         return None
     (value,) = wanted
-    kept.sort(key=lambda each: _first_reached(scene, each, generator, symbol))
+    kept.sort(key=lambda each: _first_reached(scene, each, of, symbol))
     roots = [*kept, *(root for root in roots if root not in kept)]
     dropped = [root for root in roots if root not in kept]
     whole = expanded(sp.Mul(*(base**power for base, power in factors)))
@@ -63,19 +68,17 @@ def by_roots(
     ):
         number = _in_standard_form(scene, number, whole, generator, subject)
         number = _in_factors(scene, number, [base for base, _ in factors], generator, subject)
-    alternatives = Relation(tuple(_option(subject, root) for root in roots))
+    alternatives = Relation(tuple(option(subject, root) for root in roots))
     names = {each.name for each in above.free_symbols}
     refs = scene.judge.enough(Move("roots"), (number,), alternatives, background(scene, names))
     if refs is None:
         return None
     line = scene.desk.write(Move("roots"), refs, alternatives)
     if dropped:
-        line = _rejected(scene, line, symbol, subject, kept)
+        line = rejected(scene, line, symbol, subject, kept, unsquared)
     if len(kept) > 1:
         scene.desk.splits += ((line, kept.index(value)),)
-        scene.others = tuple(
-            other for other in scene.others if is_value(other, value, generator, symbol)
-        )
+        scene.others = tuple(other for other in scene.others if is_value(other, value, of, symbol))
     if generator == symbol:
         return known_as(scene, symbol, value, line)
     return scene.desk.know(subject, value, (line,))
@@ -122,7 +125,8 @@ def _squares_out(whole: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     return outside, open_ if len(sp.Add.make_args(open_)) <= 2 else rest
 
 
-def _option(subject: Expression, value: sp.Expr) -> tuple[Link, ...]:
+def option(subject: Expression, value: sp.Expr) -> tuple[Link, ...]:
+    """One of the alternatives, as a line has it."""
     return (Link(subject, "=", tree_of(value)),)
 
 
@@ -134,7 +138,7 @@ def _in_standard_form(
     if polynomial.degree() != 2:
         return number
     link = scene.desk.last_link(number)
-    squared = square(subject)
+    squared = _twice(subject)
     if squared in (link.left, link.right):
         return number
     if polynomial.nth(1) == 0:
@@ -180,7 +184,7 @@ def _in_factors(
 
 
 def _polynomial_tree(polynomial: sp.Poly, subject: Expression) -> Expression:
-    powers = {2: square(subject), 1: subject}
+    powers = {2: _twice(subject), 1: subject}
     terms = []
     for (power,), value in polynomial.terms():
         tree = tree_of(value)
@@ -188,45 +192,65 @@ def _polynomial_tree(polynomial: sp.Poly, subject: Expression) -> Expression:
     return total(terms)
 
 
-def is_value(model: Model, root: sp.Expr, generator: sp.Expr, symbol: sp.Symbol) -> bool:
+def itself(value: sp.Expr) -> sp.Expr:
+    """What an equation for the unknown itself is solved for."""
+    return value
+
+
+Of = Callable[[sp.Expr], sp.Expr]
+"""What an equation is solved for, made of the unknown: the sine of an angle, a square."""
+
+
+def _twice(subject: Expression) -> Expression:
+    """The square of what an equation is in; of a square the fourth power."""
+    match subject:
+        case Binary("^", base, Number(value)):
+            return Binary("^", base, Number(2 * value))
+    return square(subject)
+
+
+def is_value(model: Model, root: sp.Expr, of: Of, symbol: sp.Symbol) -> bool:
     """Whether a root is what the unknown is by a solution."""
-    final = model.final[symbol]
-    target = final if generator == symbol else generator.func(final)
-    return model.sign(model.in_data(root) - target) == 0
+    return model.sign(model.in_data(root) - of(model.final[symbol])) == 0
 
 
-def is_reached(scene: Scene, root: sp.Expr, generator: sp.Expr, symbol: sp.Symbol) -> bool:
+def is_reached(scene: Scene, root: sp.Expr, of: Of, symbol: sp.Symbol) -> bool:
     """Whether a root is that of some solution of the part."""
-    return any(is_value(model, root, generator, symbol) for model in scene.others or (scene.model,))
+    return any(is_value(model, root, of, symbol) for model in scene.others or (scene.model,))
 
 
-def _first_reached(scene: Scene, root: sp.Expr, generator: sp.Expr, symbol: sp.Symbol) -> int:
+def _first_reached(scene: Scene, root: sp.Expr, of: Of, symbol: sp.Symbol) -> int:
     """Which of the solutions is the first with a root: in that order they are written."""
     return next(
         n
         for n, model in enumerate(scene.others or (scene.model,))
-        if is_value(model, root, generator, symbol)
+        if is_value(model, root, of, symbol)
     )
 
 
 # --- what excludes a root -----------------------------------------------------------------------
 
 
-def _rejected(
+def rejected(
     scene: Scene,
     line: int,
     symbol: sp.Symbol,
     subject: Expression,
     kept: Sequence[sp.Expr],
+    unsquared: tuple[Ref, ...] = (),
 ) -> int:
-    """The line of what remains, with what excludes the rest."""
-    relation = Relation(tuple(_option(subject, each) for each in kept))
+    """The line of what remains, with what excludes the rest: the line that was squared may."""
+    relation = Relation(tuple(option(subject, each) for each in kept))
     move = Move("reject")
     own = background(scene, {symbol.name})
     component = _is_component(scene, symbol)
     bare = _likely(scene, symbol, own)
     if not component and scene.judge.follows(move, (line, *bare), relation):
         return scene.desk.write(move, (line, *bare), relation)
+    if unsquared:
+        refs = scene.judge.enough(move, (line,), relation, (*unsquared, *own))
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
     senses_ = senses(scene, symbol)
     if senses_:
         refs = scene.judge.enough(move, (line,), relation, (*senses_, *own))

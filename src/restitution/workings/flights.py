@@ -133,7 +133,7 @@ def _tells_a_time(derivation: Derivation, line: Line) -> bool:
     for ref in line.premises:
         if ref == "start":
             return True
-        own = derivation.line(ref) if isinstance(ref, int) else None
+        own = derivation.line(ref) if isinstance(ref, int) else derivation.fact(ref)
         match None if own is None else own.relation:
             case Relation(options=((Link(left=left), *_), *_)) if is_time(left):
                 return True
