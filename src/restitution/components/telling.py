@@ -34,16 +34,19 @@ def model(
     protected: frozenset[str] = frozenset(),
     turned: frozenset[int] = frozenset(),
     acute: bool = False,
+    question: Problem | None = None,
 ) -> Model:
     """Tells a part in components, by the values of one branch.
 
-    In the impacts ``turned`` the direction of the line of centres is an unknown angle, which is
+    Letters are chosen for the whole ``question``, of which ``problem`` may leave something out. In
+    the impacts ``turned`` the direction of the line of centres is an unknown angle, which is
     ``acute`` where that is known.
     Raises what the telling of a story raises.
     """
     sample = dict(branch.sample)
-    taken = letters_in_use(problem)
-    names = allocated_letters(problem, taken)
+    question = question or problem
+    taken = letters_in_use(question)
+    names = allocated_letters(question, taken)
     final: dict[sp.Symbol, sp.Expr] = {}
     unknowns = NamedUnknowns(roles, branch, sample, final, set(taken) | set(names.values()))
     lets = {k: v for k, v in lets_of(problem, part).items() if k not in protected}

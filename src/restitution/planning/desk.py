@@ -165,6 +165,12 @@ class Desk:
     apart: bool = False
     """Whether the part that is written takes nothing from what another is given in the same words:
     where it has several solutions, that has them too."""
+    withheld: frozenset[str] = frozenset()
+    """Facts that the part gives further down: they are not in force yet."""
+    early: dict[str, ItemEnd] = field(default_factory=dict)
+    """The ends of items without such facts, by item, where these say more of their answers."""
+    waiting: dict[Any, Any] = field(default_factory=dict)
+    """What a `Solver` without these facts has left to one with them."""
     version: int = 0
     """How often what is known has changed."""
     _sources: dict[Expression, list[Source]] = field(default_factory=dict)
@@ -236,14 +242,20 @@ class Desk:
 
     def holds(self, ref: Ref) -> bool:
         """Whether what a line rests on is in force in the part that is written."""
+        if self.withheld and self._rests_on(ref) & self.withheld:
+            return False
         if self.apart:
             return self._homes(ref) <= {None, self.part}
         scope = self._own.get(ref, self._scope(ref))
         return scope is None or self.part in scope
 
+    def _rests_on(self, ref: Ref) -> frozenset[Ref]:
+        """A line and all that it rests on, or a fact alone."""
+        return self.under(ref) if isinstance(ref, int) else frozenset({ref})
+
     def _homes(self, ref: Ref) -> frozenset[str | None]:
         """The parts whose own facts a line rests on, or that of a fact."""
-        under = self.under(ref) if isinstance(ref, int) else {ref}
+        under = self._rests_on(ref)
         return frozenset(fact.part for fact in self.facts if fact.id in under)
 
     def reword(self, number: int, value: Expression) -> None:
@@ -283,6 +295,8 @@ class Desk:
             cases=list(self.cases),
             others=list(self.others),
             notes=list(self.notes),
+            early=dict(self.early),
+            waiting=dict(self.waiting),
             shown=list(self.shown),
             _sources={each: list(own) for each, own in self._sources.items()},
             _scopes=dict(self._scopes),

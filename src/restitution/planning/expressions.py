@@ -222,8 +222,10 @@ def _datum(scene: Scene, node: Quantity) -> Source:
 
 
 def _angle_tree(scene: Scene, source: Source) -> Expression:
-    (line,) = (ref for ref in source.refs if isinstance(ref, int))
-    return scene.desk.last_link(line).right
+    lines = [ref for ref in source.refs if isinstance(ref, int)]
+    if len(lines) != 1:
+        raise NotPlannedError("an angle by several lines")
+    return scene.desk.last_link(lines[0]).right
 
 
 def _worth(scene: Scene, asked: Expression, values: dict[Expression, Expression]) -> Any:

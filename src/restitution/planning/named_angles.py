@@ -14,6 +14,7 @@ from restitution.expression.tree import (
     Letter,
     Negate,
     Quantity,
+    has_quantity,
     letters,
 )
 from restitution.planning.desk import chain, together
@@ -98,8 +99,36 @@ def ratio_line(
 
 
 def tangent_line(scene: Scene, asked: Quantity, own: Formula, move: Move) -> tuple[int, str]:
-    """The tangent of an angle by its definition: the line, and the letter of the angle."""
+    """The tangent of an angle by its definition: the line, and the letter of the angle.
+
+    Where that stands in letters of which some are known by now, these are put in.
+    """
     letter, meaning = letter_of(scene, asked)
     refs = together(own.refs, (meaning,))
     subject = Apply("tan", Letter(letter))
+    standing = _tangent_with_values(scene, subject, own)
+    if standing is not None:
+        return standing, letter
     return ratio_line(scene, move, refs, subject, own.right, own.value), letter
+
+
+def _tangent_with_values(scene: Scene, subject: Expression, own: Formula) -> int | None:
+    """The line of a tangent that stands, with the values of its letters put in."""
+    desk = scene.desk
+    for line in reversed(desk.lines):
+        if isinstance(line.relation, Meaning) or not desk.holds(line.number):
+            continue
+        links = line.relation.options[0]
+        if len(line.relation.options) > 1 or links[0].left != subject:
+            continue
+        if any(each.sign != "=" for each in links) or has_quantity(links[-1].right):
+            continue
+        value = scene.scalar(links[-1].right)
+        put, refs = scene.put(value)
+        if not refs or not scene.model.identically_zero(put - own.value):
+            continue
+        relation = chain(subject, (tree_of(in_tangents(put)), None))
+        premises = scene.judge.enough(Move("put"), (line.number, *refs), relation)
+        if premises is not None:
+            return desk.write(Move("put"), premises, relation)
+    return None

@@ -98,6 +98,11 @@ class Solver:
         # Whether equations that no shape fits are solved together.
         self.resort = False
 
+    def resume(self, waiting: Mapping[sp.Symbol, Waiting]) -> None:
+        """Takes up the components of which another solver of the part has written the laws."""
+        for symbol, (frame, lines, components) in waiting.items():
+            self.waiting[symbol] = self.scene.frame(frame.number), lines, components
+
     def mark(self) -> Standing:
         """How far the solver is, to which ``back`` returns."""
         scene = self.scene

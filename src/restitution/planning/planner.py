@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
@@ -36,12 +37,13 @@ from restitution.planning.axes import frame_at
 from restitution.planning.cases import joined, without_idle
 from restitution.planning.checking import require_true
 from restitution.planning.desk import UNPLANNED, Desk, NotPlannedError
+from restitution.planning.early import Early, early_items
 from restitution.planning.either_side import on_one_side, write_other_side
 from restitution.planning.extrema import only_answer, write_extremum
 from restitution.planning.forms import tree_of
 from restitution.planning.gathering import gathered, numbered_anew
 from restitution.planning.given_terms import turn_round
-from restitution.planning.items import write_item
+from restitution.planning.items import write_item, write_with_facts
 from restitution.planning.open_lines import write_open_lines
 from restitution.planning.order import Solver
 from restitution.planning.ranges import relation_of, write_range
@@ -179,12 +181,33 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
             note_of(desk, each, _name(part, index))
         return desk
     names = [_name(part, index) for index, _ in enumerate(part.items, 1)]
+    early, ended = _write_early(solution, part, desk)
+    whole: tuple[Desk, int] | None = None
+    if early is not desk:
+        left = [each for each in names if each not in ended]
+        with suppress(*UNPLANNED):
+            whole = _as_far(solution, part, early, left, partial)
+    if whole is None or whole[1]:
+        plain = _as_far(solution, part, desk, names, partial)
+        whole = plain if whole is None or plain[1] < whole[1] else whole
+    own = [end for end in whole[0].ends if end.item in names]
+    others = [end for end in whole[0].ends if end.item not in names]
+    whole[0].ends = [*others, *sorted(own, key=lambda end: names.index(end.item))]
+    return whole[0]
+
+
+def _as_far(
+    solution: Solution, part: PartSolution, desk: Desk, names: list[str], partial: bool
+) -> tuple[Desk, int]:
+    """The desk with these items of a part, and how far their ways are from a plan of each."""
+    if not names:
+        return desk, 0
     ways = dict.fromkeys(names, _PLANNED)
     in_terms = _in_given_terms(solution, part, desk, dict(ways))
     if in_terms is not None:
-        return in_terms
+        return in_terms, 0
     if not partial:
-        return joined(desk, _drafts(solution, part, desk, ways, _PLANNED))
+        return joined(desk, _drafts(solution, part, desk, ways, _PLANNED)), 0
     for least in (_PLANNED, _SOLVED):
         ways = {name: max(status, least) for name, status in ways.items()}
         before = None
@@ -193,12 +216,42 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
             before = dict(ways)
             drafts = _drafts(solution, part, desk, ways, _NOTED)
             if len(drafts) == 1:
-                return drafts[0]
+                return drafts[0], sum(ways.values())
         try:
-            return joined(desk, drafts)
+            return joined(desk, drafts), sum(ways.values())
         except NotPlannedError:
             continue
-    return _drafts(solution, part, desk, dict.fromkeys(names, _NOTED), _NOTED)[0]
+    ways = dict.fromkeys(names, _NOTED)
+    return _drafts(solution, part, desk, ways, _NOTED)[0], sum(ways.values())
+
+
+def _write_early(solution: Solution, part: PartSolution, desk: Desk) -> tuple[Desk, set[str]]:
+    """The desk with the items that hold without facts below them, and the names of these items.
+
+    Where the facts say more of an answer, its lines stand, and the item is written once more.
+    """
+    ended: set[str] = set()
+    for early in early_items(solution, part):
+        names = [_name(part, index) for index in early.items]
+        own = {_name(part, index) for index in early.ended}
+        draft = None
+        for count in range(len(names), 0, -1):
+            ways = dict.fromkeys(names[:count], _PLANNED)
+            withheld = desk.fork()
+            withheld.withheld = early.late
+            with suppress(*UNPLANNED):
+                (draft,) = _drafts(solution, part, withheld, ways, _PLANNED, early=early)
+                break
+        if draft is None:
+            break
+        written = {end.item: end for end in draft.ends if end.item in names}
+        draft.early |= {name: end for name, end in written.items() if name not in own}
+        draft.ends = [end for end in draft.ends if end.item not in draft.early]
+        draft.withheld = frozenset()
+        desk, ended = draft, ended | (own & written.keys())
+        if len(written) < len(names):
+            break
+    return desk, ended
 
 
 def _in_given_terms(
@@ -229,25 +282,33 @@ def _drafts(
     ways: dict[str, int],
     last: int,
     turned: bool = False,
+    early: Early | None = None,
 ) -> list[Desk]:
-    """Each solution of a part on a desk of its own.
+    """Each solution of a part on a desk of its own, with the items that ``ways`` names.
 
-    With ``turned`` only those whose letters are turned round to be those of the answers.
+    With ``turned`` only those whose letters are turned round to be those of the answers; with
+    ``early`` the part is that without the facts below these items.
     """
-    problem = solution.problem
+    problem, own = solution.problem, part.part
+    told = problem
+    if early is not None:
+        told, part = early.problem, early.part
     protected = protected_letters(part.part)
-    models = [model(problem, part.part, branch, part.roles, protected) for branch in part.branches]
+    models = [
+        model(told, part.part, branch, part.roles, protected, question=problem)
+        for branch in part.branches
+    ]
     if turned:
         changed = [turn_round(each, protected) for each in models]
         if not all(changed):
             return []
     drafts = []
-    one_side = on_one_side(solution, part, models, desk)
+    one_side = on_one_side(solution, part, models, desk) if early is None else ()
     models = list(one_side) or models
     for model_ in models:
         draft = desk.fork()
         others = tuple(models) if len(models) > 1 else ()
-        scene = Scene(problem, part.part, part, model_, draft, others, find_frame=frame_at)
+        scene = Scene(problem, own, part, model_, draft, others, find_frame=frame_at)
         scene.sided, scene.turned = len(one_side), turned
         _write_items(scene, ways, last)
         drafts.append(draft)
@@ -260,12 +321,13 @@ def _write_items(scene: Scene, ways: dict[str, int], last: int) -> None:
     Raises NotPlannedError where one cannot be written in the ``last`` way.
     """
     problem, part = scene.problem, scene.solution
-    scene.desk.item = _name(part, 1)  # what is given may be put in before the first is written
+    scene.desk.item = next(iter(ways))  # what is given may be put in before the first is written
     solver = Solver(scene)
-    for index, ((item, now), result) in enumerate(
-        zip(problem.asked(part.part), part.items, strict=True), 1
-    ):
+    solver.resume(scene.desk.waiting)
+    for index, ((item, now), result) in enumerate(zip(problem.asked(scene.part), part.items), 1):
         name = _name(part, index)
+        if name not in ways:
+            continue
         scene.desk.item = name
         written = False
         while not written:
@@ -288,6 +350,7 @@ def _write_items(scene: Scene, ways: dict[str, int], last: int) -> None:
                     raise
                 solver.back(standing)
                 ways[name] += 1
+    scene.desk.waiting = dict(solver.waiting) if scene.desk.withheld else {}
 
 
 def _require_short(lines: Iterable[Line]) -> None:
@@ -335,7 +398,8 @@ def _write_item(
             write_extremum(scene, solver, item.kind, asked, over, answer, answer.value, name)
         case Value():
             asked = staged(problem, item.expression, now)
-            write_item(scene, solver, asked, name)
+            if not write_with_facts(scene, solver, name):
+                write_item(scene, solver, asked, name)
             if place_trees.serves(asked):
                 _require_form(scene, result)
             _require_found(scene, asked)

@@ -1,0 +1,143 @@
+"""Items that stand above a given fact of their part, and hold without it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from restitution.errors import RestitutionError
+from restitution.explaining.derivation import Fact
+from restitution.explaining.facts import facts_of
+from restitution.expression.tree import has_quantity
+from restitution.problem import Find, Given, Part, Problem, Show, Value
+from restitution.solving import solve
+from restitution.solving.solution import ItemResult, PartSolution, Solution
+
+
+@dataclass(frozen=True)
+class Early:
+    """Items of a part that are written before some of its facts are.
+
+    ``part`` is the part solved without these facts, ``late`` are their ids. ``items`` are the
+    numbers of the items; of those in ``ended`` the answer is the same with the facts.
+    """
+
+    problem: Problem
+    part: PartSolution
+    late: frozenset[str]
+    items: range
+    ended: frozenset[int]
+
+
+def early_items(solution: Solution, part: PartSolution) -> Iterator[Early]:
+    """The items that come before the facts below them, each time as far as the next fact.
+
+    An item is one of them only if every item above it is. A value that is the same with the facts,
+    or is asked in no letters and stands above the value of one, is one where another follows it.
+    """
+    steps = part.part.steps
+    asked = 0
+    for cut, step in enumerate(steps):
+        if not isinstance(step, Given):
+            continue
+        count = sum(map(_count, steps[:cut]))
+        if count == asked:
+            continue
+        early = _without(solution, part, cut, asked, count)
+        if early is None:
+            return
+        if early.items:
+            yield early
+        if len(early.items) < count - asked:
+            return
+        asked = count
+
+
+def _count(step: object) -> int:
+    """How many items a step asks for."""
+    return len(step.items) if isinstance(step, Find) else int(isinstance(step, Show))
+
+
+def _without(
+    solution: Solution, part: PartSolution, cut: int, start: int, stop: int
+) -> Early | None:
+    """The items between two numbers, without the facts from a step on; None where none is told."""
+    problem = solution.problem
+    steps = part.part.steps
+    later = tuple(each for each in steps[cut:] if not isinstance(each, Given | Find | Show))
+    own = replace(part.part, steps=(*steps[:cut], *later))
+    number = problem.parts.index(part.part)
+    without = replace(problem, parts=(*problem.parts[:number], own))
+    try:
+        solved = solve(without).parts[own.label]
+    except RestitutionError:
+        return None
+    if len(solved.branches) != 1:
+        return None
+    late = _late(problem, without, own)
+    of_motion = all(map(_is_of_motion, late))
+    count, ended = start, set[int]()
+    for index, alone, whole in zip(
+        range(start + 1, stop + 1), solved.items[start:], part.items[start:], strict=False
+    ):
+        same = _is_same(alone, whole)
+        if not same and not _is_in_letters(alone, whole):
+            break
+        if same:
+            ended.add(index)
+        in_terms = of_motion or _terms(part.part, index) is not None
+        if alone.kind == "show" if same else in_terms:
+            count = index
+    ended = {each for each in ended if each <= count}
+    ids = frozenset(each.id for each in late)
+    return Early(without, solved, ids, range(start + 1, count + 1), frozenset(ended))
+
+
+def _terms(part: Part, index: int) -> tuple[str, ...] | None:
+    """The letters in which an item is asked; None where it is asked in none."""
+    number = 0
+    for step in part.steps:
+        number += _count(step)
+        if number >= index and isinstance(step, Find | Show):
+            return step.in_terms_of
+    return None
+
+
+def _is_of_motion(fact: Fact) -> bool:
+    """Whether a fact is no value of a letter, but a condition on the motion."""
+    return any(
+        has_quantity(side)
+        for links in fact.relation.options
+        for link in links
+        for side in (link.left, link.right)
+    )
+
+
+def _is_same(alone: ItemResult, whole: ItemResult) -> bool:
+    """Whether an item has the same end without the facts below it as with them."""
+    if alone.error is not None or whole.error is not None:
+        return False
+    if alone.kind == "show":
+        return bool(alone.holds) and bool(whole.holds)
+    return _answers(alone) == _answers(whole)
+
+
+def _answers(result: ItemResult) -> list[object]:
+    return [(each.exact, each.where, each.reached, each.condition) for each in result.distinct]
+
+
+def _is_in_letters(alone: ItemResult, whole: ItemResult) -> bool:
+    """Whether an item has one value in letters, of which the facts say what they are."""
+    if alone.error is not None or whole.error is not None or not isinstance(alone.item, Value):
+        return False
+    return len(alone.distinct) == 1 and not alone.distinct[0].condition
+
+
+def _late(problem: Problem, without: Problem, part: Part) -> tuple[Fact, ...]:
+    """The facts that a part has lost."""
+    kept = [each.relation for each in facts_of(without) if each.part == part.label]
+    return tuple(
+        each
+        for each in facts_of(problem)
+        if each.part == part.label and each.id.startswith("given ") and each.relation not in kept
+    )

@@ -1,0 +1,108 @@
+"""Items above a given fact of their part are derived without it, where they hold without it."""
+
+from __future__ import annotations
+
+import re
+
+from restitution.explaining.derivation import Derivation
+from restitution.explaining.follower import follow
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solving import solve
+from restitution.solving.letters import roles
+from restitution.workings import explain, to_text
+
+SPHERES = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+"""
+
+
+def planned(text: str) -> Derivation:
+    solution = solve(parse(text))
+    derivation = plan(solution)
+    assert follow(derivation, Oracle(roles(solution.problem))) == ()
+    return derivation
+
+
+def under(derivation: Derivation, item: str) -> set[int | str]:
+    """All that the last line of an item rests on."""
+    lines = {line.number: line for line in derivation.lines}
+    pending: list[int | str] = [end.line for end in derivation.items if end.item == item]
+    refs: set[int | str] = set()
+    while pending:
+        ref = pending.pop()
+        if ref not in refs:
+            refs.add(ref)
+            pending += lines[ref].premises if isinstance(ref, int) else ()
+    return refs
+
+
+def test_what_is_shown_above_a_fact_is_shown_without_it() -> None:
+    derivation = planned(
+        SPHERES
+        + """
+let beta = angle(velocity(A), line_of_centres)
+show tan(beta) = 2tan(alpha)/(1-e)
+given e = 1/3
+find tan(beta)
+"""
+    )
+    assert "given 1" not in under(derivation, "1")
+    assert "given 1" in under(derivation, "2")
+
+
+def test_what_is_shown_by_a_fact_below_it_still_rests_on_that() -> None:
+    derivation = planned(SPHERES + "show speed(A) = u sin(alpha)\ngiven e = 1\nfind speed(B)")
+    assert "given 1" in under(derivation, "1")
+
+
+def test_a_value_in_terms_of_a_letter_is_worked_out_in_that_first() -> None:
+    text = """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = 1/2
+find tan(angle(velocity(P), W)) in terms of alpha
+given tan(alpha) = 3/4
+find angle(velocity(P), W)
+"""
+    planned(text)
+    working = re.sub(r"\s+", " ", to_text(explain(solve(parse(text)))))
+    assert "= ½ tan α" in working
+    assert "Since tan α = ¾: tan β = ⅜" in working
+    assert "sin α = ⅗" not in working
+
+
+def test_a_value_in_no_letters_takes_the_letters_that_are_given() -> None:
+    working = to_text(explain(solve(parse(SPHERES + "find velocity(A)\ngiven e = 1"))))
+    assert "1 − e" not in working
+
+
+def test_a_value_above_a_condition_on_the_motion_is_worked_out_before_it() -> None:
+    text = SPHERES + "find speed(B)/u\ngiven speed(B) = 4/5 u cos(alpha)\nfind e"
+    planned(text)
+    working = to_text(explain(solve(parse(text))))
+    assert "(speed of B)/u = ½(1 + e) cos α" in working
+
+
+def test_a_tangent_that_stands_takes_the_value_of_a_letter() -> None:
+    text = (
+        SPHERES
+        + """
+let beta = angle(velocity(A), line_of_centres)
+show tan(beta) = 2tan(alpha)/(1-e)
+given e = 1/3
+part b
+given beta = 2alpha
+find alpha
+"""
+    )
+    planned(text)
+    assert to_text(explain(solve(parse(text)))).count("Direction of motion") == 1
+
+
+def test_a_range_is_that_with_the_facts_below_it() -> None:
+    working = to_text(explain(solve(parse(SPHERES + "find range of e\ngiven e < 1/2"))))
+    assert "0 ≤ e < ½" in working
