@@ -51,9 +51,8 @@ def answer(worker: Worker, file: str, task: Task, limit: float | None) -> Answer
         reply = _reply(worker, job)
     except RestitutionError as error:
         unfinished = contract.unfinished(job.file, problem, error, part)
-        if writing.working:
-            unfinished = contract.with_derivations(unfinished)
-        line = contract.to_json(unfinished) + "\n"
+        content = contract.with_derivations(unfinished) if writing.working else unfinished
+        line = contract.to_json(content) + "\n"
         return Answer(UNANSWERED, line if json else None, tuple(pointed(file, text, error)))
     messages = [f"{job.file}: warning: {warning}" for warning in reply.warnings]
     messages += [f"{job.file}: {note}" for note in reply.notes]

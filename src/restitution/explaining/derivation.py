@@ -46,6 +46,10 @@ MoveId = Literal[
 ]
 MOVES: tuple[MoveId, ...] = get_args(MoveId)
 
+FactKind = Literal["data", "given", "range", "geometry", "earlier"]
+EventKind = Literal["impact", "kick", "arrival"]
+Showing = Literal["line", "inline", "silent"]
+"""Whether a line is printed by itself, within another one, or not at all."""
 Sign = Literal["=", "<", "<=", ">", ">=", "!=", "≈", "parallel to", "perpendicular to"]
 SIGNS: tuple[Sign, ...] = get_args(Sign)
 # The sign of an inequality whose sides are exchanged.
@@ -99,7 +103,7 @@ class Fact:
     """What a statement gives: one relation, in force in one part (``part`` None: in all)."""
 
     id: str
-    kind: Literal["data", "given", "range", "geometry", "earlier"]
+    kind: FactKind
     relation: Relation
     part: str | None = None
     place: Place | None = None
@@ -110,7 +114,7 @@ class Event:
     """An event of the story: who meets whom. ``wall`` tells that the second body is a wall."""
 
     number: int
-    kind: Literal["impact", "kick", "arrival"]
+    kind: EventKind
     bodies: tuple[str, ...]
     wall: bool = False
 
@@ -140,7 +144,7 @@ class Line:
     premises: tuple[Ref, ...]
     relation: Relation | Meaning
     marks: Marks = ()
-    shown: Literal["line", "inline", "silent"] = "line"
+    shown: Showing = "line"
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,8 @@ from typing import Literal, get_args
 
 from restitution.explaining.sentences import SentenceId
 
+MarkKind = Literal["M", "A", "B"]
+
 
 @dataclass(frozen=True)
 class Mark:
@@ -18,7 +20,7 @@ class Mark:
     ``because`` is the id of a sentence.
     """
 
-    kind: Literal["M", "A", "B"]
+    kind: MarkKind
     number: int = 1
     dependent: bool = False
     star: bool = False

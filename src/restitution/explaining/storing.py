@@ -7,7 +7,7 @@ as LaTeX and as MathML.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any, get_args, get_type_hints
+from typing import TYPE_CHECKING, Any, get_args, get_type_hints
 
 from restitution.errors import StatementError
 from restitution.explaining.derivation import (
@@ -36,10 +36,23 @@ from restitution.explaining.trees import trees_of
 from restitution.expression.tree import Letter, Name, Place, walk
 from restitution.render import latex, layout, mathml
 
+if TYPE_CHECKING:
+    from restitution.explaining.stored import (
+        DerivationNoteObject,
+        DerivationObject,
+        EventObject,
+        FactObject,
+        ItemEndObject,
+        LineObject,
+        MarkObject,
+        MoveObject,
+        RelationObject,
+    )
+
 VERSION = 1
 
 
-def to_json(derivation: Derivation) -> dict[str, Any]:
+def to_json(derivation: Derivation) -> DerivationObject:
     """A derivation as a value of JSON."""
     vectors = frozenset(name for name, each in derivation.meanings.items() if each.vector)
     return {
@@ -82,7 +95,7 @@ def _names(derivation: Derivation) -> dict[str, str]:
     return {name: kinds.get(name, "body") for name in sorted(names | kinds.keys())}
 
 
-def _event(event: Event) -> dict[str, Any]:
+def _event(event: Event) -> EventObject:
     return {
         "n": event.number,
         "kind": event.kind,
@@ -91,7 +104,7 @@ def _event(event: Event) -> dict[str, Any]:
     }
 
 
-def _fact(fact: Fact, vectors: frozenset[str]) -> dict[str, Any]:
+def _fact(fact: Fact, vectors: frozenset[str]) -> FactObject:
     place = fact.place
     return {
         "id": fact.id,
@@ -102,7 +115,7 @@ def _fact(fact: Fact, vectors: frozenset[str]) -> dict[str, Any]:
     }
 
 
-def _line(line: Line, vectors: frozenset[str]) -> dict[str, Any]:
+def _line(line: Line, vectors: frozenset[str]) -> LineObject:
     return {
         "n": line.number,
         "item": line.item,
@@ -114,7 +127,7 @@ def _line(line: Line, vectors: frozenset[str]) -> dict[str, Any]:
     }
 
 
-def _move(move: Move) -> dict[str, Any]:
+def _move(move: Move) -> MoveObject:
     return {
         "move": move.id,
         "record": move.record,
@@ -124,7 +137,7 @@ def _move(move: Move) -> dict[str, Any]:
     }
 
 
-def _mark(mark: Mark) -> dict[str, Any]:
+def _mark(mark: Mark) -> MarkObject:
     return {
         "mark": str(mark),
         "kind": mark.kind,
@@ -137,7 +150,7 @@ def _mark(mark: Mark) -> dict[str, Any]:
     }
 
 
-def _item(end: ItemEnd, vectors: frozenset[str]) -> dict[str, Any]:
+def _item(end: ItemEnd, vectors: frozenset[str]) -> ItemEndObject:
     return {
         "item": end.item,
         "line": end.line,
@@ -148,7 +161,7 @@ def _item(end: ItemEnd, vectors: frozenset[str]) -> dict[str, Any]:
     }
 
 
-def _note(note: Note, vectors: frozenset[str]) -> dict[str, Any]:
+def _note(note: Note, vectors: frozenset[str]) -> DerivationNoteObject:
     return {
         "item": note.item,
         "kind": note.kind,
@@ -173,7 +186,7 @@ def _alone(link: Link) -> Relation:
     return Relation(((link,),))
 
 
-def _object(relation: Relation | Meaning, vectors: frozenset[str]) -> dict[str, Any]:
+def _object(relation: Relation | Meaning, vectors: frozenset[str]) -> RelationObject:
     if isinstance(relation, Meaning):
         own = frozenset((relation.letter,)) if relation.vector else vectors
         formula: layout.Layout = layout.Relation(

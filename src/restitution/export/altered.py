@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from textwrap import wrap
-from typing import Any
+from typing import TYPE_CHECKING
 
 from restitution.explaining.consequences import AlteredWorld, ChangedItem, altered_worlds
 from restitution.explaining.misconceptions import Misconception, misconception
@@ -13,12 +13,15 @@ from restitution.export.units import Units
 from restitution.render.text import NO_BREAK, width
 from restitution.solving.solution import ItemResult, Solution
 
+if TYPE_CHECKING:
+    from restitution.export.objects import AlteredObject, MistakeObject, SolvedObject
+
 _SHARE = 0.5
 _LABEL = "These are answers in an altered world, and not of the question."
 
 
 def written(
-    reply: dict[str, Any],
+    reply: SolvedObject,
     solution: Solution,
     mistake: str,
     limit: float | None,
@@ -34,14 +37,14 @@ def written(
     worlds = altered_worlds(solution, mistake, time_limit=seconds, part=part)
     about = misconception(mistake)
     if columns is None:
-        content = {**reply, "as": _object(mistake, about, solution, worlds)}
+        content: AlteredObject = {**reply, "as": _object(mistake, about, solution, worlds)}
         return contract.to_json(content) + "\n"
     return "\n".join(_lines(about, solution, worlds, columns)) + "\n"
 
 
 def _object(
     mistake: str, about: Misconception, solution: Solution, worlds: Iterable[AlteredWorld]
-) -> dict[str, Any]:
+) -> MistakeObject:
     units = Units(solution)
     return {
         "id": mistake,

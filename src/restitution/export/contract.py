@@ -1,31 +1,12 @@
 """A solution as the JSON object that other programs read: one object a file, one a line.
 
-The object::
-
-    {"file", "title",
-     "parts": [{"part": label or null,
-                "items": [{"line", "text", "kind", "unit",
-                           "answers": [{"solution", "exact", "decimal", "display", "where",
-                                        "condition"}],
-                           "holds", "proof", "trials", "counterexample",
-                           "rejected": [{"exact", "reason"}],
-                           "error"}]}],
-     "warnings": [text],
-     "notes": [{"message", "line", "column", "fixes"}],
-     "error"}
+`restitution.export.objects` has its fields: a solved file is a `SolvedObject`.
 
 ``exact`` is plain SymPy syntax in which every letter is a Symbol, angles are in radians, Greek
 letters go by name but for ``lambda_``, ``mu_``, ``nu_``, ``xi_``, and subscripts are written
-``e_1``; a list of two such texts for a vector, a point or a direction. ``unit`` is that of the
-values, or null where they have none or letters hold it. ``condition`` lists relations between such
-texts, under which alone the answer holds; a range whose form depends on the data has an answer for
-each form, with its condition. ``proof`` says what a claim rests
-on: ``algebra``, ``decision``, ``intervals`` or ``witness``; it is ``undecided``, and ``holds``
-null, where nothing is proved; else null. ``trials`` counts the points at which it was tried. An
-error is null or
-``{"kind", "message", "line", "column", "fixes"}``. ``notes`` are the warnings that the text itself
-draws, each with its place; ``fixes`` are cures, ``{"label", "edits"}``, and an edit of the text is
-``{"line", "column", "end_line", "end_column", "text"}``.
+``e_1``. A range whose form depends on the data has an answer for each form, with its condition.
+``proof`` says what a claim rests on: ``algebra``, ``decision``, ``intervals`` or ``witness``; it is
+``undecided``, and ``holds`` null, where nothing is proved; else null.
 
 Where the working is asked for as well, each part has a ``derivation``: its working as
 `restitution.explaining.storing` writes it, with the lines of earlier parts on which it rests; null
@@ -41,7 +22,7 @@ import json
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, cast
 
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Expression, Name, Negate, Pair, Polar, Quantity
@@ -49,15 +30,25 @@ from restitution.mending import Fix, Note
 from restitution.problem import Extremum, Find, Part, Problem, Range, Show, Value
 
 if TYPE_CHECKING:
+    from restitution.explaining.stored import DerivationObject
+    from restitution.export.objects import (
+        AnswerObject,
+        CheckedObject,
+        ErrorObject,
+        FixObject,
+        ItemObject,
+        PartObject,
+        SolvedObject,
+        TextNoteObject,
+        WorkedObject,
+    )
     from restitution.solving.solution import Answer, ItemResult, PartSolution, Solution
     from restitution.workings.explanation import Explanation
-
-Object = dict[str, Any]
 
 _VECTORS = frozenset(("velocity", "momentum"))
 
 
-def solved(file: str, solution: Solution, label: str | None = None) -> Object:
+def solved(file: str, solution: Solution, label: str | None = None) -> SolvedObject:
     """The object of a solved problem; of the one part ``label`` where that is given."""
     from restitution.export.units import Units
 
@@ -77,7 +68,7 @@ def solved(file: str, solution: Solution, label: str | None = None) -> Object:
     )
 
 
-def derivations(explanation: Explanation) -> dict[str | None, Object]:
+def derivations(explanation: Explanation) -> dict[str | None, DerivationObject]:
     """The derivations of the parts, by label."""
     from restitution.explaining.derivation import of_part
     from restitution.explaining.storing import to_json as stored
@@ -86,24 +77,27 @@ def derivations(explanation: Explanation) -> dict[str | None, Object]:
 
 
 def with_derivations(
-    content: Object, derivations_of_parts: Mapping[str | None, Object] | None = None
-) -> Object:
+    content: SolvedObject,
+    derivations_of_parts: Mapping[str | None, DerivationObject] | None = None,
+) -> WorkedObject:
     """The object with a ``derivation`` in each part, null where none is told."""
-    parts = [
-        {**each, "derivation": (derivations_of_parts or {}).get(each["part"])}
-        for each in content["parts"]
-    ]
-    return {**content, "parts": parts}
+    return {
+        **content,
+        "parts": [
+            {**each, "derivation": (derivations_of_parts or {}).get(each["part"])}
+            for each in content["parts"]
+        ],
+    }
 
 
-def unreadable(file: str, error: RestitutionError) -> Object:
+def unreadable(file: str, error: RestitutionError) -> SolvedObject:
     """The object of a file that could not be read."""
     return _file(file, None, [], (), (), error)
 
 
 def unfinished(
     file: str, problem: Problem, error: RestitutionError | None, label: str | None = None
-) -> Object:
+) -> SolvedObject:
     """The object of a problem whose solving ended without a result: nothing is answered.
 
     Without an error it is that of a problem which nobody has solved yet.
@@ -118,7 +112,7 @@ def unfinished(
     return _file(file, problem.title, shown, problem.warnings, problem.notes, error)
 
 
-def checked(file: str, problem: Problem | None, error: RestitutionError | None) -> Object:
+def checked(file: str, problem: Problem | None, error: RestitutionError | None) -> CheckedObject:
     """The object of a text that was read and not solved, with all its mistakes as ``errors``."""
     if problem is not None:
         result = unfinished(file, problem, None)
@@ -128,19 +122,19 @@ def checked(file: str, problem: Problem | None, error: RestitutionError | None) 
     return {**result, "errors": mistakes(error)}
 
 
-def mistakes(error: RestitutionError | None) -> list[Object | None]:
+def mistakes(error: RestitutionError | None) -> list[ErrorObject]:
     """An error and those found beside it in the same text."""
-    return (
-        [] if error is None else [_error(each) for each in (error, *getattr(error, "others", ()))]
-    )
+    if error is None:
+        return []
+    return [error_object(each) for each in (error, *getattr(error, "others", ()))]
 
 
-def to_json(content: Object) -> str:
+def to_json(content: Mapping[str, object]) -> str:
     """The object in one line; letters such as θ stand as they are."""
     return json.dumps(content, ensure_ascii=False, allow_nan=False)
 
 
-def all_answered(content: Object) -> bool:
+def all_answered(content: SolvedObject) -> bool:
     """Whether every item has an answer; a refuted ``show`` is one."""
     if content["error"] is not None:
         return False
@@ -153,11 +147,11 @@ def all_answered(content: Object) -> bool:
 def _file(
     file: str,
     title: str | None,
-    parts: list[Object],
+    parts: list[PartObject],
     warnings: Iterable[str],
     notes: Iterable[Note],
     error: RestitutionError | None,
-) -> Object:
+) -> SolvedObject:
     return {
         "file": file,
         "title": title,
@@ -168,16 +162,16 @@ def _file(
     }
 
 
-def _part(label: str | None, items: list[Object]) -> Object:
+def _part(label: str | None, items: list[ItemObject]) -> PartObject:
     return {"part": label, "items": items}
 
 
-def _item(part: PartSolution, one: ItemResult, unit: str) -> Object:
+def _item(part: PartSolution, one: ItemResult, unit: str) -> ItemObject:
     unanswered = one.error is None and not one.answers and one.proof is None
     return item(one, unit, part.error if unanswered else one.error)
 
 
-def item(item: ItemResult, unit: str, error: RestitutionError | None = None) -> Object:
+def item(item: ItemResult, unit: str, error: RestitutionError | None = None) -> ItemObject:
     """The object of an item; ``error`` is that of its part where it has none of its own."""
     error = error or item.error
     return {
@@ -197,7 +191,7 @@ def item(item: ItemResult, unit: str, error: RestitutionError | None = None) -> 
     }
 
 
-def _answer(answer: Answer) -> Object:
+def _answer(answer: Answer) -> AnswerObject:
     return {
         "solution": answer.solution,
         "exact": _plain(answer.exact),
@@ -208,7 +202,9 @@ def _answer(answer: Answer) -> Object:
     }
 
 
-def _unanswered(line: int | None, text: str, kind: str, error: RestitutionError | None) -> Object:
+def _unanswered(
+    line: int | None, text: str, kind: str, error: RestitutionError | None
+) -> ItemObject:
     return {
         "line": line,
         "text": text,
@@ -224,9 +220,12 @@ def _unanswered(line: int | None, text: str, kind: str, error: RestitutionError 
     }
 
 
-def _error(error: RestitutionError | None, line: int | None = None) -> Object | None:
-    if error is None:
-        return None
+def _error(error: RestitutionError | None, line: int | None = None) -> ErrorObject | None:
+    return None if error is None else error_object(error, line)
+
+
+def error_object(error: RestitutionError, line: int | None = None) -> ErrorObject:
+    """The object of an error; ``line`` is its place where it has none of its own."""
     return {
         "kind": error.kind if error.kind != RestitutionError.kind else "unsupported",
         "message": error.message,
@@ -236,7 +235,7 @@ def _error(error: RestitutionError | None, line: int | None = None) -> Object | 
     }
 
 
-def _note(note: Note) -> Object:
+def _note(note: Note) -> TextNoteObject:
     return {
         "message": note.message,
         "line": note.line,
@@ -245,8 +244,8 @@ def _note(note: Note) -> Object:
     }
 
 
-def _fixes(fixes: Iterable[Fix]) -> list[Object]:
-    return [asdict(fix) for fix in fixes]
+def _fixes(fixes: Iterable[Fix]) -> list[FixObject]:
+    return [cast("FixObject", asdict(fix)) for fix in fixes]
 
 
 def _plain(exact: str | tuple[str, str]) -> str | list[str]:
@@ -257,12 +256,12 @@ def _exact_of(values: Mapping[str, str] | None) -> dict[str, str] | None:
     return None if values is None else dict(values)
 
 
-def _decimal(value: float | tuple[float, float] | None) -> Any:
-    if isinstance(value, tuple):
-        pair = [_decimal(each) for each in value]
-        return None if None in pair else pair
-    # JSON knows no infinity.
-    return None if value is None or not math.isfinite(value) else float(value)
+def _decimal(value: float | tuple[float, float] | None) -> float | list[float] | None:
+    numbers = value if isinstance(value, tuple) else (value,)
+    finite = [float(each) for each in numbers if each is not None and math.isfinite(each)]
+    if len(finite) < len(numbers):
+        return None  # JSON knows no infinity
+    return finite if isinstance(value, tuple) else finite[0]
 
 
 # --- what was asked, by the text alone --------------------------------------------------------

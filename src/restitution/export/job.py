@@ -10,7 +10,7 @@ import sys
 import time
 import traceback
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from importlib import import_module
 from types import ModuleType
@@ -24,6 +24,12 @@ from restitution.work import confirm, limited
 if TYPE_CHECKING:
     from restitution.explaining.marks import Style
     from restitution.export.marking import Workings
+    from restitution.export.objects import (
+        DrawnObject,
+        ExplainedObject,
+        SolvedObject,
+        WorkedObject,
+    )
     from restitution.export.sheet import Form, Options
     from restitution.export.trace import Stage
     from restitution.solving.solution import Solution
@@ -115,7 +121,7 @@ class Showing:
     ``early`` is given the same without working and motion, as soon as that is there.
     """
 
-    early: Callable[[dict[str, Any]], None] | None = None
+    early: Callable[[ExplainedObject], None] | None = None
 
 
 Task: TypeAlias = Writing | Drawing | Playing | Setting | Tracing | Picturing | Showing | Marking
@@ -253,14 +259,15 @@ def serve(job: Job) -> Reply:
             return Reply(contract.to_json(reply) + "\n", answered, tired=tired)
         case Writing("json"):
             explained = _explained(solution, job.task, job.limit)
+            reply["warnings"] += explained.why_not
+            written_down: SolvedObject | WorkedObject = reply
             if job.task.working:
                 derivations = (
                     {} if explained.value is None else contract.derivations(explained.value)
                 )
-                reply = contract.with_derivations(reply, derivations)
-            reply["warnings"] += explained.why_not
+                written_down = contract.with_derivations(reply, derivations)
             return Reply(
-                contract.to_json(reply) + "\n",
+                contract.to_json(written_down) + "\n",
                 answered and explained.sound,
                 fault=explained.fault,
                 tired=tired or explained.value is None,
@@ -307,7 +314,7 @@ def serve(job: Job) -> Reply:
         case Picturing(event):
             from restitution.export.working import pictured
 
-            drawn = {**reply, **pictured(solution, event)}
+            drawn: DrawnObject = {**reply, **pictured(solution, event)}
             return Reply(drawn, answered, errors, tuple(reply["warnings"]), tired=tired)
         case Showing(early):
             from restitution.export.working import Pieces, shown
@@ -319,12 +326,12 @@ def serve(job: Job) -> Reply:
 
             def seen(pieces: Pieces) -> None:
                 if early is not None:
-                    early({"answer": reply, **vars(pieces)})
+                    early(pieces.beside(reply))
 
             page = shown(solution, left, seen)
             reply["warnings"] += page.left_out
             warnings = [*page.pieces.warnings, *late]
-            content = {"answer": reply, **vars(page.pieces), "warnings": warnings}
+            content = replace(page.pieces, warnings=warnings).beside(reply)
             return Reply(
                 content, answered, errors, tuple(warnings), page.fault, tired or page.tired
             )

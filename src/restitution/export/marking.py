@@ -14,10 +14,10 @@ from restitution.errors import StatementError
 if TYPE_CHECKING:
     from restitution.practice.marking.answers import AnswerMark
     from restitution.practice.marking.marking import Marking
+    from restitution.practice.marking.objects import MarkingObject, PartsMarkedObject
     from restitution.solving.solution import Solution
 
 Form = Literal["text", "json", "html", "csv"]
-Object = dict[str, Any]
 
 HEADER = ("script", "part", "earned", "open", "of", "mistakes")
 """The columns of the table of many scripts."""
@@ -83,7 +83,7 @@ def marking_of(
     part: str | None,
     letters: Mapping[str, str],
     hints: int | Mapping[str, int],
-) -> Object:
+) -> MarkingObject | PartsMarkedObject:
     """The object of one part, or ``{"parts": [...]}`` where the working opens several."""
     from restitution.practice.marking.marking import mark, mark_parts
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import fields, is_dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from restitution.expression.quantities import KINDS
 from restitution.expression.tree import (
@@ -46,25 +46,24 @@ from restitution.problem import (
     Wall,
 )
 
-Object = dict[str, Any]
+if TYPE_CHECKING:
+    from restitution.export.objects import (
+        AskedObject,
+        DirectionObject,
+        OutlineObject,
+        RelationOutline,
+        SphereObject,
+        StepOutline,
+        VelocityObject,
+        WallObject,
+    )
 
 
-def outline(problem: Problem) -> Object:
-    """The pieces of a problem, as JSON::
+def outline(problem: Problem) -> OutlineObject:
+    """The pieces of a problem, as an object of JSON.
 
-        {"title", "parts": [label or null],
-         "spheres": [{"name", "line", "mass", "radius", "placed", "velocity": VELOCITY or null}],
-         "walls": [{"name", "line", "along": DIRECTION or null, "placed"}], "points": [name],
-         "steps": [STEP]}
-
-    VELOCITY is ``{"way": "rest"}``, ``{"way": "components", "x", "y"}``, ``{"way": "polar",
-    "size", "angle", "origin", "wall", "text"}`` or ``{"way": "vector", "text"}``. DIRECTION is
-    ``{"way": "i", "j", "angle" or "vector", "text"}``. A STEP has its ``kind``, ``part``, ``line``
-    and the number of events it comes ``after``. An ``impact`` has ``first``, ``second``, ``e``,
-    ``along`` and ``offset``, ``unknown`` its ``letters``, ``find`` its ``items``, ``given`` and
-    ``show`` their ``relations``. An item and a relation have their ``text``, and ``staged``, the
-    same with every stage told by its number (null where that cannot be). A relation ``left =
-    right`` has ``left``, ``sign`` and ``right``, staged too.
+    A velocity and a direction tell by their ``way`` how they are given. An item and a relation have
+    their ``text``, and ``staged``, the same with every stage as a number.
     """
     steps = _Steps(problem)
     return {
@@ -85,7 +84,7 @@ def _line(step: Any) -> int | None:
     return step.place.line if step.place is not None else None
 
 
-def _sphere(sphere: Sphere) -> Object:
+def _sphere(sphere: Sphere) -> SphereObject:
     return {
         "name": sphere.name,
         "line": _line(sphere),
@@ -96,7 +95,7 @@ def _sphere(sphere: Sphere) -> Object:
     }
 
 
-def _wall(wall: Wall) -> Object:
+def _wall(wall: Wall) -> WallObject:
     return {
         "name": wall.name,
         "line": _line(wall),
@@ -105,7 +104,7 @@ def _wall(wall: Wall) -> Object:
     }
 
 
-def _velocity(tree: Any) -> Object | None:
+def _velocity(tree: Any) -> VelocityObject | None:
     if not isinstance(tree, Expression):
         return None
     if isinstance(tree, Polar):
@@ -164,7 +163,7 @@ def _negative(tree: Expression | None) -> Expression | None:
     return tree.operand if isinstance(tree, Negate) else Negate(tree)
 
 
-def _direction(tree: Any) -> Object | None:
+def _direction(tree: Any) -> DirectionObject | None:
     if not isinstance(tree, Expression):
         return None
     if isinstance(tree, Unit):
@@ -186,13 +185,18 @@ class _Steps:
         self._bodies: dict[str, list[int]] = {sphere.name: [] for sphere in problem.spheres}
         self._now = 0
 
-    def steps(self) -> Iterator[Object]:
+    def steps(self) -> Iterator[StepOutline]:
         for part, step in self._problem.steps():
             kind = type(step).__name__.lower()
-            head = {"kind": kind, "part": part.label, "line": _line(step), "after": self._now}
+            head: StepOutline = {
+                "kind": kind,
+                "part": part.label,
+                "line": _line(step),
+                "after": self._now,
+            }
             yield {**head, **self._step(step)}
 
-    def _step(self, step: Step) -> Object:
+    def _step(self, step: Step) -> StepOutline:
         match step:
             case Impact():
                 self._event(step.first, step.second)
@@ -227,7 +231,7 @@ class _Steps:
         for body in self._bodies.keys() & set(bodies):  # walls have no stages
             self._bodies[body].append(self._now)
 
-    def _item(self, item: Item) -> Object:
+    def _item(self, item: Item) -> AskedObject:
         staged = self._staged(item)
         return {
             "text": item_text(item),
@@ -236,8 +240,8 @@ class _Steps:
             "percentage": item.percentage,
         }
 
-    def _relation(self, relation: Relation) -> Object:
-        content: Object = {"text": relation_text(self._problem, relation), "staged": None}
+    def _relation(self, relation: Relation) -> RelationOutline:
+        content: RelationOutline = {"text": relation_text(self._problem, relation), "staged": None}
         if isinstance(relation, AtRest | Meets):
             return content
         staged = self._staged(relation)
@@ -245,7 +249,7 @@ class _Steps:
         if isinstance(staged, Compare) and len(staged.operands) == 2:
             left, right = staged.operands
             figures = "" if staged.figures is None else f" to {staged.figures} s.f."
-            content |= {"left": _text(left), "sign": staged.operators[0]}
+            content["left"], content["sign"] = _text(left), staged.operators[0]
             content["right"] = f"{_text(right)}{figures}"
         return content
 

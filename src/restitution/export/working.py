@@ -9,7 +9,7 @@ from __future__ import annotations
 import time
 import traceback
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from restitution.drawing import figure
@@ -34,9 +34,18 @@ from restitution.workings.steps import Row, Step
 
 if TYPE_CHECKING:
     from restitution.drawing.scene import Scene
+    from restitution.export.objects import (
+        AnswersContent,
+        ExplainedObject,
+        PartContent,
+        PictureObject,
+        PicturesObject,
+        RowContent,
+        SolvedObject,
+        StepContent,
+    )
     from restitution.solving.solution import Answer, ItemResult, PartSolution, Rejected, Solution
 
-Object = dict[str, Any]
 _T = TypeVar("_T")
 
 # Shares of the time for all pieces that each may take of what is left.
@@ -50,35 +59,36 @@ _OVER = "there was no time left for it"
 class Pieces:
     """The pieces of a page; without any, those of a problem that could not be solved.
 
-    As JSON::
-
-        {"question": tree or null,
-         "pictures": [{"event", "title", "description", "svg"}], "pictures_error": text or null,
-         "figure": what the question tells, a picture, or null,
-         "working": [{"label", "marks", "asked": [text],
-                      "answers": [{"item": tree, "values": [tree], "unit": text or null,
-                                   "equal", "holds", "undecided",
-                                   "counterexample": {letter: text} or null, "error",
-                                   "rejected": [{"value": tree, "reason"}]}],
-                      "steps": [{"kind", "principle", "about", "said": tree or null, "mark",
-                                 "event", "item", "rows": [{"row": tree, "mark"}]}]}],
-         "working_error": text or null, "latex": text or null,
-         "motion": data of the player or null, "motion_error": text or null,
-         "warnings": [text]}
-
-    A row is a ``tr``, or a list of several where the line is long.
+    `beside` has them as an object of JSON. A row is a ``tr``, or a list of several where the line
+    is long.
     """
 
     question: Tree | None = None
-    pictures: Sequence[Object] = ()
+    pictures: Sequence[PictureObject] = ()
     pictures_error: str | None = None
-    figure: Object | None = None
-    working: Sequence[Object] = ()
+    figure: PictureObject | None = None
+    working: Sequence[PartContent] = ()
     working_error: str | None = None
     latex: str | None = None
-    motion: Object | None = None
+    motion: dict[str, Any] | None = None
     motion_error: str | None = None
     warnings: Sequence[str] = ()
+
+    def beside(self, answer: SolvedObject) -> ExplainedObject:
+        """The pieces beside the answers, as an object of JSON."""
+        return {
+            "answer": answer,
+            "question": self.question,
+            "pictures": list(self.pictures),
+            "pictures_error": self.pictures_error,
+            "figure": self.figure,
+            "working": list(self.working),
+            "working_error": self.working_error,
+            "latex": self.latex,
+            "motion": self.motion,
+            "motion_error": self.motion_error,
+            "warnings": list(self.warnings),
+        }
 
 
 @dataclass(frozen=True)
@@ -108,26 +118,32 @@ def shown(
     names = clock.spare("wording of the items", lambda: _names(solution))
     pictures, undrawn = clock.piece("pictures", _PICTURES, lambda: pictured(solution))
     figured, _ = clock.piece("figure", _PICTURES, lambda: _figure(solution))
-    drawn: Object = {**(pictures or {"pictures_error": undrawn}), "figure": figured}
-    early(Pieces(worded, **drawn, working=_without_steps(solution, names or {})))
+    unworked = _without_steps(solution, names or {})
+    first = Pieces(
+        worded,
+        () if pictures is None else pictures["pictures"],
+        undrawn if pictures is None else pictures["pictures_error"],
+        figured,
+        unworked,
+    )
+    early(first)
     explanation, unexplained = clock.piece("working", _WORKING, lambda: explain(solution))
-    shown_parts: list[Object] | None = None
+    shown_parts: list[PartContent] | None = None
     latex: str | None = None
     if explanation is not None:
-        shown_parts, unworked = clock.piece(
+        shown_parts, unshown = clock.piece(
             "working", 1.0, lambda: _worked(solution, explanation, names or {})
         )
-        unexplained = unexplained or unworked
+        unexplained = unexplained or unshown
         latex = clock.spare("LaTeX", lambda: to_latex(explanation))
     motion, unmoved = clock.piece(
         "motion", 1.0, lambda: of_solution(solution, seconds=clock.share(_EXACT))
     )
     tired = clock.tired or (motion is not None and is_hurried(motion))
     warnings = solution.warnings if explanation is None else explanation.warnings
-    pieces = Pieces(
-        worded,
-        **drawn,
-        working=shown_parts if shown_parts is not None else _without_steps(solution, names or {}),
+    pieces = replace(
+        first,
+        working=unworked if shown_parts is None else shown_parts,
         working_error=unexplained,
         latex=latex,
         motion=motion,
@@ -183,7 +199,7 @@ class _Clock:
         return piece
 
 
-def pictured(solution: Solution, event: int | None = None) -> Object:
+def pictured(solution: Solution, event: int | None = None) -> PicturesObject:
     """The pictures of a solved problem, or that of one event, or the reason why there is none."""
     try:
         return {"pictures": [_picture(s) for s in chosen(solution, event)], "pictures_error": None}
@@ -191,13 +207,13 @@ def pictured(solution: Solution, event: int | None = None) -> Object:
         return {"pictures": [], "pictures_error": error.message}
 
 
-def _figure(solution: Solution) -> Object | None:
+def _figure(solution: Solution) -> PictureObject | None:
     """What the question tells, and nothing of its answers."""
     scene = figure(solution)
     return None if scene is None else _picture(scene)
 
 
-def _picture(scene: Scene) -> Object:
+def _picture(scene: Scene) -> PictureObject:
     """One picture."""
     return {
         "event": scene.event,
@@ -220,7 +236,7 @@ def _names(solution: Solution) -> _Names:
     }
 
 
-def _worked(solution: Solution, explanation: Explanation, names: _Names) -> list[Object]:
+def _worked(solution: Solution, explanation: Explanation, names: _Names) -> list[PartContent]:
     """The worked solution part by part, each line by itself."""
     units = Units(solution)
     return [
@@ -235,7 +251,7 @@ def _worked(solution: Solution, explanation: Explanation, names: _Names) -> list
     ]
 
 
-def _without_steps(solution: Solution, names: _Names) -> list[Object]:
+def _without_steps(solution: Solution, names: _Names) -> list[PartContent]:
     units = Units(solution)
     return [
         {
@@ -249,7 +265,7 @@ def _without_steps(solution: Solution, names: _Names) -> list[Object]:
     ]
 
 
-def _answers(part: PartSolution, names: _Names, units: Units) -> list[Object]:
+def _answers(part: PartSolution, names: _Names, units: Units) -> list[AnswersContent]:
     return [
         {
             "item": names.get((part.part.label, number), ["code", {}, item.text]),
@@ -282,7 +298,7 @@ def _value(item: ItemResult, answer: Answer | Rejected) -> Tree:
     return ["span", {}, value, ["span", {"class": "condition"}, ", for\u00a0", *pieces]]
 
 
-def _step(step: Step) -> Object:
+def _step(step: Step) -> StepContent:
     words = inline(step.words)
     return {
         "kind": step.kind,
@@ -296,6 +312,6 @@ def _step(step: Step) -> Object:
     }
 
 
-def _row(row: Row) -> Object:
+def _row(row: Row) -> RowContent:
     lines = trees("".join(table_rows(row)))
     return {"row": lines[0] if len(lines) == 1 else lines, "mark": row.mark}

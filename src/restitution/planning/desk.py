@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from typing import Any, Literal
+from typing import Any
 
 from restitution.errors import UnsupportedError
 from restitution.explaining.derivation import (
@@ -23,6 +23,7 @@ from restitution.explaining.derivation import (
     Ref,
     Relation,
     Route,
+    Showing,
     Sign,
     common_scope,
     scopes_of,
@@ -190,7 +191,7 @@ class Desk:
         move: Move,
         premises: Iterable[Ref],
         relation: Relation | Meaning,
-        shown: Literal["line", "inline", "silent"] = "line",
+        shown: Showing = "line",
     ) -> int:
         """Writes a line, and returns its number. One that stands already is not written again."""
         own = tuple(premises)

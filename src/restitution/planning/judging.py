@@ -4,11 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import Literal
 
 import sympy as sp
 
-from restitution.explaining.derivation import Derivation, Line, Meaning, Move, Note, Ref, Relation
+from restitution.explaining.derivation import (
+    Derivation,
+    Line,
+    Meaning,
+    Move,
+    Note,
+    Ref,
+    Relation,
+    Showing,
+)
 from restitution.explaining.excluding import excludes
 from restitution.explaining.moves import MOST_COMPARED
 from restitution.explaining.quotients import NotComparableError
@@ -163,7 +171,7 @@ class Judge:
         pool: Iterable[Ref],
         relation: Relation,
         sure: Iterable[Ref] = (),
-        shown: Literal["line", "inline", "silent"] = "line",
+        shown: Showing = "line",
     ) -> int | None:
         """Writes a line by the first move that makes it of what is cited; None without one.
 

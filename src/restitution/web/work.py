@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import gzip
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,6 +17,10 @@ from restitution.work import limited
 
 if TYPE_CHECKING:
     from restitution.explaining.marks import Style
+    from restitution.export.objects import ExplainedObject, PicturesObject, SolvedObject
+    from restitution.practice.marking.objects import MarkingObject, PartsMarkedObject
+
+Object = dict[str, Any]
 
 FILE = "statement"
 """What the contract's object calls the file."""
@@ -85,7 +89,7 @@ def explained(statement: str, limit: float, early: str | None = None) -> Payload
     What comes before the working is written into the file ``early``, as soon as it is there.
     """
 
-    def write(content: contract.Object) -> None:
+    def write(content: ExplainedObject) -> None:
         if early is not None:
             growing = Path(f"{early}.part")
             growing.write_bytes(contract.to_json(content).encode())
@@ -116,14 +120,14 @@ def on_a_sheet(
         return _failed(error)
 
 
-def simulated(scene: contract.Object, limit: float) -> Payload:
+def simulated(scene: Object, limit: float) -> Payload:
     """The motion of a scene of the Lab."""
     from restitution.export import lab
 
     return _tried(lambda: lab.simulated(scene))
 
 
-def put_as_a_question(impact: contract.Object, limit: float) -> Payload:
+def put_as_a_question(impact: Object, limit: float) -> Payload:
     """The statement of a question about an impact of the Lab."""
     from restitution.export import lab
 
@@ -135,14 +139,14 @@ def marked(
     limit: float,
     working: str = "",
     part: str | None = None,
-    letters: contract.Object | None = None,
-    hints: int | contract.Object = 0,
+    letters: Mapping[str, str] | None = None,
+    hints: int | Mapping[str, int] = 0,
 ) -> Payload:
     """A working marked; an error where the question has no answer, or a letter no meaning."""
     from restitution.export.marking import marking_of
     from restitution.solving import solve
 
-    def marking() -> contract.Object:
+    def marking() -> MarkingObject | PartsMarkedObject:
         solution = solve(parse(statement))
         return marking_of(solution, working, part, letters or {}, hints)
 
@@ -157,14 +161,14 @@ def played_mistake(
     from restitution.export.player.beside import of_mistake
     from restitution.solving import solve
 
-    def motion() -> contract.Object:
+    def motion() -> Object:
         return {"motion": of_mistake(solve(parse(statement)), mistake, part)}
 
     with limited(limit, error=stopped(limit)):
         return _tried(motion)
 
 
-def to_practise(wanted: contract.Object, limit: float) -> Payload:
+def to_practise(wanted: Object, limit: float) -> Payload:
     """A question to practise, with its letters box."""
     from restitution.export import practising
 
@@ -172,7 +176,7 @@ def to_practise(wanted: contract.Object, limit: float) -> Payload:
         return _tried(lambda: practising.asked(wanted))
 
 
-def progress(record: contract.Object, limit: float) -> Payload:
+def progress(record: Object, limit: float) -> Payload:
     """How sure one is of each topic."""
     from restitution.export import practising
 
@@ -219,21 +223,21 @@ def given_up(
     if task is explained:
         return _json(_nothing(content), tired=True)
     if task is solved and True in others[1:2]:  # the working too
-        content = contract.with_derivations(content)
+        return _json(contract.with_derivations(content), tired=True)
     return _json({**content, **(_NO_PICTURES if task is drawn else {})}, tired=True)
 
 
-_NO_PICTURES: dict[str, Any] = {"pictures": [], "pictures_error": None}
+_NO_PICTURES: PicturesObject = {"pictures": [], "pictures_error": None}
 
 
-def _nothing(answer: contract.Object) -> contract.Object:
+def _nothing(answer: SolvedObject) -> ExplainedObject:
     """What a page shows of a problem that could not be read or solved."""
     from restitution.export.working import Pieces
 
-    return {"answer": answer, **vars(Pieces(warnings=answer["warnings"]))}
+    return Pieces(warnings=answer["warnings"]).beside(answer)
 
 
-def _tried(make: Callable[[], contract.Object]) -> Payload:
+def _tried(make: Callable[[], Mapping[str, object]]) -> Payload:
     """The reply with what ``make`` returns, or with its error."""
     try:
         return _json(make())
@@ -261,9 +265,9 @@ def _payload_of(statement: str, task: Task, limit: float, **beside: Any) -> Payl
             if problem is None or isinstance(error, StatementError)
             else contract.unfinished(FILE, problem, error, part)
         )
-        if isinstance(task, Writing) and task.working:
-            content = contract.with_derivations(content)
         tired = error.kind == TimeLimitError.kind
+        if isinstance(task, Writing) and task.working:
+            return _json(contract.with_derivations(content), tired)
         return _json(_nothing(content) if whole else {**content, **beside}, tired)
     if isinstance(reply.content, str):
         return _packed(reply.content.rstrip("\n").encode(), reply.tired)
@@ -296,7 +300,7 @@ def _short(number: int) -> str:
 _MANY = 40  # digits
 
 
-def _json(content: contract.Object, tired: bool = False) -> Payload:
+def _json(content: Mapping[str, object], tired: bool = False) -> Payload:
     return _packed(contract.to_json(content).encode(), tired)
 
 

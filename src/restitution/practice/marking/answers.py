@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING
 
 from restitution.errors import StatementError
 from restitution.expression.tree import Expression, Letter
@@ -21,6 +21,9 @@ from restitution.practice.worlds.world import World
 from restitution.problem import Problem, Value
 from restitution.solving.solution import ItemResult, PartSolution, Solution
 from restitution.solving.solver import solve
+
+if TYPE_CHECKING:
+    from restitution.practice.marking.objects import AnswerMarkObject
 
 _GRADES: tuple[Accuracy, ...] = ("exact", "rounded", "coarse")
 _LONGEST = 200
@@ -41,7 +44,7 @@ class AnswerMark:
     as_if: tuple[str, ...] = ()
     part: str | None = None
 
-    def json(self) -> dict[str, Any]:
+    def json(self) -> AnswerMarkObject:
         """As plain data; ``as_if`` is one name, a list where several lead to it, or null."""
         names: str | list[str] | None = list(self.as_if) or None
         if names is not None and len(names) == 1:

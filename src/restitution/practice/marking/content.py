@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 from restitution.expression.writing import write_expression
 from restitution.practice.judgement import JudgedLine, Meaning
@@ -11,7 +11,13 @@ from restitution.practice.marking.answers import AnswerMark
 from restitution.practice.marking.messages import Message
 from restitution.practice.marking.points import Marks, PointMark
 
-Object = dict[str, Any]
+if TYPE_CHECKING:
+    from restitution.practice.marking.objects import (
+        JudgedLineObject,
+        MarkingObject,
+        MessageObject,
+        PointObject,
+    )
 
 
 @dataclass(frozen=True)
@@ -46,7 +52,7 @@ class MarkingContent:
         names = (line.mistake.id for line in self.lines if line.mistake is not None)
         return tuple(name for name in names if name is not None)
 
-    def json(self) -> Object:
+    def json(self) -> MarkingObject:
         """The marking as plain data; every line has all its keys."""
         return {
             "part": self.part,
@@ -68,7 +74,7 @@ class MarkingContent:
                 "of": self.marks.of,
                 "points": [_point(each) for each in self.marks.points],
             },
-            "messages": [vars(each) for each in self.messages],
+            "messages": [_message(each) for each in self.messages],
             "asks": [
                 {
                     "letter": each.letter,
@@ -81,7 +87,7 @@ class MarkingContent:
         }
 
 
-def _line(line: JudgedLine) -> Object:
+def _line(line: JudgedLine) -> JudgedLineObject:
     use = next(iter(line.uses), None)
     mistake = line.mistake
     return {
@@ -108,7 +114,7 @@ def _line(line: JudgedLine) -> Object:
     }
 
 
-def _point(mark: PointMark) -> Object:
+def _point(mark: PointMark) -> PointObject:
     return {
         "id": mark.point.id,
         "kind": mark.point.kind,
@@ -117,3 +123,7 @@ def _point(mark: PointMark) -> Object:
         "line": mark.line,
         "why": mark.why,
     }
+
+
+def _message(message: Message) -> MessageObject:
+    return {"line": message.line, "level": message.level, "text": message.text}
