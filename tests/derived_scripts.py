@@ -132,7 +132,9 @@ def derive(
         _declare(meaning, pool, put, declared, random, senses)
         letter = put.get(Letter(meaning.letter))
         if isinstance(letter, Letter) and not isinstance(meaning.quantity, Quantity):
-            lets.append(f"let {letter.name} = {declared[letter.name]}")
+            # An expression, perhaps of other letters of the working, is declared as people do.
+            del declared[letter.name]
+            lets.append(f"let {letter.name} = {write_expression(exchanged(meaning.quantity, put))}")
     for _, relation in written:
         for tree in _sides(relation):
             for quantity in _quantities(tree):

@@ -266,3 +266,72 @@ def test_mistakes_in_chains_and_in_lines_without_a_law_have_their_names(
 ) -> None:
     marking = restitution.mark(solution_of(statement), "\n".join(lines)).json()
     assert (marking["lines"][-1]["mistake"] or {}).get("id") == name
+
+
+def test_an_inequality_that_cannot_be_follows_from_a_wrong_value() -> None:
+    statement = (
+        "sphere A: mass m, velocity 2u i\nsphere B: mass 3m, velocity -u i\nA hits B: along i\n"
+        "given velocity(A) opposite to i\nfind range of e\n"
+    )
+    lines = "5u = v + 3w", "w - v = eu", "v = (5 - 3e)u/4", "v < 0 so 5 - 3e < 0"
+    assert verdicts(statement, *lines, "e > 5/3")[2:] == ["follows"] * 3
+    assert verdicts(statement, *lines, "e > 3/5")[-1] == "false"
+
+
+@pytest.mark.parametrize("quoted", ["e = 1/2", "e = 0.5"])
+def test_a_datum_that_is_misquoted_is_a_misread(quoted: str) -> None:
+    statement = (
+        "wall W: along i\nsphere P: mass 2, velocity 5i - 12j\nP hits W: e = 1/3\nfind impulse\n"
+    )
+    marking = restitution.mark(solution_of(statement), f"{quoted}\nI = 2(12 + 6) = 36").json()
+    first, second = marking["lines"]
+    assert (first["verdict"], first["mistake"]["id"]) == ("false", "misread")
+    assert second["verdict"] == "follows"
+
+
+RESTING = (
+    "sphere A: mass m, velocity u at alpha\nsphere B: mass 2m, at rest\nA hits B: along i\n"
+    "find speed(B), tan(angle(velocity(A), i))\n"
+)
+BOTH = (
+    "sphere A: mass 3, velocity 4i + j\nsphere B: mass 2, velocity -i + 3j\n"
+    "A hits B: along i, e = 1/2\nfind velocity(A), velocity(B)\n"
+)  # i + j and 3.5i + 3j
+
+
+@pytest.mark.parametrize(
+    ("line", "verdict"),
+    [
+        ("v_A = ucosα(1-2e)/3 if e > 1/4", "true"),
+        ("v_A < 0 if e > 1/2", "remark"),
+        ("v_A = 0 when e = 1/2", "true"),
+        ("v_A = 0 when e = 1/3", "false"),
+        ("the max e is 1 so v_B max = 2ucosα/3", "remark"),
+        ("v_B = 2ucosα/3", "false"),
+    ],
+)
+def test_what_holds_under_a_condition_is_no_claim_without_it(line: str, verdict: str) -> None:
+    momentum = "mucosα = m v_A + 2m v_B"
+    assert verdicts(RESTING, momentum, line) == ["true", verdict]
+
+
+@pytest.mark.parametrize(
+    ("line", "verdict"),
+    [
+        ("v_A = 1, v_B = 3.5, so v_A = (1, 1)", "true"),
+        ("v_A = 1, v_B = 3.5, so v_A = (1, 2)", "false"),
+        ("change in velocity of A = 9/3 = 3", "true"),
+        ("change in velocity of A = 9/2 = 4.5", "false"),
+        ("angle between them = 45 - 40.6 = 4.4", "true"),
+        ("angle between them = 45 + 40.6 = 85.6", "false"),
+        ("along: 4 becomes 1", "true"),
+        ("along: 4 becomes 2", "false"),
+    ],
+)
+def test_a_letter_for_a_vector_and_its_part_and_changes_in_words(line: str, verdict: str) -> None:
+    assert verdicts(BOTH, line) == [verdict]
+
+
+def test_behind_a_sign_of_division_stands_the_whole_of_a_product() -> None:
+    assert verdicts(RESTING, "tan θ = usinα ÷ (1-2e)ucosα/3 = 3tanα/(1-2e)") == ["true"]
+    assert verdicts(RESTING, "tan θ = usinα ÷ (1-2e)ucosα/2 = 2tanα/(1-2e)") != ["true"]

@@ -14,6 +14,7 @@ import restitution as r
 from restitution.errors import StatementError
 from restitution.expression import read_expression, write_expression
 from restitution.expression.tree import Expression
+from restitution.practice.letters.candidates import is_odd
 from restitution.practice.letters.declaring import letters_from_mapping, letters_from_text
 from restitution.practice.letters.interpretation import Interpretations
 from restitution.practice.letters.letters import meanings_of
@@ -321,3 +322,46 @@ def test_a_whole_turning_after_two_walls_may_be_meant() -> None:
     )
     found = quantities(inferred(statement, "cos(phi) = (-48 - 18)/(10*sqrt(45))"))
     assert found == {"phi": "angle(velocity(P, 2), velocity(P, 0))"}
+
+
+PLACED = (
+    "wall W: along i, through (0, 0)\nsphere P: mass 1, at (0, 2), velocity 3i - 3j, radius 1/2\n"
+    "P hits W: e = 1\nfind position(P, 1), time(1)\n"
+)
+
+
+def test_letters_may_be_times_and_places() -> None:
+    found = quantities(inferred(PLACED, "t = 1/2\nx = 3*(1/2)\ny = 2 - 3/2\nr = 3/2 i + 1/2 j"))
+    assert found == {
+        "t": "time(1)",
+        "x": "along(position(P, 1), i)",
+        "y": "along(position(P, 1), j)",
+        "r": "position(P, 1)",
+    }
+    words = {
+        each.letter: each.words for each in inferred(PLACED, "r = 3/2 i + 1/2 j").best.meanings
+    }
+    assert words == {"r": "position of P at the impact with W"}
+
+
+def test_a_line_is_not_false_by_a_meaning_that_nothing_else_supports() -> None:
+    """T is a letter that nobody takes for a place, and no other line tells what it is."""
+    _, solution = solved(PLACED)
+    lines = ["f = 1/2", "z = 3", "k = 3", "T = 3(1/2) = 3/2"]
+    verdicts = [each["verdict"] for each in r.mark(solution, lines).json()["lines"]]
+    assert "false" not in verdicts
+
+
+def test_the_look_of_a_letter_is_odd_for_some_quantities() -> None:
+    tangent = "tan(angle(velocity(P), W))"
+    for letter, quantity, odd in (
+        ("T", tangent, True),
+        ("t", tangent, True),
+        ("v", "along(velocity(P), i)", False),
+        ("T", "along(velocity(P), i)", True),
+        ("T", "time(1)", False),
+        ("theta", "angle(velocity(P), W)", False),
+        ("c", "angle(velocity(P), W)", True),
+        ("b", "angle(velocity(P), W)", False),
+    ):
+        assert is_odd(letter, read_expression(quantity, names={"P", "W"})) is odd, letter

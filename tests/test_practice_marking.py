@@ -315,3 +315,16 @@ def test_an_impulse_that_is_given_is_used_with_its_numbers_and_not_in_a_formula(
 
     assert states("v - u = (-2.4i + 1.8j)/0.4")[:2] == ["earned", "earned"]
     assert set(states("I = m(v - u)")) == {"lost"}
+
+
+def test_a_component_in_words_states_the_law_if_e_is_in_it() -> None:
+    statement = (
+        "wall W: along i\nsphere P: mass 2, velocity 5i - 12j\nP hits W\ngiven impulse = 36\nfind e"
+    )
+
+    def states(*lines: str) -> list[str]:
+        points = restitution.mark(solution(statement), lines).marks.points
+        return [each.state for each in points if each.point.principle == "restitution"]
+
+    assert states("it rebounds at 12e", "36 = 2(12 - 12e)")[:2] == ["earned", "earned"]
+    assert states("it rebounds at 6", "36 = 2(12 - 6)")[:2] != ["earned", "earned"]

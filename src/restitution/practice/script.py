@@ -87,6 +87,7 @@ ANYWHERE = Scope()
 class ScriptLine:
     """A line as typed. ``values`` are the numbers and expressions of a remark.
 
+    ``supposed`` are the relations behind *if* and *when*, which it does not claim.
     ``fault`` and ``column`` say what was expected, and where, in a line that cannot be read.
     """
 
@@ -98,6 +99,7 @@ class ScriptLine:
     links: tuple[Link, ...] = ()
     declarations: tuple[Declaration, ...] = ()
     values: tuple[Expression, ...] = ()
+    supposed: tuple[Claim, ...] = ()
     fault: str | None = None
     column: int | None = None
 

@@ -135,11 +135,15 @@ def bounded_by(
         return None
     if any(name not in known for name in names):
         return None
-    rng = np.random.default_rng(5)
     put: dict[str, Array] = {name: np.float64(value) for name, value in known.items()}
-    for name in names:
-        put[name] = rng.uniform(0, 1.0 if name in coefficients else _LARGEST, _POINTS)
-    own = _region(claim, put)
+    own: Array | None = None
+    for largest in (1.0, _LARGEST):  # what follows from a mistake may ask for e > 5/3
+        rng = np.random.default_rng(5)
+        for name in names:
+            put[name] = rng.uniform(0, largest if name in coefficients else _LARGEST, _POINTS)
+        own = _region(claim, put)
+        if own is None or (own.any() and not own.all()):
+            break
     if own is None or own.all() or not own.any():
         return None
     stated = [_usual(each.claim) for each in entries if each.claim.sign in _COMPARISONS]

@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Binary,
     Degrees,
     Expression,
+    Letter,
     Number,
     children,
     has_quantity,
@@ -37,13 +38,15 @@ from restitution.practice.judging.naming import Names
 from restitution.practice.judging.slips import misreadings, read_as_datum
 from restitution.practice.judging.support import Wanted, wanted_of
 from restitution.practice.judging.verdicts import Judge, Question
+from restitution.practice.letters.candidates import is_odd
 from restitution.practice.letters.interpretation import Interpretation, Interpretations
 from restitution.practice.letters.letters import meanings_of
 from restitution.practice.reading.phrases import is_phrase
 from restitution.practice.script import Link, Script, ScriptLine
+from restitution.practice.worlds.agreement import numbers_of
 from restitution.practice.worlds.sampling import true_worlds
 from restitution.practice.worlds.world import World
-from restitution.problem import Compare, Given, Problem, trees
+from restitution.problem import Compare, Extremum, Find, Given, Problem, Range, Show, trees
 from restitution.solving.solution import PartSolution, Solution
 
 _RIVALS = 8
@@ -141,7 +144,13 @@ class Bench:
             if any(name in world.letters for world in self.worlds)
         }
         bounds = bounds_of(self.problem, self.solved.part, self.solved)
-        return Question(self.wanted, frozenset(unknown), self.given, bounds)
+        asked = (
+            step.items if isinstance(step, Find) else (step.subject,)
+            for step in self.solved.part.steps
+            if isinstance(step, Find | Show)
+        )
+        extreme = any(isinstance(each, Extremum | Range) for items in asked for each in items)
+        return Question(self.wanted, frozenset(unknown), self.given, bounds, extreme)
 
     @cached_property
     def wanted(self) -> Wanted:
@@ -164,8 +173,9 @@ class Bench:
 
     @cached_property
     def data(self) -> tuple[Fraction, ...]:
-        """The numbers of the statement."""
-        return tuple(dict.fromkeys(_numbers(trees(self.problem))))
+        """The numbers of the statement, and its fractions."""
+        own = dict.fromkeys(_numbers(trees(self.problem)))
+        return (*own, *sorted(set(numbers_of(self.problem)) - own.keys()))
 
 
 _BENCHES: dict[tuple[int, str | None], Bench] = {}
@@ -218,6 +228,7 @@ class _Sitting:
         if any(line.verdict == "false" for line in lines):
             lines = self._misread(lines)
             lines = self._asked(lines, asks)
+            lines = tuple(self._unless_in_doubt(line, lines, asks) for line in lines)
         return Judgement(lines, tuple(self._shown()), tuple(sorted(asks)))
 
     def _shown(self) -> Iterator[Meaning]:
@@ -322,6 +333,31 @@ class _Sitting:
         asks.update(inside)
         return replace(line, verdict="asks", mistake=None, link=None)
 
+    def _unless_in_doubt(
+        self, line: JudgedLine, lines: Sequence[JudgedLine], asks: set[str]
+    ) -> JudgedLine:
+        """A false line that is no misconception is a question if no other supports a letter in it.
+
+        A letter of an odd look for what it is taken for needs two true lines, others one.
+        """
+        mistake = line.mistake
+        named = mistake is not None and mistake.kind == "misconception"
+        if line.verdict != "false" or named:
+            return line
+        true = [each.line for each in lines if each.verdict == "true"]
+        names = _names_in(line.line)
+        doubtful = {
+            name
+            for name, meaning in self.meanings.best.at(line.line.number).items()
+            if name in names and meaning.by == "inferred" and not is_phrase(name)
+            if sum(name in _names_in(each) for each in true)
+            < (2 if is_odd(name, meaning.quantity) else 1)
+        }
+        if not doubtful:
+            return line
+        asks.update(doubtful)
+        return replace(line, verdict="asks", mistake=None, link=None)
+
     # --- lines crossed out ----------------------------------------------------------------------
 
     def _with_crossed_out(self, lines: tuple[JudgedLine, ...]) -> tuple[JudgedLine, ...]:
@@ -376,7 +412,8 @@ class _Sitting:
                 if not datum or datum == value:
                     continue
                 twice = (line for line in untrue if _is_true_reread(line, value, datum, judge_))
-                if len(list(islice(twice, 2))) == 2:
+                least = 1 if _is_quoted(untrue[0], value) else 2
+                if len(list(islice(twice, least))) == least:
                     yield value, datum
 
     def _is_true_with(self, value: Fraction, datum: Fraction) -> bool:
@@ -400,6 +437,22 @@ def _numbers_in(line: ScriptLine) -> Iterator[Fraction]:
     for link in line.links:
         claim = link.readings[0]
         yield from (x for x in _numbers((claim.left, claim.right)) if x not in (0, 1))
+
+
+def _is_quoted(line: ScriptLine, value: Fraction) -> bool:
+    """Whether a line quotes a number, or a fraction with it, as a datum: ``e = 1/2``."""
+
+    def is_it(tree: Expression) -> bool:
+        match tree:
+            case Binary("/", Number(above), Number(below)):
+                return value in (above, below)
+        return tree == Number(value)
+
+    return any(
+        claim.sign == "=" and isinstance(claim.left, Letter) and is_it(claim.right)
+        for link in line.links
+        for claim in link.readings[:1]
+    )
 
 
 def _is_true_reread(line: ScriptLine, value: Fraction, datum: Fraction, judge_: Judge) -> bool:

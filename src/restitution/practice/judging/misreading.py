@@ -86,6 +86,9 @@ class _Exchange:
         """A value with its numbers exchanged."""
         if isinstance(value, Number | Degrees):
             return self._number(value)
+        if self._is_fraction(value):
+            self.seen += 1
+            return Number(self.typed) if self.seen - 1 == self.wanted else value
         if isinstance(value, tuple):
             return tuple(self.of(each) for each in value)
         if not is_dataclass(value) or isinstance(value, type | Find | Show):
@@ -97,6 +100,13 @@ class _Exchange:
             if new is not old and new != old:
                 put[each.name] = new
         return replace(value, **put) if put else value
+
+    def _is_fraction(self, value: Any) -> bool:
+        """Whether a value is the datum written as a fraction of two numbers."""
+        match value:
+            case Binary("/", Number(above), Number(below)) if below:
+                return above / below == self.datum
+        return False
 
     def _number(self, node: Number | Degrees) -> Number | Degrees:
         if node.value != self.datum:

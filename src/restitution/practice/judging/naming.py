@@ -382,8 +382,7 @@ def _stands(variant: VariantAt, mended: Sequence[Correction]) -> bool:
     undone = {"square", "radians"} if variant.mistake == "sine-cosine" else {"square"}
     if variant.mistake in _OF_SIGNS | _OF_SPEEDS:
         undone |= {"sign"}
-    linear = bool(variant.laws) and not _kinds(variant) & _OF_ENERGY
-    if variant.mistake in _OF_POWERS or linear:
+    if variant.mistake in _OF_POWERS | _OF_SIGNS:
         undone |= {"power"}  # no square is missing in a law without squares
     if variant.mistake in _OF_FACTORS:
         undone |= {"factor"}

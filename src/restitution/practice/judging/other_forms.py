@@ -50,9 +50,42 @@ def kind_of(tree: Expression) -> object:
 
 
 def are_alike(one: Expression, other: Expression) -> bool:
-    """Whether two trees are quantities of one kind, an energy and a loss of it being so."""
+    """Whether two trees are quantities of one kind; so are energies lost, and sizes of vectors."""
+    one, other = (
+        each.argument if isinstance(each, Apply) and each.function == "abs" else each
+        for each in (one, other)
+    )
     kinds = {kind_of(one), kind_of(other)}
     return len(kinds) == 1 or kinds == {"energy", "energy_lost"}
+
+
+def of_natures(claim: Claim, meanings: Meanings) -> Iterator[Claim]:
+    """A claim with the velocity of a body in place of a component or speed of it, and its speed.
+
+    People use one letter for both: ``v_A = (3, 4)`` beside ``v_A = 5``.
+    """
+    put: dict[Expression, Expression] = {}
+    for side in (claim.left, claim.right):
+        for each in walk(side):
+            meant = meanings.get(each.name) if isinstance(each, Letter) else None
+            if meant is not None and (other := _of_other_nature(meant)) is not None:
+                put[each] = other
+    if put:
+        left, right = (exchanged(side, put) for side in (claim.left, claim.right))
+        yield replace(claim, left=left, right=right)
+
+
+def _of_other_nature(tree: Expression) -> Expression | None:
+    match tree:
+        case Negate(operand):
+            return _of_other_nature(operand)
+        case Quantity("along" | "across", (Quantity("velocity", (Name(),)) as whole, _)):
+            return whole
+        case Quantity("speed", (Name(),) as body, stage):
+            return Quantity("velocity", body, stage)
+        case Quantity("velocity", (Name(),) as body, stage):
+            return Quantity("speed", body, stage)
+    return None
 
 
 def is_signed(tree: Expression) -> bool:

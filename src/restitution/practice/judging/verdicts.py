@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from itertools import chain
 from typing import Protocol
 
 import numpy as np
@@ -52,6 +53,7 @@ from restitution.practice.judging.other_forms import (
     label_in,
     lines_of,
     of_components,
+    of_natures,
     of_sizes,
     of_vectors,
     same_left,
@@ -60,6 +62,11 @@ from restitution.practice.judging.other_forms import (
 )
 from restitution.practice.judging.own_numbers import OwnNumbers
 from restitution.practice.judging.support import Support, Wanted
+from restitution.practice.judging.supposing import (
+    changes_of_sizes,
+    speaks_of_an_extreme,
+    supposed_in,
+)
 from restitution.practice.letters.candidates import Candidate
 from restitution.practice.letters.options import Usage, options, staged
 from restitution.practice.letters.trial import inside_angles
@@ -124,13 +131,15 @@ class Naming(Protocol):
 class Question:
     """What a part prints and asks, the letters that it has to find, and those that it gives.
 
-    ``bounds`` are what it says of sizes.
+    ``bounds`` are what it says of sizes; ``extreme`` tells that it asks for a greatest or least
+    value.
     """
 
     wanted: Wanted
     unknown: frozenset[str] = frozenset()
     given: frozenset[str] = frozenset()
     bounds: Bounds = field(default_factory=Bounds)
+    extreme: bool = False
 
 
 @dataclass(frozen=True)
@@ -302,13 +311,17 @@ class Judge:
         if line.kind == "unread":
             return JudgedLine(line, "unread")
         if line.kind in ("remark", "heading", "crossed") or not line.links:
-            self._stated.update(self._seen(line))
-            return JudgedLine(line, "remark")
+            seen = dict.fromkeys(self._seen(line))
+            self._stated.update((use.principle, use.event) for use, _ in seen)
+            stating = (use for use, value in seen if self._has_coefficient(value, line))
+            return JudgedLine(line, "remark", uses=tuple(dict.fromkeys(stating)))
         line = self._with_axes(line)
         links = self._links(line)
         verdict = next(each for each in _WORST if any(link.verdict == each for link in links))
         place = next(k for k, link in enumerate(links) if link.verdict == verdict)
         worst = links[place]
+        if verdict == "false" and self._is_only_supposed(line):
+            return JudgedLine(line, "remark")
         if verdict == "false" and self._names and len(self._explained) < _NAMED:
             self._explain(line.number, self._explained_in(line, links, place))
         for name in worst.letters:
@@ -336,6 +349,34 @@ class Judge:
             meant={**self._meant, **dict(pair for link in links for pair in link.meant)},
         )
 
+    def _is_only_supposed(self, line: ScriptLine) -> bool:
+        """Whether a line tells what holds under a condition, or at most, and claims nothing."""
+        if speaks_of_an_extreme(line) and not self.question.extreme:
+            return True
+        unequal = any(claim.sign != "=" for claim in line.supposed)
+        return unequal and self._supposing(line) is not None
+
+    def _supposing(self, line: ScriptLine) -> tuple[World, ...] | None:
+        return supposed_in(line, self._base, self.meanings(line.number), self.question.unknown)
+
+    def _under_condition(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A relation that holds where the equation behind its *if* or *when* does."""
+        worlds = self._supposing(line)
+        held = self._holds(link, line, worlds) if worlds else None
+        return None if held is None else JudgedLink("true", held[1], held[0])
+
+    def _becoming(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A component that changes its size: ``4 becomes 2``."""
+        claim = link.readings[0]
+        tried: list[tuple[Verdict, World]] = [("true", world) for world in self.worlds]
+        tried += [("follows", world) for world in (self.students() if self.wrong else ())]
+        for verdict, world in tried:
+            for pair in changes_of_sizes(claim, line, world):
+                first, second = (self.accuracy(each, world, line, link) for each in pair)
+                if first is not None and second is not None:
+                    return JudgedLink(verdict, claim, second)
+        return None
+
     def _explained_in(self, line: ScriptLine, links: Sequence[JudgedLink], place: int) -> Explained:
         """What explains a link that is false, also as one of what its chain begins with.
 
@@ -349,7 +390,8 @@ class Judge:
         while end + 1 < len(links) and links[end].claim.right == links[end + 1].claim.left:
             end += 1
         first = links[start].claim.left
-        if start == end or not isinstance(first, Letter | Quantity):
+        worked = is_numeric(entry.claim.left) and is_numeric(entry.claim.right)
+        if start == end or worked or not isinstance(first, Letter | Quantity):
             return explained
         quoted = not explained.variants or start < place
         for link in links[place : end + 1] if quoted else ():
@@ -367,7 +409,16 @@ class Judge:
                 self._confirmed.setdefault(line, set()).update(same)
         self._explained[number] = explained
 
-    def _seen(self, line: ScriptLine) -> Iterator[tuple[str, int | None]]:
+    def _has_coefficient(self, value: Expression, line: ScriptLine) -> bool:
+        """Whether a value is written with e: ``12e``."""
+        meanings = self.meanings(line.number)
+        return any(
+            _COEFFICIENT.fullmatch(name)
+            and getattr(meanings.get(name), "kind", "restitution") == "restitution"
+            for name in letters(value)
+        )
+
+    def _seen(self, line: ScriptLine) -> Iterator[tuple[Use, Expression]]:
         """The laws of which a value in a remark, ``1.5u``, is the component after a wall."""
         world = self._base
         for number, step in enumerate(world.events, 1):
@@ -380,7 +431,7 @@ class Judge:
                 for value in line.values:
                     try:
                         if agrees(Claim(part, "=", value), world, self.meanings(line.number), ()):
-                            yield law, number
+                            yield Use(law, number, (step.first,)), value
                     except RestitutionError:
                         continue
 
@@ -422,6 +473,8 @@ class Judge:
             or self._of_unnamed_angle(line, link, self.worlds, "true")
             or self._of_other_root(line, link)
             or self._nearly(line, link)
+            or self._under_condition(line, link)
+            or self._becoming(line, link)
             or self._following(line, link)
             or self._refused(line, link)
         )
@@ -552,7 +605,16 @@ class Judge:
             *of_vectors(claim, meanings, world),
             *of_components(claim),
         )
-        for each in forms:
+        unlike = False
+        for place, each in enumerate(forms):
+            try:
+                grade = agrees(each, world, meanings, link.decimals, line.scope)
+            except RestitutionError:
+                unlike = unlike or not place
+                continue
+            if grade is not None:
+                return grade
+        for each in of_natures(claim, meanings) if unlike else ():
             try:
                 grade = agrees(each, world, meanings, link.decimals, line.scope)
             except RestitutionError:
@@ -885,9 +947,11 @@ class Judge:
         """A link that neither holds nor follows: false, or not to be decided."""
         missing: set[str] = set()
         fault: str | None = None
-        for claim in link.readings:
+        meanings = self.meanings(line.number)
+        forms = (x for each in link.readings for x in (each, *of_natures(each, meanings)))
+        for claim in chain(forms, self._in_all_meanings(link, line)):
             try:
-                agrees(claim, self._base, self.meanings(line.number), link.decimals, line.scope)
+                agrees(claim, self._base, meanings, link.decimals, line.scope)
             except RestitutionError as error:
                 letter = getattr(error, "letter", None)
                 if letter is None:

@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Negate,
     Quantity,
     Unit,
+    walk,
 )
 from restitution.problem import Event, Impact, Kick, Part, Problem, Wall
 from restitution.shapes import Circle
@@ -36,6 +37,7 @@ Kind = Literal[
     "coefficient",
     "time",
     "distance",
+    "place",
     "direction",
     "ratio",
     "definition",
@@ -112,6 +114,20 @@ def _all(problem: Problem, events: Sequence[Event]) -> Iterator[Candidate]:
         yield from _of_event(problem, event, number)
     yield from _of_the_whole(problem, events)
     yield from _of_free_masses(problem)
+    yield from _of_places(problem, events)
+
+
+def _of_places(problem: Problem, events: Sequence[Event]) -> Iterator[Candidate]:
+    """Where bodies are at the events, if the statement says where they start."""
+    for sphere in problem.spheres if any(each.position for each in problem.spheres) else ():
+        for number, event in enumerate(events, 1):
+            if sphere.name not in bodies_of(event):
+                continue
+            place = Quantity("position", (Name(sphere.name),), number)
+            yield Candidate(place, "place", "vector", sphere.name, number, cost=0.2)
+            for unit in AXES:
+                part = Quantity("along", (place, unit))
+                yield Candidate(part, "place", "scalar", sphere.name, number, unit, cost=0.3)
 
 
 def _of_free_masses(problem: Problem) -> Iterator[Candidate]:
@@ -349,9 +365,11 @@ _BY_LETTER: dict[str, tuple[Kind, ...]] = {
     **dict.fromkeys(("e", "f", "epsilon"), ("coefficient", *_VELOCITIES)),
     "t": ("time", "tangent", *_VELOCITIES),
     "T": ("time", "tangent", "energy", *_VELOCITIES),
-    **dict.fromkeys("kr", ("ratio", "coefficient", "tangent", *_VELOCITIES)),
+    "k": ("ratio", "coefficient", "tangent", *_VELOCITIES),
+    "r": ("ratio", "coefficient", "tangent", *_VELOCITIES, "place"),
+    **dict.fromkeys("xyp", (*_VELOCITIES, "place")),
     **dict.fromkeys("n", ("direction", "ratio", *_VELOCITIES)),
-    **dict.fromkeys("dsD", ("distance", "time", "deflection", *_VELOCITIES)),
+    **dict.fromkeys("dsD", ("distance", "time", "deflection", *_VELOCITIES, "place")),
     **dict.fromkeys(("lambda", "mu"), ("impulse", "ratio", "tangent", *_ANGLES)),
 }
 
@@ -369,6 +387,33 @@ def kinds_of(letter: str, in_angle: bool) -> tuple[Kind, ...]:
     if base in _BY_LETTER:
         return _BY_LETTER[base]
     return _ANGLES if base in GREEK else _VELOCITIES
+
+
+def is_odd(letter: str, quantity: Expression) -> bool:
+    """Whether nobody would take a letter for a quantity by its look: T for a tangent."""
+    kinds = {_KINDS.get(each.kind) for each in walk(quantity) if isinstance(each, Quantity)}
+    tangent = isinstance(quantity, Apply) and quantity.function == "tan"
+    known = "tangent" if tangent else next((each for each in _ORDER if each in kinds), None)
+    usual = kinds_of(letter, False)
+    if known == "angle":
+        return usual[0] not in _ANGLES and letter[:1] not in "abxy"
+    return known is not None and known != usual[0]
+
+
+_KINDS: dict[str, Kind] = {
+    **dict.fromkeys(("along", "across", "speed", "velocity"), "component"),
+    **dict.fromkeys(("angle", "direction", "deflection"), "angle"),
+    **dict.fromkeys(("energy", "energy_lost", "total_energy_lost"), "energy"),
+    "impulse": "impulse",
+    "time": "time",
+    "position": "place",
+    "mass": "mass",
+    "restitution": "coefficient",
+}
+# Of a tree the first of these that is in it tells what it is.
+_ORDER: tuple[Kind, ...] = (
+    *("place", "energy", "impulse", "angle", "time", "component", "mass", "coefficient"),
+)
 
 
 def earlier(letter: str) -> bool:

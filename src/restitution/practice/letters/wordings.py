@@ -100,6 +100,11 @@ def _time(tree: Quantity, problem: Problem) -> str:
     return f"time of {_event(number, problem)}"
 
 
+def _place(tree: Quantity, problem: Problem) -> str:
+    number = tree.stage if isinstance(tree.stage, int) else 0
+    return f"position of {_names(tree.arguments)} at {_event(number, problem)}"
+
+
 def _centres(tree: Quantity, problem: Problem) -> str:
     number = tree.stage if isinstance(tree.stage, int) else 1
     return f"unit vector along {_towards(number, problem)}"
@@ -242,6 +247,7 @@ _WORDS: Mapping[str, Callable[[Quantity, Problem], str]] = {
     "mass": _mass,
     "restitution": _restitution,
     "time": _time,
+    "position": _place,
     "line_of_centres": _centres,
     "along": _along,
     "across": _along,

@@ -123,8 +123,8 @@ class _Examiner:
         for line, use in self._uses(point):
             if point.principle == "solve" and not line.grounded:
                 continue
-            if use.altered is None and line.verdict in _SOUND:
-                if line.verdict == "true" or lost is None:
+            if use.altered is None and _is_sound(line):
+                if line.verdict != "follows" or lost is None:
                     return self._earned(point, line, "")
                 continue
             earns, why = self._with_mistake(line, use)
@@ -211,8 +211,8 @@ class _Examiner:
         for line, use in self._uses(point):
             altered = use.altered is not None
             through = line.verdict == "follows" and point.follows and not self._begins_here(line)
-            if line.verdict == "true" or through:
-                if not altered and (lost is None or line.verdict == "true"):
+            if line.verdict in ("true", "remark") or through:
+                if not altered and (lost is None or line.verdict != "follows"):
                     return self._earned(point, line, "")
             elif line.verdict == "follows" and not altered and lost is None:
                 # Newton's law with the sense that his momentum gives his letters.
@@ -377,7 +377,7 @@ class _Examiner:
         """The lines that use a point's principle, those that hold first."""
         for sound in (True, False):
             for line in self.lines:
-                if (line.verdict in _SOUND) is not sound or line.verdict == "unsupported":
+                if _is_sound(line) is not sound or line.verdict == "unsupported":
                     continue
                 if self.values.is_formula(line):
                     continue
@@ -747,6 +747,11 @@ _NAMES: Mapping[str, tuple[str, ...]] = {
     "fact": ("fact", "energy", "angle", "deflection", "speed"),
     "solve": ("solve", "value"),
 }
+
+
+def _is_sound(line: JudgedLine) -> bool:
+    """Whether a line holds or follows, or is a remark whose value states a law: *then 12e*."""
+    return line.verdict in _SOUND or (line.verdict == "remark" and bool(line.uses))
 
 
 def _has_vector(line: JudgedLine) -> bool:

@@ -180,6 +180,9 @@ class Parser(Cursor):
                     if self.kind() == "(" and self.choose("brackets behind a denominator"):
                         break
                     below = self.multiplied(below, self.factor(), None)
+                if sign.text == "÷" and self.kind() == "/" and not self.choose("division"):
+                    inner = self.take()
+                    below = Binary("/", below, self.signed_factor(), place=self.place(inner))
         return Binary("/", above, below, place=self.place(sign))
 
     def wants_whole(self, above: Expression, first: int) -> bool:

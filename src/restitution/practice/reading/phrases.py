@@ -521,6 +521,9 @@ class _Reader:
             if features.axis is None:
                 yield Binary("-", Degrees(Fraction(180)), value)
             yield Quantity("deflection", (Name(body),), self.after(event))
+        if not spheres and features.direction is None and len(self.bodies_met(event)) == 2:
+            first, second = (self.of("velocity", each, event) for each in self.bodies_met(event))
+            yield Quantity("angle", (first, second))  # the angle between them
 
     def other_direction(self, event: int, line: Expression) -> Expression:
         """That to which an angle is measured."""

@@ -96,6 +96,7 @@ class Statements:
     links: tuple[Link, ...] = ()
     declarations: tuple[Declaration, ...] = ()
     values: tuple[Expression, ...] = ()
+    supposed: tuple[Claim, ...] = ()
     fault: str | None = None
     column: int | None = None
     body: str | None = None
@@ -176,6 +177,10 @@ class _Reader:
         self.statements.declarations = self.declared.declarations
         self.statements.links = tuple(map(finished, self.links))
         self.statements.values = tuple(map(without_marks, self.statements.values))
+        self.statements.supposed = tuple(
+            replace(each, left=without_marks(each.left), right=without_marks(each.right))
+            for each in self.statements.supposed
+        )
         if self.label is not None and self.label.kind == "name" and not self.links:
             self.statements.body = self.body_of(self.label)
         last = self._last_sides() if self.links else (*self.worth, *self.past.side)
@@ -259,9 +264,12 @@ class _Reader:
 
     def supposed(self, segment: Segment) -> None:
         """What stands behind *when* or *if* is no claim; its sides are values of a remark."""
-        for tokens in sides_of(segment.tokens)[0]:
-            if tokens:
-                self.statements.values += (self.sides(tokens)[0].tree,)
+        sides, signs = sides_of(segment.tokens)
+        read = [self.sides(tokens)[0].tree if tokens else None for tokens in sides]
+        self.statements.values += tuple(each for each in read if each is not None)
+        for sign, (left, right) in zip(signs, pairwise(read), strict=False):
+            if self.supposes and left is not None and right is not None:
+                self.statements.supposed += (Claim(left, sign, right),)
 
     def joined(self, before: Segment, behind: Segment, first: int, rather: bool) -> None:
         """Adds the readings of ``w = 0.6u v = 2`` as a chain to those of two relations."""

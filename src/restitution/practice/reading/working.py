@@ -149,6 +149,7 @@ class _Reader:
             links=links,
             declarations=statements.declarations,
             values=values,
+            supposed=statements.supposed,
             fault=statements.fault,
             column=statements.column,
         )

@@ -1,0 +1,68 @@
+"""What a line only supposes, or says of a change: ``v < 0 if e > 1/2``, ``4 becomes 2``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator
+
+from restitution.errors import RestitutionError
+from restitution.expression.tree import Apply, Expression, Name, Quantity, letters
+from restitution.practice.judging.entries import Entry, Meanings
+from restitution.practice.script import Claim, ScriptLine
+from restitution.practice.worlds.agreement import agrees
+from restitution.practice.worlds.student import student_world
+from restitution.practice.worlds.world import World
+
+_EXTREME = re.compile(
+    r"(?<!at )\b(max|min|maximum|minimum|greatest|largest|smallest|least)\b", re.IGNORECASE
+)
+_BECOMING = re.compile(r"\b(becomes?|changes? to|goes to|turns into)\b", re.IGNORECASE)
+
+
+def speaks_of_an_extreme(line: ScriptLine) -> bool:
+    """Whether a line speaks of a greatest or least value: ``max e is 1``."""
+    return bool(_EXTREME.search(line.text))
+
+
+def supposed_in(
+    line: ScriptLine, base: World, meanings: Meanings, unknown: Collection[str]
+) -> tuple[World, ...] | None:
+    """The world in which what a line supposes holds, if there is one that can be worked out.
+
+    None where it supposes nothing, or what holds in any case.
+    """
+    if not line.supposed:
+        return None
+    try:
+        if all(agrees(each, base, meanings, ()) for each in line.supposed):
+            return None
+    except RestitutionError:
+        return None
+    claims = [each for each in line.supposed if each.sign == "="]
+    if not claims:
+        return ()
+    entries = [Entry(line.number, each, meanings, line.scope, right=False) for each in claims]
+    names = frozenset[str]().union(
+        *(letters(side) for each in claims for side in (each.left, each.right))
+    )
+    world = student_world(base, entries, {*unknown, *(names & base.letters.keys())})
+    return () if world is None else (world,)
+
+
+def changes_of_sizes(claim: Claim, line: ScriptLine, world: World) -> Iterator[tuple[Claim, Claim]]:
+    """What ``4 becomes 2`` may say: the sizes of a component before and after an impact."""
+    if claim.sign != "=" or not _BECOMING.search(line.text):
+        return
+    for number in world.lines:
+        axis = Quantity("line_of_centres", (), number)
+        for name in world.start:
+            for kind in ("along", "across"):
+                before, after = (
+                    _size(Quantity(kind, (Quantity("velocity", (Name(name),), stage), axis)))
+                    for stage in (number - 1, number)
+                )
+                yield Claim(before, "=", _size(claim.left)), Claim(after, "=", _size(claim.right))
+
+
+def _size(tree: Expression) -> Expression:
+    return Apply("abs", tree)
