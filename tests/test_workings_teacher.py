@@ -12,7 +12,9 @@ import pytest
 from workings import planned
 
 from restitution.explaining.awarding import awarded, marks_of
-from restitution.workings import to_text
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
 from restitution.workings.derived import explanation_of
 
 WALL = """
@@ -176,10 +178,143 @@ SAYS = {
         ),
         ["√((7.2 sin 50°)² + (12 cos 50°)²) ≈ 9.48", "= 0.6 tan 50°", "β = arctan(0.6 tan 50°)"],
     ),
+    # v = u is needed for the third impact only, and stands with w.
+    "both components after an impact are solved in one place": (
+        """
+sphere A, B: mass m
+sphere C: mass 2m, at rest
+sphere A: velocity 4u i
+sphere B: at rest
+A hits B: along i, e = 1/2
+B hits C: along i, e = 1/2
+find velocity(B)
+A hits B: along i, e = 1/2
+find velocity(A)
+""",
+        ["First impact", "w₁ = 3u", "v₁ = u", "Second impact", "Third impact"],
+    ),
+    "an impulse between two impacts has a heading": (
+        """
+wall W: along i
+sphere P: mass 2, velocity 3i - 4j
+P hits W: e = 1/2
+P receives -8i - 12j
+P hits W: e = 1/2
+find velocity(P)
+""",
+        ["First impact: P hits W", "Impulse given to P", "Second impact: P hits W"],
+    ),
+    # tan θ = −2 − √3 for 105° and for −75°.
+    "a direction beyond 90° has the sign of its component": (
+        """
+sphere A: mass m, velocity 2u at 30°
+sphere B: mass 2m, velocity u at 120°
+A hits B: along i
+given deflection(B) = 60°
+find e, direction(A)
+""",
+        ["tan θ = ", "θ = 105°, as v < 0"],
+    ),
+    "a bound of cos 2α names the formula": (
+        WALL.format(e=": e = 2/3")
+        + "given energy_lost/energy(0) >= 20%\nfind range of sin(alpha), range of cos(2alpha)",
+        ["0.6 ≤ sin α < 1", "cos 2α ≤ 0.28, as cos 2α = 1 − 2 sin²α and α is acute"],
+    ),
+    "a root that has to be real says why it is": (
+        REST.format(m="k m", e="") + "given e k < 1\nfind maximum of tan(deflection(A)) over alpha",
+        ["√(1 − ek)√(1 + k)", "as ek < 1"],
+    ),
+    "an inequality divided by a coefficient says that it is positive": (
+        REST.format(m="k m", e="") + "given along(velocity(A), i) < 0\nfind range of k",
+        ["1 − ek < 0, as α is acute", "k > 1/e, as e > 0"],
+    ),
+    "the size of a component in letters rests on the angles": (
+        """
+wall AB: along i
+wall BC: along 180° - phi
+sphere P: velocity u at alpha to AB
+P hits AB: e = e
+P hits BC: e = e
+find tan(angle(velocity(P, 2), BC))
+""",
+        ["|1 − e tan α tan φ|", "as α is acute and φ is acute"],
+    ),
+    "a sphere that goes on is told by the value of its component": (
+        """
+wall W: along j
+sphere A: mass m, velocity u i
+sphere B: mass 3m, at rest
+A hits B: along i, e = 1/2
+show B will hit W
+show A will not hit W
+""",
+        ["w = 3u/8 > 0", "v = −u/8 < 0"],
+    ),
+    "components have one notation in the whole working": (
+        """
+sphere A, B, C: mass m
+sphere A: velocity u i
+sphere B, C: at rest
+A hits B: along 30°, e = 1
+A hits C: along -30°, e = 1
+find velocity(A)
+""",
+        ["𝐮_A · 𝐧₁ = u cos 30°", "𝐯_A1 · 𝐧₂"],
+    ),
+    "places have one notation in the whole working": (
+        """
+wall L: along j, through (0, 0)
+wall R: along j, through (6, 0)
+sphere P: at (2, 0), velocity 3i + j
+P hits R: e = 2/3
+find position(P)
+P hits L: e = 1/2
+find position(P, at 10)
+""",
+        ["= (6, 4/3)", "= (17/3)𝐢 + 10𝐣", "so P is at (17/3, 10)"],
+    ),
 }
 
 # What no such working says.
 NEVER = {
+    "a condition that the question asks for as a range": (
+        """
+sphere A: mass 3m, velocity u at alpha
+sphere B: mass m, velocity v at alpha from -i
+A hits B: along i
+given velocity(A) perpendicular to i
+find e in terms of u, v
+find range of u/v
+""",
+        "this holds for",
+    ),
+    "a condition that a later part asks for as a range": (
+        """
+wall W1: along i
+wall W2: along i
+sphere P: velocity u at 60° to W1
+P hits W1: e = e1
+P hits W2: e = e2
+given angle(velocity(P), W2) = 30°
+part a
+find e1 e2
+part b
+unknown e2
+find range of e1
+""",
+        "this holds for",
+    ),
+    "a tangent along a line of centres twice": (
+        """
+sphere A, B: radius 0.1
+sphere A: at (0, 0), velocity 2i
+sphere B: at (0.72, 0.12), mass m, at rest
+sphere A: mass m
+A hits B: e = 0.9
+find direction(B)
+""",
+        "¾ = 0.75",
+    ),
     "a component that is to be shown": (
         (
             "sphere A: mass m, velocity u at alpha\nsphere B: mass m, velocity v at beta from -i\n"
@@ -238,3 +373,16 @@ def test_a_part_whose_answer_stands_already_has_a_mark() -> None:
     statement, _ = SAYS["an answer of an earlier part stands again"]
     _, derivation = planned(statement)
     assert marks_of(awarded(derivation))["b"] == 1
+
+
+def test_data_beside_those_that_are_needed_agree() -> None:
+    statement = """
+wall W: along i, through (0, 0)
+sphere P: mass 2, at (0, 4), velocity u at 30° to W
+P hits W: e = 1/2
+given time(1) = 2, impulse = 6
+find u
+"""
+    working = " ".join(to_text(explain(solve(parse(statement)))).split())
+    assert "u = 4" in working
+    assert "It is also given that the magnitude of the impulse is 6 N s, which agrees" in working

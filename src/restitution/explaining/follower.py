@@ -32,6 +32,7 @@ from restitution.explaining.signs import Signs
 from restitution.explaining.step import Cited, Setting, Step
 from restitution.explaining.trees import settled, statement_of, trees_of
 from restitution.explaining.trials import Trial, known_of_letters, names_in, setting_of
+from restitution.explaining.unused import unused_facts
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -775,25 +776,8 @@ class _Reader:
         return excludes(note, trial.step(Move("reject"), premises), unknown=not sure)
 
     def _facts_used(self) -> Iterator[Complaint]:
-        used: dict[str | None, set[Ref]] = {}
-        for end in self.derivation.items:
-            used.setdefault(end.part, set()).update(self._under(end.line))
-        for note in self.derivation.notes:
-            for ref in note.premises:
-                used.setdefault(note.part, set()).update(self._under(ref))
-        # Where an item has no working, the facts that it would use may stand idle.
-        idle = {e.part for e in self.derivation.notes if not e.premises or e.kind == "unwritten"}
-        every = set().union(*used.values()) if used else set()
-        for fact in self.derivation.facts:
-            if fact.kind != "given" or fact.id in self.redundant:
-                continue
-            if fact.part in idle or (fact.part is None and idle):
-                continue
-            under = every if fact.part is None else used.get(fact.part, set())
-            # What several parts are given is one fact.
-            alike = [e.id for e in self.derivation.facts if e.relation == fact.relation]
-            senses = [each.replace("given", "sense") for each in alike]
-            if not under & {*alike, *senses}:
+        for fact in unused_facts(self.derivation, self._under):
+            if fact.id not in self.redundant:
                 yield Complaint("fact-not-used", None, fact.id)
 
 

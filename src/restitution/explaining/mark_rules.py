@@ -182,8 +182,8 @@ RULES: tuple[Rule, ...] = (
 """The table. A line that no rule fits earns nothing by itself."""
 
 
-# A method that is not written out, and its answer.
-FOR_NOTES: Mapping[NoteKind, Marks] = {
-    "unwritten": (reasoned(Mark("M")), reasoned(Mark("A"))),
-    "standing": (reasoned(Mark("B")),),
-}
+FOR_NOTES: Mapping[NoteKind, Marks] = {"standing": (reasoned(Mark("B")),)}
+"""What notes earn. Steps that are not written out have no line at which marks could stand."""
+
+UNWRITTEN: Marks = (reasoned(Mark("M")), reasoned(Mark("A")))
+"""What a student earns by a method that the working does not write out, and by its answer."""

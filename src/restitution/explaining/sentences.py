@@ -37,6 +37,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     # --- events, and the headings of their working ------------------------------------------------
     "heading.impact": "{order:capital} impact: {first} hits {second}",
     "heading.impact-number": "Impact {number}: {first} hits {second}",
+    "heading.kick": "Impulse given to {body}",
     "heading.case": "If {values:and}:",
     "event.only": "the impact",
     "event.impact": "the {order} impact",
@@ -373,6 +374,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.fact-along": ("It is given that {fact}, and {body} moves along the line of centres:"),
     "given.fact": "It is given that {fact}:",
     "given.and": "It is given that {fact}.",
+    "given.agrees": "It is also given that {fact}, which agrees with this.",
     "given.direction": (
         "It is given that {fact}, so {velocity} has no component in the direction of {axis}:"
     ),
@@ -644,6 +646,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.combine": "Eliminating {letter} from {equations:and}:",
     "derived.add": "From {equations:and}:",
     "derived.divided": "Dividing top and bottom by {factor}:",
+    "derived.negative": "the {component} is negative",
     "derived.divide": "Dividing {first} by {second}:",
     "derived.square-add": "Squaring and adding {equations:and}:",
     "made.fraction-lost": "Fraction of the kinetic energy that is lost:",

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 from restitution.explaining.derivation import Derivation, Line, Meaning, Note, Relation
 from restitution.explaining.trees import trees_of
-from restitution.expression.tree import Name, Quantity, letters
+from restitution.expression.tree import Letter, Name, Quantity, letters
 
 _LAWS = frozenset({"unchanged", "momentum", "restitution", "restitution-wall"})
 # So many lines stand between a letter and its use where it is introduced too early.
@@ -23,7 +23,7 @@ _OF_AN_IMPACT = _LAWS | {"component", "impulse-vector", "straight-line", "chord"
 
 def gathered(derivation: Derivation) -> Derivation:
     """The same working in the order of the story, with what belongs together in one place."""
-    return _with_standing(_Gathering(_where_needed(derivation)).whole())
+    return _with_standing(_Gathering(_in_pairs(_where_needed(derivation))).whole())
 
 
 def _with_standing(derivation: Derivation) -> Derivation:
@@ -81,6 +81,58 @@ def _where_needed(derivation: Derivation) -> Derivation:
     last = len(items)
     lines.sort(key=lambda each: items.get(each.item or "", last))
     return numbered_anew(derivation, lines)
+
+
+def _in_pairs(derivation: Derivation) -> Derivation:
+    """The same working, in which both components after an impact are solved in one place.
+
+    The second one may be needed only when the next impact has been told already.
+    """
+    parts = derivation.asked
+    impacts: dict[str, int] = {}
+    for letter, meaning in derivation.meanings.items():
+        match meaning.quantity:
+            case Quantity("along", (Quantity("velocity", _, int(stage)), _)):
+                impacts[letter] = stage
+    fixed = {number for case in derivation.cases for number in (case.line, *case.lines)}
+    fixed |= {end.line for end in derivation.items}
+    order = list(derivation.lines)
+    for line in derivation.lines:
+        event = impacts.get(_letter_solved(line) or "")
+        if event is None or line.number in fixed:
+            continue
+        at = order.index(line)
+        pair = next(
+            (
+                n
+                for n in range(at - 1, -1, -1)
+                if impacts.get(_letter_solved(order[n]) or "") == event
+                and order[n].number not in fixed
+                and parts.get(order[n].item or "", "") == parts.get(line.item or "", "-")
+            ),
+            None,
+        )
+        if pair is None:
+            continue
+        above = {each.number for each in order[: pair + 1]}
+        stands = all(
+            each in above if isinstance(each, int) else not each.startswith("given ")
+            for each in line.premises
+        )
+        later = any((each.move.event or 0) > event for each in order[pair + 1 : at])
+        if stands and later:
+            order.insert(pair + 1, replace(order.pop(at), item=order[pair].item))
+    return numbered_anew(derivation, order)
+
+
+def _letter_solved(line: Line) -> str | None:
+    """The letter of which a line gives the one value; None of another line."""
+    if not isinstance(line.relation, Relation) or len(line.relation.options) != 1:
+        return None
+    links = line.relation.options[0]
+    if any(each.sign != "=" for each in links) or not isinstance(links[0].left, Letter):
+        return None
+    return links[0].left.name
 
 
 class _Gathering:

@@ -179,7 +179,13 @@ class BoldLetters:
         event = self._events[number]
         if event.wall and not self._is_told_by_the_wall(event.bodies[0]):
             return True
-        return any(self._is_vector(body, number) for body in event.bodies)
+        # Components are written in one way in the whole working.
+        return any(
+            self._is_vector(body, other.number)
+            for other in self._events.values()
+            if other.wall == event.wall and self._directions.get(other.number) is not None
+            for body in other.bodies
+        )
 
     def _is_told_by_the_wall(self, body: str) -> bool:
         """Whether a velocity at the start is given by its angle with a wall."""

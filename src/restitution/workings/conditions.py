@@ -11,10 +11,10 @@ from restitution.components.models import Model
 from restitution.components.telling import model
 from restitution.explaining.derivation import Derivation, Meaning
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Letter
+from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.oracle import BeyondError, Formula, Oracle
 from restitution.oracle import Relation as Claim
-from restitution.problem import Find, Range, Value
+from restitution.problem import Find, Given, Range, Value
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solving.letters import roles
@@ -33,7 +33,7 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
             by_case = isinstance(item.item, Range) and len(answers) > 1
             if by_case or not ends or all(each.condition_layout is None for each in answers):
                 continue
-            if _is_asked(part, answers) or _speaks_of_others(solution, item, answers):
+            if _is_asked(solution, part, item) or _speaks_of_others(solution, item, answers):
                 continue
             if _is_of_itself(item, answers):
                 continue
@@ -48,19 +48,41 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
     return sentences
 
 
-def _is_asked(part: PartSolution, answers: Sequence[Answer]) -> bool:
-    """Whether a condition is the range of a letter for which the part asks: that item says it."""
-    ranges = {
-        item.item.expression.name
-        for item in part.items
-        if isinstance(item.item, Range)
-        and isinstance(item.item.expression, Letter)
-        and item.error is None
-    }
-    conditions = {each for answer in answers for each in answer.condition}
-    return len(conditions) == 1 and any(
-        name in _names_in(text) for name in ranges for text in conditions
-    )
+def _is_asked(solution: Solution, part: PartSolution, item: ItemResult) -> bool:
+    """Whether a condition is a range for which the question asks: that item derives it.
+
+    It may be asked in the part, or in a later one in which nothing else is given.
+    """
+    own = item.item.expression if isinstance(item.item, Value) else None
+    tied = frozenset() if own is None else letters(own)
+    conditions = {each for answer in item.distinct for each in answer.condition}
+    named = [set(_names_in(each)) for each in conditions]
+    for other in _parts_with_its_facts(solution, part):
+        for each in other.items:
+            if not isinstance(each.item, Range) or each.error is not None:
+                continue
+            names = letters(each.item.expression)
+            alone = isinstance(each.item.expression, Letter)
+            if has_quantity(each.item.expression) or (alone and len(conditions) > 1):
+                continue
+            if all(names & own for own in named) or (names and names < tied):
+                return True
+    return False
+
+
+def _parts_with_its_facts(solution: Solution, part: PartSolution) -> list[PartSolution]:
+    """A part, and those after it in which the same is given."""
+    solved = list(solution.parts.values())
+    if _has_facts(part):
+        return [part]
+    later = solved[solved.index(part) + 1 :]
+    return [part, *(each for each in later if not _has_facts(each))]
+
+
+def _has_facts(part: PartSolution) -> bool:
+    """Whether a lettered part gives facts of its own."""
+    given = any(isinstance(step, Given) for step in part.part.steps)
+    return part.part.label is not None and given
 
 
 def _is_of_itself(item: ItemResult, answers: Sequence[Answer]) -> bool:

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from restitution.explaining.derivation import (
@@ -26,6 +27,7 @@ from restitution.explaining.derivation import (
 from restitution.explaining.layouts import chains
 from restitution.explaining.marks import Mark, Marks, reasoned
 from restitution.explaining.saying import Sentence, say
+from restitution.explaining.unused import lines_under, unused_facts
 from restitution.expression.tree import Letter, Quantity, is_zero
 from restitution.problem import Problem, Show
 from restitution.render import layout as lay
@@ -83,6 +85,10 @@ def explanation_of(
         answers = tuple(to_text(writer.naming.relation(end.answer)) for end in ends)
         parts.append(PartExplanation(label, asked, steps[label], answers, derivation))
     return Explanation(problem.title, tuple(parts), problem.warnings, solution)
+
+
+# Notes that stand where the data have a solution.
+_OF_A_SOLUTION = frozenset({"standing", "refuted", "undecided"})
 
 
 @dataclass
@@ -204,6 +210,19 @@ class _Writer:
                 conditions.append(condition)
                 yield Step("note", sentences=(condition,), item=step.item)
         yield from self._noted([*due, *notes.get(len(shown), ())])
+        yield from self._spare(label)
+
+    def _spare(self, label: str | None) -> Iterator[Step]:
+        """What is given beside what the working needs: it agrees, as there is a solution."""
+        if any(note.kind not in _OF_A_SOLUTION for note in self.derivation.notes):
+            return
+        labels = list(dict.fromkeys(self.derivation.asked.values()))
+        for fact in unused_facts(self.derivation, partial(lines_under, self.derivation)):
+            home = fact.part if fact.part in labels else labels[-1]
+            if home == label:
+                words = self.naming.fact(fact)
+                yield from self._introduced()
+                yield Step("note", sentences=(say("given.agrees", fact=words),))
 
     def _is_silent(self, lines: Sequence[Line], index: int) -> bool:
         """Whether a line says nothing that is printed, so that no heading stands above it.
@@ -333,7 +352,7 @@ class _Writer:
         again = line.move.id == "define" and not _is_before(line)
         if number in self.entered and (again or line.move.record == "impulse"):
             return
-        if event.kind == "impact":
+        if event.kind != "arrival":
             self.heading = self.naming.now = event.number
             self.entered.add(event.number)
             self.afresh()

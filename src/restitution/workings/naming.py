@@ -301,7 +301,9 @@ class Naming:
         return None if unit is None else lay.product(velocity, unit, sign="·")
 
     def heading(self, event: Event) -> Sentence:
-        """The heading of an impact."""
+        """The heading of an impact, or of an impulse from outside."""
+        if event.kind == "kick":
+            return say("heading.kick", body=event.bodies[0])
         first, second = event.bodies
         number = self._order(event)
         if f"ordinal.{number}" in SENTENCES:

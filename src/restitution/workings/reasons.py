@@ -35,6 +35,7 @@ from restitution.render import layout as lay
 from restitution.solving.letters import roles
 from restitution.solving.signs import sign
 from restitution.workings.factors import factor_cancelled
+from restitution.workings.grounds import grounds_of
 from restitution.workings.growing import growth, way_of
 from restitution.workings.naming import Naming
 from restitution.workings.sources import Sources, bound_broken
@@ -66,7 +67,9 @@ class Reasons:
         vertical = self._right_angle(line)
         if vertical is not None:
             return (vertical,)
-        if line.move.id not in _REASONED and not (self._ordered(line) or self._is_root(line)):
+        grounds = tuple(map(self._ground, grounds_of(self._derivation, self._roles, line)))
+        reasoned = line.move.id in _REASONED or self._ordered(line) or self._is_root(line)
+        if not reasoned and not self._of_sizes(line) and not grounds:
             return ()
         if line.move.id == "cancel" and factor_cancelled(self._derivation, line) is not None:
             return ()  # the words before the line say it
@@ -89,6 +92,7 @@ class Reasons:
             reasons = self._beyond_a_right_angle(line, reasons)
         if line.move.id == "reject" and not reasons:
             reasons = tuple(self._positive(line))
+        reasons = (*(each for each in grounds if each not in reasons), *reasons)
         return (say("derived.as", reasons=reasons),) if reasons else ()
 
     def _right_angle(self, line: Line) -> Sentence | None:
@@ -182,6 +186,25 @@ class Reasons:
         assert isinstance(line.relation, Relation)
         steps = {link.by for links in line.relation.options for link in links}
         return line.move.record in _OF_SQUARES and "identity" in steps
+
+    def _ground(self, relation: Relation) -> Sentence | lay.Layout:
+        """A ground as a relation; of a component without a letter in words."""
+        match relation.only:
+            case (Link(Quantity() as component, "<", right),) if right == ZERO:
+                return say("derived.negative", component=self._naming.layout(component))
+        return self._laid(relation)
+
+    @staticmethod
+    def _of_sizes(line: Line) -> bool:
+        """Whether a size of a component is worked out, by what is known of angles."""
+        assert isinstance(line.relation, Relation)
+        sizes = any(
+            isinstance(node, Apply) and node.function == "abs"
+            for links in line.relation.options
+            for link in links[1:]
+            for node in walk(link.right)
+        )
+        return line.move.id == "define" and sizes
 
     def _is_root(self, line: Line) -> bool:
         """Whether of an equation of squares the roots are taken, which may have two signs."""

@@ -136,7 +136,8 @@ class Rows:
     def _with_values(self, line: Line, links: tuple[Link, ...]) -> tuple[Link, ...]:
         """A comparison of two letters with what they are worth: ``w₃ = ¾u < 3u/2 = w₂``.
 
-        Only products are put in: a sum is too long beside its name.
+        A sign is told with its value too: ``w = 3u/8 > 0``. Only products are put in: a sum is too
+        long beside its name.
         """
         if line.move.id not in ("sign", "compare") or len(links) != 1:
             return links
@@ -147,6 +148,17 @@ class Rows:
             match above.relation if above is not None else None:
                 case Relation(((Link(Letter() as letter, "="), *_),) as options):
                     known[letter] = options[0][-1].right
+                case Relation(
+                    ((Link(Quantity("along", (_, Quantity("line_of_centres"))) as whole, "="), *_),)
+                ) as relation if line.move.id == "sign":
+                    known[whole] = relation.options[0][-1].right
+        if line.move.id == "sign" and own.left in known and is_zero(own.right):
+            value = known[own.left]
+            if has_quantity(value) or any(
+                isinstance(e, Binary) and e.op in ("+", "-") for e in walk(value)
+            ):
+                return links
+            return Link(own.left, "=", value), Link(value, own.sign, own.right)
         if own.sign not in _STRICT or own.left not in known or own.right not in known:
             return links
         left, right = known[own.left], known[own.right]
@@ -180,7 +192,10 @@ class Rows:
         compared = self._with_values(line, links)
         if compared != links:
             trees = [compared[0].left, *(link.right for link in compared)]
-            return Row(tuple(map(self._naming.layout, trees)), tuple(map(_sign, compared)))
+            laid = [self._naming.layout(each) for each in trees]
+            if is_zero(trees[-1]) and is_plain(laid[1]):
+                laid[1] = with_unit(laid[1], self._measures.unit(trees[0]))
+            return Row(tuple(laid), tuple(map(_sign, compared)))
         words = _WORDS.get(links[0].sign)
         if words is not None:
             left, right = map(self._naming.side, (links[0].left, links[0].right))
@@ -213,7 +228,7 @@ class Rows:
             if sides[n] == sides[n - 1] and signs[n - 1] == "=":
                 del sides[n], signs[n - 1]
         quotient = _quotient(line, links[0])
-        if quotient is not None and isinstance(sides[1], lay.Number):
+        if quotient is not None and isinstance(sides[1], lay.Number) and not self._by_axis(line):
             sides[1:1], signs[:0] = [quotient], ["="]
         if self._towards(line, links, sides):
             sides[0] = self._away(links[0].left)
@@ -228,6 +243,17 @@ class Rows:
         elif last and self._ends.of(line) is not None:
             self._bounded(trees, sides)
         return Row(tuple(sides), tuple(signs), reasons=reasons)
+
+    def _by_axis(self, line: Line) -> bool:
+        """Whether a ratio is that of a line of centres which a line tells, and of no components."""
+        above = [self._derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
+        return any(
+            isinstance(own.relation, Relation)
+            and isinstance(own.relation.options[0][0].left, Quantity)
+            and own.relation.options[0][0].left.kind == "line_of_centres"
+            for own in above
+            if own is not None
+        )
 
     def _tangent_of(self, line: Line, link: Link) -> Expression | None:
         """The given sum or difference of angles of which a row is the tangent, if it is left out.
@@ -252,11 +278,13 @@ class Rows:
         """Where a body is by its coordinates, if that was asked.
 
         They take the place of a position vector that is made of them. One that was worked out as a
-        vector is left as that.
+        vector is left as that, and has its coordinates beside it where others have them.
         """
         end, asked = self._ends.of(line), self._ends.asked(line)
         worked_out = line.move.id == "rearrange"
-        if end is None or end.shown or worked_out or not self._ends.is_place(line):
+        if end is None or end.shown or not self._ends.is_place(line):
+            return ()
+        if worked_out and not self._has_coordinates():
             return ()
         match asked:
             case Value(expression=Quantity("position", (Name(body),))):
@@ -265,12 +293,20 @@ class Rows:
                 return ()
         if not place:
             return ()
-        if len(links) == 1:
+        if len(links) == 1 and not worked_out:
             sides[1:], signs[1:] = [each for each, _ in place], [sign for _, sign in place[1:]]
             return ()
         row = tuple(each for each, _ in place)
         relation = lay.Relation(row, tuple(s for _, s in place[1:])) if len(row) > 1 else row[0]
         return (say("place.so", body=body, place=relation),)
+
+    def _has_coordinates(self) -> bool:
+        """Whether a place that is asked is told by its coordinates alone."""
+        ends = (self._derivation.line(end.line) for end in self._derivation.items)
+        return any(
+            own is not None and own.move.id != "rearrange" and self._ends.is_place(own)
+            for own in ends
+        )
 
     def _coordinates(self, line: Line, link: Link) -> tuple[tuple[lay.Layout, str], ...]:
         """The coordinates of a place, exactly and as decimals, each with the sign before it."""

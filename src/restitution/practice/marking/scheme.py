@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from restitution.explaining.awarding import awarded
 from restitution.explaining.derivation import Derivation, ItemEnd, Line, Link, Relation
+from restitution.explaining.mark_rules import UNWRITTEN
 from restitution.explaining.marks import Mark, Style
 from restitution.explaining.saying import say
 from restitution.explaining.titles import title_of
@@ -235,7 +236,7 @@ def _points(derivation: Derivation, solved: PartSolution) -> Iterator[MarkPoint]
             continue
         place = items.get(note.item)
         answer, shown = _asked(solved, place)
-        for mark in note.marks:
+        for mark in UNWRITTEN if note.kind == "unwritten" else note.marks:
             count += 1
             of_method = mark.kind == "M"
             yield MarkPoint(

@@ -1,0 +1,167 @@
+"""Grounds of a line that a reader has to be shown: a quadrant, a root, a divisor, an identity."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explaining.derivation import Derivation, Line, Link, Relation
+from restitution.expression.evaluate import evaluate
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Number,
+    Quantity,
+    Unit,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.oracle.roles import Role
+from restitution.planning.forms import factors
+
+_ZERO, _ONE, _TWO = (Number(Fraction(n)) for n in (0, 1, 2))
+_ORDER = ("<", "<=", ">", ">=")
+
+
+def grounds_of(derivation: Derivation, roles: Mapping[str, Role], line: Line) -> Iterator[Relation]:
+    """What a line rests on beside what it cites, as relations to stand behind it."""
+    match line.move.id:
+        case "inverse":
+            yield from _quadrant(derivation, line)
+        case "complete":
+            yield from _roots(derivation, line)
+        case "rearrange":
+            yield from _divisors(roles, line)
+        case "compare":
+            yield from _double_angle(derivation, line)
+
+
+def _relation(derivation: Derivation, ref: object) -> Relation | None:
+    own = derivation.line(ref) if isinstance(ref, int) else None
+    return own.relation if own is not None and isinstance(own.relation, Relation) else None
+
+
+def _quadrant(derivation: Derivation, line: Line) -> Iterator[Relation]:
+    """That a body moves against **i**, where its direction makes more than 90° with that."""
+    assert isinstance(line.relation, Relation)
+    link = line.relation.only[0]
+    meaning = derivation.meanings.get(link.left.name) if isinstance(link.left, Letter) else None
+    if meaning is None or not isinstance(meaning.quantity, Quantity):
+        return
+    if meaning.quantity.kind != "direction" or not _is_beyond(line.relation.only[-1].right):
+        return
+    for ref in line.premises:
+        relation = _relation(derivation, ref)
+        if relation is None or len(relation.options) > 1:
+            continue
+        component, value = relation.only[0].left, relation.only[-1].right
+        if _is_along_i(derivation, component) and _is_negative(value):
+            yield Relation(((Link(component, "<", _ZERO),),))
+            return
+
+
+def _is_beyond(angle: Expression) -> bool:
+    """Whether an angle is more than 90°, on either side."""
+    if isinstance(angle, Degrees):
+        return abs(angle.value) > 90
+    return any(isinstance(each, Degrees) and each.value == 180 for each in walk(angle))
+
+
+def _is_along_i(derivation: Derivation, component: Expression) -> bool:
+    """Whether a component, or the letter for one, is in the direction of **i**."""
+    quantity = component
+    if isinstance(component, Letter):
+        meaning = derivation.meanings.get(component.name)
+        if meaning is None or meaning.sense is not None:
+            return False
+        quantity = meaning.quantity
+    match quantity:
+        case Quantity("along", (Quantity("velocity"), Unit("i"))):
+            return True
+        case Quantity("along", (Quantity("velocity"), Quantity("line_of_centres", (), int(event)))):
+            fact = derivation.fact(" ".join(("axis", str(event))))
+            return fact is not None and fact.relation.only[0].right == Unit("i")
+    return False
+
+
+def _is_negative(value: Expression) -> bool:
+    """Whether an expression is seen to be negative, its letters being positive."""
+    if has_quantity(value):
+        return False
+    try:
+        worth = evaluate(value, lambda name: sp.Symbol(name, positive=True))
+        return bool(sp.sympify(worth, strict=True).is_negative)
+    except (RestitutionError, TypeError, ValueError):
+        return False
+
+
+def _roots(derivation: Derivation, line: Line) -> Iterator[Relation]:
+    """What is given of the letters below a root that would not be real otherwise."""
+    assert isinstance(line.relation, Relation)
+    part = derivation.asked.get(line.item or "")
+    names = {
+        frozenset(letters(node.argument))
+        for link in line.relation.options[0]
+        for node in walk(link.right)
+        if isinstance(node, Apply) and node.function == "sqrt" and _has_difference(node.argument)
+    }
+    for fact in derivation.facts:
+        if fact.kind not in ("given", "range") or fact.part not in (None, part):
+            continue
+        if len(fact.relation.options) > 1:
+            continue
+        for link in fact.relation.only:
+            if link.sign in _ORDER and letters(link.left) | letters(link.right) in names:
+                yield Relation(((link,),))
+
+
+def _has_difference(tree: Expression) -> bool:
+    return any(isinstance(each, Binary) and each.op == "-" for each in walk(tree))
+
+
+def _divisors(roles: Mapping[str, Role], line: Line) -> Iterator[Relation]:
+    """That a coefficient by which an inequality is divided is positive."""
+    assert isinstance(line.relation, Relation)
+    match line.relation.options:
+        case ((Link(Letter(), sign, Binary("/", _, below)),),) if sign in _ORDER:
+            for factor in factors(below):
+                role = roles.get(factor.name) if isinstance(factor, Letter) else None
+                if role is not None and role.kind == "restitution":
+                    yield Relation(((Link(factor, ">", _ZERO),),))
+
+
+def _double_angle(derivation: Derivation, line: Line) -> Iterator[Relation]:
+    """By which formula a bound of cos 2α comes from one of sin α or cos α."""
+    assert isinstance(line.relation, Relation)
+    angle = next(
+        (
+            node
+            for link in line.relation.options[0]
+            for side in (link.left, link.right)
+            for node in walk(side)
+            if isinstance(node, Apply) and node.function == "cos"
+        ),
+        None,
+    )
+    match angle:
+        case Apply("cos", Binary("*", two, half)) if two == _TWO:
+            pass
+        case _:
+            return
+    for ref in line.premises:
+        relation = _relation(derivation, ref)
+        subject = None if relation is None else relation.options[0][0].left
+        if subject not in (Apply("sin", half), Apply("cos", half)):
+            continue
+        square = Binary("*", _TWO, Binary("^", subject, _TWO))
+        sine = subject == Apply("sin", half)
+        right = Binary("-", _ONE, square) if sine else Binary("-", square, _ONE)
+        yield Relation(((Link(angle, "=", right),),))
+        return
