@@ -386,3 +386,20 @@ find u
     working = " ".join(to_text(explain(solve(parse(statement)))).split())
     assert "u = 4" in working
     assert "It is also given that the magnitude of the impulse is 6 N s, which agrees" in working
+
+
+# f = (19 - 8e)/(8(1 + e)) is at most 1 for e >= 11/16, and at least 3/8 wherever e <= 1.
+def test_a_bound_that_makes_no_end_of_a_range_holds_there() -> None:
+    statement = """
+sphere A: mass 4m, velocity u i
+sphere B: mass 2m, at rest
+sphere C: mass m, at rest
+A hits B: along i, e = e
+B hits C: along i, e = f
+given velocity(C) = 3/2 u i
+find f in terms of e
+find range of e
+"""
+    working = " ".join(to_text(explain(solve(parse(statement)))).split())
+    assert "11/16 ≤ e ≤ 1, as e ≤ 1" in working
+    assert working.endswith("In this range f ≥ 0 as well.")

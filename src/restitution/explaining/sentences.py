@@ -555,6 +555,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "is not negative."
     ),
     "answer.only": "This holds for {condition} only.",
+    "range.also": "In this range {bounds:and} as well.",
     "answer.only-as": "As {reasons:and}, this holds for {condition} only.",
     "answer.reason": "{item}: {reason}",
     "answer.undecided": "{item}: not decided",

@@ -17,6 +17,7 @@ from restitution.workings.backwards import is_told_backwards, steps_backwards
 from restitution.workings.conditions import conditions_of
 from restitution.workings.derived import explanation_of
 from restitution.workings.explanation import Explanation
+from restitution.workings.other_bounds import other_bounds
 from restitution.workings.steps import PartExplanation, Step
 
 
@@ -68,7 +69,7 @@ def _printed(
     solution: Solution, derivation: Derivation, part: str | None, check: bool
 ) -> Explanation:
     """A derivation in steps and rows."""
-    conditions = conditions_of(solution, derivation)
+    conditions = {**other_bounds(solution, derivation), **conditions_of(solution, derivation)}
     whole = explanation_of(derivation, solution.problem, conditions=conditions)
     steps = {each.label: each.steps for each in whole.parts}
     parts = tuple(
