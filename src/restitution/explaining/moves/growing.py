@@ -74,37 +74,41 @@ def _grows_between(
     ends: _Ends,
 ) -> bool:
     letter = step.roles.get(name, REAL).symbol(name)
-    slope = sp.diff(value, letter)
-    if not slope.has(letter) and slope == 0:
-        return False
     for direction in (1, -1):
+        bounds = [_end_of(link, subject, ends, direction) for link in links]
+        # Whether a slope has one sign is a long question: it is asked where all ends are cited.
+        if None in bounds:
+            continue
+        slope = sp.diff(value, letter)
+        if slope == 0:
+            return False
         if step.oracle.proves(Claim(direction * slope, ">=")):
-            return all(
-                _is_end(step, link, subject, value, letter, ends, direction) for link in links
-            )
+            return all(_is_worth(step, value, letter, *each) for each in bounds if each is not None)
     return False
 
 
-def _is_end(
-    step: Step,
-    link: Link,
-    subject: Expression,
-    value: sp.Expr,
-    letter: sp.Symbol,
-    ends: _Ends,
-    direction: int,
-) -> bool:
+def _end_of(
+    link: Link, subject: Expression, ends: _Ends, direction: int
+) -> tuple[Expression, sp.Expr] | None:
+    """The bound that a link sets, and the end of the range at which it is; None without one."""
     if link.left == subject:
         bound, sign = link.right, str(link.sign)
     elif link.right == subject:
         bound, sign = link.left, FLIPPED.get(link.sign, "")
     else:
-        return False
+        return None
     if sign not in ("<", "<=", ">", ">="):
-        return False
+        return None
     end = ends.get("low" if (sign[0] == ">") == (direction == 1) else "high")
     if end is None or end[1] != (len(sign) == 2):
-        return False
-    there = worth_at(value, letter, end[0])
+        return None
+    return bound, end[0]
+
+
+def _is_worth(
+    step: Step, value: sp.Expr, letter: sp.Symbol, bound: Expression, end: sp.Expr
+) -> bool:
+    """Whether an expression comes to a bound at an end."""
+    there = worth_at(value, letter, end)
     own = step.world.expression(step.world.scalar(bound), step.roles)
     return there is not None and equal_in(step, there, own)
