@@ -34,6 +34,7 @@ from restitution.explaining.quotients import (
     quotient_ring,
     square_part,
 )
+from restitution.expression.quantities import is_vector_quantity
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -62,9 +63,6 @@ _INVERSE = frozenset({"arcsin", "arccos", "arctan"})
 
 
 _ANGLES = frozenset({"angle", "deflection", "direction"})
-
-
-_VECTORS = frozenset({"velocity", "momentum", "line_of_centres", "position"})
 
 
 def _is_line_of_centres(tree: Expression) -> bool:
@@ -378,8 +376,8 @@ class World:
                 return self.reduced(a.x * b.x + a.y * b.y)
             case kind if kind in _ANGLES:
                 return self._measure(tree)
-            case kind if kind in _VECTORS or (kind == "impulse" and tree.arguments):
-                return self._plane(tree)
+        if is_vector_quantity(tree):
+            return self._plane(tree)
         return self.generator(("quantity", tree))
 
     def _component(self, tree: Quantity, vector: Expression, axis: Expression) -> Quotient:

@@ -15,6 +15,7 @@ from typing import Any
 from restitution.explaining.derivation import Event, Fact, Link, Relation, Sign
 from restitution.explaining.first_hits import hits
 from restitution.explaining.trees import rebuilt, settled
+from restitution.expression.quantities import KINDS
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -52,14 +53,11 @@ from restitution.problem import trees as all_trees
 from restitution.shapes import Circle, Segment
 
 # Of these, a stage left out is the one reached where the quantity stands.
-_STAGED = frozenset(
-    ("velocity", "speed", "direction", "deflection", "impulse", "energy", "energy_lost")
-    + ("momentum", "line_of_centres", "position", "total_energy_lost", "distance")
-)
+_STAGED = frozenset(word for word, kind in KINDS.items() if kind.staged and not kind.stage_needed)
 _PLAIN = 12
 """So many events may come before a velocity of which the direction is plain."""
 
-_OF_AN_EVENT = frozenset({"deflection", "impulse", "energy_lost", "line_of_centres"})
+_OF_AN_EVENT = frozenset(word for word in _STAGED if KINDS[word].of_an_event)
 _AXES: Mapping[Expression, Expression] = {
     Unit("i"): Unit("j"),
     Unit("j"): Negate(Unit("i")),

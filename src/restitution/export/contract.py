@@ -25,6 +25,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, cast
 
 from restitution.errors import RestitutionError
+from restitution.expression.quantities import is_vector_quantity
 from restitution.expression.tree import Expression, Name, Negate, Pair, Polar, Quantity
 from restitution.mending import Fix, Note
 from restitution.problem import Extremum, Find, Part, Problem, Range, Show, Value
@@ -44,8 +45,6 @@ if TYPE_CHECKING:
     )
     from restitution.solving.solution import Answer, ItemResult, PartSolution, Solution
     from restitution.workings.explanation import Explanation
-
-_VECTORS = frozenset(("velocity", "momentum"))
 
 
 def solved(file: str, solution: Solution, label: str | None = None) -> SolvedObject:
@@ -295,14 +294,14 @@ def _kind_of(expression: Expression, walls: frozenset[str]) -> str:
     if isinstance(expression, Pair | Polar):
         return "vector"
     if isinstance(expression, Quantity):
-        if expression.kind in _VECTORS or (expression.kind == "impulse" and expression.arguments):
-            return "vector"
         if expression.kind == "position":
             return "point"
         if expression.kind == "line_of_centres":
             return "direction"
         if expression.kind == "direction" and _is_one_of(expression.arguments, walls):
             return "direction"
+        if is_vector_quantity(expression):
+            return "vector"
     return "value"
 
 

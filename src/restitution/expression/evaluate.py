@@ -443,6 +443,15 @@ def evaluate(tree: Expression, symbol: Callable[[str], sp.Expr]) -> Any:
     return value.measure() if isinstance(value, Angle) else value
 
 
+def in_letters(tree: Expression, *, positive: bool = False) -> Any:
+    """The exact value of an expression, in letters of which no more is known than their names.
+
+    They may be taken to be ``positive``. Raises what `evaluate` raises.
+    """
+    value = evaluate(tree, (lambda name: sp.Symbol(name, positive=True)) if positive else sp.Symbol)
+    return value if isinstance(value, Vector) else sp.sympify(value, strict=True)
+
+
 def _error(tree: Expression, message: str) -> StatementError:
     place = getattr(tree, "place", None)
     return StatementError(

@@ -259,6 +259,13 @@ KINDS: Mapping[str, Kind] = {
 # The words that a statement may hold.
 QUANTITIES = tuple(word for word, kind in KINDS.items() if kind.in_statements)
 
+
+def is_vector_quantity(quantity: Quantity) -> bool:
+    """Whether a quantity is a vector, with the arguments that it has."""
+    kind = KINDS.get(quantity.kind)
+    return kind is not None and kind.nature_of(quantity.arguments) == "vector"
+
+
 _NOTHING: Mapping[str, Dimension] = {}
 
 

@@ -27,14 +27,11 @@ def missing_for(item: Value, branch: Branch, names: Iterable[str]) -> MissingErr
     if own is not None:
         return missing.is_open(own)
     match item.expression:
-        case Quantity("direction", (Name(wall),), None) if [*phrases] == [_direction_of(wall)]:
-            return missing.is_open(_direction_of(wall))  # it is what is asked
+        case Quantity("direction", (Name(wall),), None):
+            own = missing.direction_of(wall)
+            if [*phrases] == [own]:
+                return missing.is_open(own)  # it is what is asked
     return missing.needs(called, phrases)
-
-
-def _direction_of(wall: str) -> str:
-    """What the direction of a wall is called that is to be found."""
-    return f"the direction of the wall {wall}"
 
 
 def phrase_of(branch: Branch, name: str) -> str:

@@ -15,7 +15,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.errors import ImpossibleError, StatementError
-from restitution.expression.evaluate import evaluate
+from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Expression,
     Letter,
@@ -76,7 +76,7 @@ def _outside_by_itself(tree: Expression) -> bool:
     if any(isinstance(node, Letter | Quantity) for node in walk(tree)):
         return False
     try:
-        value = sp.sympify(evaluate(tree, sp.Symbol), strict=True)
+        value = in_letters(tree)
     except (StatementError, sp.SympifyError):
         return False
     return bool(value.is_negative) or bool((value - 1).is_positive)

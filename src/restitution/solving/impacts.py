@@ -17,7 +17,7 @@ from restitution.expression.evaluate import Scalar
 from restitution.expression.tree import Name, line_and_column
 from restitution.problem import Impact
 from restitution.shapes import Circle, Line
-from restitution.solving import bodies, contacts, places
+from restitution.solving import bodies, contacts, missing, places
 from restitution.solving.alteration import AlteredLaws
 from restitution.solving.conditions import Condition, Equation
 from restitution.solving.happenings import Happening
@@ -129,8 +129,8 @@ def _impact_with_wall(state: State, number: int, step: Impact) -> Happening:
     elif isinstance(shape, Line) and shape.along is None and wall.name in state.normals:
         c = state.normals[wall.name]
     elif isinstance(shape, Line) and shape.along is None and state.frame_matters():
-        # The change of velocity itstate is along the normal: linear in what is unknown.
-        phrase = f"the direction of the wall {wall.name}"
+        # The change of velocity itself is along the normal: linear in what is unknown.
+        phrase = missing.direction_of(wall.name)
         c = Vector(
             state.unknowns.hidden(f"k_{number}x", phrase, "real"),
             state.unknowns.hidden(f"k_{number}y", phrase, "real"),
@@ -215,7 +215,7 @@ def _impact_of_spheres(state: State, number: int, step: Impact) -> Happening:
         v1, v2 = altered[first], altered[second]
         push = state.neat((v2 - u2) * m2)
     elif unknown:
-        # The impulse itstate is along the line of centres: linear in what is unknown.
+        # The impulse itself is along the line of centres: linear in what is unknown.
         v1, v2 = state.neat(u1 - c / m1), state.neat(u2 + c / m2)
         push = c
         state.equations.append(

@@ -14,8 +14,8 @@ from functools import lru_cache
 import sympy as sp
 
 from restitution.errors import StatementError
-from restitution.expression.evaluate import evaluate
-from restitution.expression.quantities import KINDS
+from restitution.expression.evaluate import in_letters
+from restitution.expression.quantities import KINDS, is_vector_quantity
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -111,7 +111,7 @@ def is_vector(tree: Expression, walls: frozenset[str] = frozenset()) -> bool:
         case Quantity(kind, arguments):
             if kind == "direction":
                 return bool(arguments) and _name(arguments[0]) in walls
-            return kind in KINDS and KINDS[kind].nature_of(arguments) == "vector"
+            return is_vector_quantity(tree)
         case Negate(operand):
             return is_vector(operand, walls)
         case Binary(op, left, right):
@@ -284,7 +284,7 @@ def _vector_roles(tree: Expression, positive: set[str], real: set[str]) -> None:
     if not letters(tree):
         return
     try:
-        vector = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
+        vector = in_letters(tree, positive=True)
     except StatementError:
         return
     if not isinstance(vector, tuple):
@@ -377,18 +377,17 @@ def narrowed_by(role: Role, name: str, step: Given) -> Role:
             if op == "=":
                 continue
             if isinstance(left, Letter) and left.name == name and _constant(right):
-                role = _bounded(role, evaluate(right, sp.Symbol), op)
+                role = _bounded(role, in_letters(right), op)
             elif isinstance(right, Letter) and right.name == name and _constant(left):
                 flipped = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}[op]
-                role = _bounded(role, evaluate(left, sp.Symbol), flipped)
+                role = _bounded(role, in_letters(left), flipped)
     return role
 
 
 def _is_no_positive_number(name: str, relation: Compare) -> bool:
     """Whether a fact equates a letter with a number that is not positive."""
     return Letter(name) in relation.operands and any(
-        _constant(tree) and bool(sp.sympify(evaluate(tree, sp.Symbol), strict=True).is_nonpositive)
-        for tree in relation.operands
+        _constant(tree) and bool(in_letters(tree).is_nonpositive) for tree in relation.operands
     )
 
 

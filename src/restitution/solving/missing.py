@@ -15,6 +15,11 @@ _WRITTEN = (
 )
 
 
+def direction_of(wall: str) -> str:
+    """What the direction of a wall is called that is to be found."""
+    return f"the direction of the wall {wall}"
+
+
 def needs(called: str, phrases: Iterable[str]) -> MissingError:
     """The error that ``called`` needs what the phrases name, with the way to give it."""
     named = list(dict.fromkeys(phrases))

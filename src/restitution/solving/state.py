@@ -31,6 +31,7 @@ from restitution.expression.tree import (
 )
 from restitution.problem import Find, Let, Point, Problem, Show, Sphere, Wall, trees, trees_of_step
 from restitution.shapes import Circle, Line, Segment, Shape
+from restitution.solving import missing
 from restitution.solving.conditions import AnyOf, Condition, Equation
 from restitution.solving.happenings import Happening
 from restitution.solving.neat import neat
@@ -242,7 +243,7 @@ class State(ABC):
             return self.normals[name].turned_left()
         if not self.frame_matters():
             return Vector(self.field.number(Fraction(1)), self.field.zero)
-        phrase = f"the direction of the wall {name}"
+        phrase = missing.direction_of(name)
         p = self.unknowns.hidden(f"d_{name}x", phrase, "real")
         q = self.unknowns.hidden(f"d_{name}y", phrase, "real")
         self.equations.append(Equation(p * p + q * q - 1, phrase, kind="direction"))

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
-from restitution.expression.quantities import dimension_of_any
+from restitution.expression.quantities import KINDS, dimension_of_any, is_vector_quantity
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -43,7 +43,6 @@ from restitution.wording.words import listed, words
 
 # Beyond this a phrase is a formula: a sum of two quantities is 3.
 _MOST = 3
-_VECTORS = frozenset(("velocity", "momentum", "position", "line_of_centres"))
 # The letters that people take for a quantity, in the order in which they do.
 _LETTERS = {
     "speed": ("v", "w", "V", "U"),
@@ -177,9 +176,10 @@ def _kind(tree: Expression) -> str:
 
 
 def _is_vector(tree: Expression) -> bool:
-    if isinstance(tree, Quantity) and tree.kind == "impulse":
-        return bool(tree.arguments)
-    return _kind(tree) in _VECTORS
+    if isinstance(tree, Quantity):
+        return is_vector_quantity(tree)
+    kind = KINDS.get(_kind(tree))
+    return kind is not None and kind.nature == "vector"
 
 
 def _named(scene: Scene, quantities: Sequence[Expression]) -> dict[Words, str]:

@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from restitution.expression.dimensions import LENGTH, Dimension
+from restitution.expression.quantities import is_vector_quantity
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -24,7 +25,6 @@ from restitution.wording.structure import Named, Words
 from restitution.wording.units import Style
 from restitution.wording.words import words
 
-_VECTORS = frozenset(("velocity", "momentum", "position", "line_of_centres"))
 EAST = lay.Bold("i")
 
 
@@ -70,8 +70,8 @@ def is_vector(tree: Any) -> bool:
     match tree:
         case Unit() | Pair() | Polar():
             return True
-        case Quantity(kind, arguments):
-            return kind in _VECTORS or (kind == "impulse" and bool(arguments))
+        case Quantity():
+            return is_vector_quantity(tree)
         case Negate(operand):
             return is_vector(operand)
         case Binary(_, left, right):

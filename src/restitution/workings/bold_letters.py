@@ -26,7 +26,7 @@ from restitution.explaining.derivation import (
 )
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.trials import on_either_side
-from restitution.expression.evaluate import evaluate
+from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import (
     Binary,
     Degrees,
@@ -355,7 +355,7 @@ def _in_numbers(tree: Expression) -> Vector | None:
     if any(isinstance(node, Quantity | Polar | Degrees) for node in nodes):
         return None
     try:
-        value = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
+        value = in_letters(tree, positive=True)
     except RestitutionError:
         return None
     if not isinstance(value, Vector) or not all(value):
@@ -370,7 +370,7 @@ def _at(tree: Expression) -> Vector | None:
     Nobody writes out the sums of roots that those of 15° and 75° are.
     """
     try:
-        angle = sp.sympify(evaluate(tree, sp.Symbol), strict=True)
+        angle = in_letters(tree)
     except RestitutionError:
         return None
     unit_vector = Vector(*(tidy(each) for each in (sp.cos(angle), sp.sin(angle))))

@@ -12,7 +12,7 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Derivation, Fact, Line, Link, Relation
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.trees import trees_of
-from restitution.expression.evaluate import evaluate
+from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -96,7 +96,7 @@ class DataAngles:
 
     def _ratios(self, arc: Apply) -> Iterator[Sentence]:
         try:
-            value = sp.sympify(evaluate(arc.argument, sp.Symbol), strict=True)
+            value = in_letters(arc.argument)
         except RestitutionError:
             return
         angle = {"arctan": sp.atan, "arcsin": sp.asin, "arccos": sp.acos}[arc.function](value)

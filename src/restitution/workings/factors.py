@@ -6,7 +6,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.explaining.derivation import Derivation, Line, Relation
-from restitution.expression.evaluate import evaluate
+from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Expression
 from restitution.planning.forms import UnwrittenError, tree_of
 
@@ -33,10 +33,7 @@ def factor_cancelled(derivation: Derivation, line: Line) -> Expression | None:
 def _residual(relation: Relation) -> sp.Expr:
     """Left minus right. Raises RestitutionError where a quantity of the motion stands in it."""
     link = relation.only[0]
-    left, right = (
-        evaluate(each, lambda name: sp.Symbol(name, positive=True))
-        for each in (link.left, relation.only[-1].right)
-    )
+    left, right = (in_letters(each, positive=True) for each in (link.left, relation.only[-1].right))
     return sp.sympify(left - right, strict=True)
 
 

@@ -13,7 +13,7 @@ from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explaining.derivation import Meaning
 from restitution.expression.dimensions import Dimension
-from restitution.expression.evaluate import evaluate
+from restitution.expression.evaluate import in_letters
 from restitution.expression.quantities import dimension_of
 from restitution.expression.tree import (
     Apply,
@@ -99,14 +99,14 @@ def _ends(value: Fraction) -> bool:
 
 def worth(tree: Expression) -> sp.Expr:
     """The value of a tree of letters that are positive."""
-    value = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
+    value = in_letters(tree, positive=True)
     return sp.sympify(value, strict=True)
 
 
 def vector_worth(tree: Expression) -> Vector | None:
     """The value of a vector in letters that are positive; None where a line cannot say it."""
     try:
-        value = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
+        value = in_letters(tree, positive=True)
         return Vector(*(tidy(each) for each in value))
     except (RestitutionError, TypeError):
         return None
@@ -197,7 +197,7 @@ def rounded(tree: Expression) -> lay.Layout | None:
     if has_quantity(tree):
         return None
     try:
-        value: Any = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
+        value: Any = in_letters(tree, positive=True)
     except RestitutionError:
         return None
     if isinstance(value, Vector):
@@ -239,7 +239,7 @@ def as_answer(tree: Expression, place: bool = False) -> tuple[tuple[lay.Layout, 
     if has_quantity(tree):
         return ()
     try:
-        value: Any = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
+        value: Any = in_letters(tree, positive=True)
     except RestitutionError:
         return ()
     if isinstance(value, Vector):
@@ -286,7 +286,7 @@ def percentage(tree: Expression) -> tuple[lay.Layout, str] | None:
     if has_quantity(tree):
         return None
     try:
-        value: Any = evaluate(tree, lambda name: sp.Symbol(name, positive=True))
+        value: Any = in_letters(tree, positive=True)
     except RestitutionError:
         return None
     shown = lay.display(value, percentage=True)

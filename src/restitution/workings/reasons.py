@@ -14,7 +14,7 @@ from restitution.explaining.quotients import NotComparableError, Quotient
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.step import Setting, Step
 from restitution.explaining.trees import rebuilt
-from restitution.expression.evaluate import evaluate
+from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -542,7 +542,7 @@ class Reasons:
         if not values or any(map(has_quantity, sides)):
             return
         try:
-            value, most = (sp.sympify(evaluate(each, sp.Symbol), strict=True) for each in sides)
+            value, most = (in_letters(each) for each in sides)
         except (RestitutionError, TypeError, ValueError):
             return
         share = sp.factor(value / most)
@@ -595,7 +595,7 @@ def _times(tree: Expression) -> tuple[sp.Expr, Apply] | None:
         case Apply("sin" | "cos"):
             return sp.Integer(1), tree
         case Binary("*", factor, Apply("sin" | "cos") as ratio) if not letters(factor):
-            return sp.sympify(evaluate(factor, sp.Symbol), strict=True), ratio
+            return in_letters(factor), ratio
     return None
 
 
@@ -698,7 +698,7 @@ def _is_short(tree: Expression) -> bool:
 def _in_letters(tree: Expression) -> sp.Expr | None:
     """What a tree is worth in its letters; None where it holds more than these."""
     try:
-        return sp.sympify(evaluate(tree, sp.Symbol), strict=True)
+        return in_letters(tree)
     except RestitutionError:
         return None
 

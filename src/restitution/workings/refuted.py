@@ -13,7 +13,7 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Derivation, Link, Note, Relation
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.trees import rebuilt
-from restitution.expression.evaluate import evaluate
+from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import Expression, Negate, Quantity, has_quantity, letters
 from restitution.planning.forms import product, tree_of
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Show
@@ -181,7 +181,7 @@ def _apart(
     known = {e.left: e.right for e in (_link_of(derivation, line) for line in note.lines)}
     worth = [known.get(tree, tree) for tree in trees]
     try:
-        a, b = (evaluate(e, lambda name: sp.Symbol(name, positive=True)) for e in worth)
+        a, b = (in_letters(e, positive=True) for e in worth)
     except RestitutionError:
         return say("refuted.direction", claim=denied)
     if not (isinstance(a, Vector) and isinstance(b, Vector)) or 0 in (a.dot(a), b.dot(b)):
@@ -246,9 +246,7 @@ def _may_agree(claimed: Expression, value: Expression) -> bool:
     if not letters(claimed) | letters(value):
         return False
     try:
-        ends: list[Any] = [
-            evaluate(each, lambda name: sp.Symbol(name, positive=True)) for each in (claimed, value)
-        ]
+        ends: list[Any] = [in_letters(each, positive=True) for each in (claimed, value)]
     except RestitutionError:
         return True
     if not all(isinstance(end, sp.Expr) and end != 0 for end in ends):
