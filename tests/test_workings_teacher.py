@@ -224,6 +224,17 @@ find e, direction(A)
         REST.format(m="k m", e="") + "given e k < 1\nfind maximum of tan(deflection(A)) over alpha",
         ["√(1 − ek)√(1 + k)", "as ek < 1"],
     ),
+    # cos δ = (v + 4u)/(√5 √(v² + 4u²)) is negative for v = −14u.
+    "a root that comes of squaring is none of the line that was squared": (
+        """
+sphere A: mass m, velocity u i + 2u j
+sphere B: mass m, velocity -3u i
+A hits B: along i
+given cos(deflection(A)) = 1/sqrt(10)
+find e
+""",
+        ["(1)", "v = −2u or v = −14u", "v = −2u, as v = −14u does not satisfy (1)", "e = ½"],
+    ),
     "an inequality divided by a coefficient says that it is positive": (
         REST.format(m="k m", e="") + "given along(velocity(A), i) < 0\nfind range of k",
         ["1 − ek < 0, as α is acute", "k > 1/e, as e > 0"],

@@ -698,6 +698,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.since-by": "Since {facts:and}, {how}:",
     "derived.right-angle": "and {angle} if {at}",
     "derived.as": "as {reasons:and}",
+    "derived.no-root": "{value} does not satisfy {equation}",
     "derived.would": "{value} would give {result} by {equations:and}",
     "derived.the": "the {quantity}",
     "derived.cancel": "Dividing by {factor}, which is not zero as {reasons:and}:",

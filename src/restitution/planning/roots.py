@@ -9,8 +9,19 @@ import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.expression.tree import Binary, Expression, Letter, Name, Number, Quantity, walk
+from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.explaining.trees import trees_of
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Number,
+    Quantity,
+    letters,
+    walk,
+)
 from restitution.planning.desk import NotPlannedError, Source, chain
 from restitution.planning.forms import ZERO, product, square, total, tree_of
 from restitution.planning.impacts import momentum, residual, restitution
@@ -247,6 +258,7 @@ def rejected(
     bare = _likely(scene, symbol, own)
     if not component and scene.judge.follows(move, (line, *bare), relation):
         return scene.desk.write(move, (line, *bare), relation)
+    unsquared = unsquared or _with_a_root(scene, line, symbol)
     if unsquared:
         refs = scene.judge.enough(move, (line,), relation, (*unsquared, *own))
         if refs is not None:
@@ -272,6 +284,21 @@ def rejected(
     if refs is None:
         raise NotPlannedError(f"nothing excludes a value of {symbol}")
     return scene.desk.write(move, refs, relation)
+
+
+def _with_a_root(scene: Scene, line: int, symbol: sp.Symbol) -> tuple[Ref, ...]:
+    """The line above some roots in which the unknown stands below a root: it was squared."""
+    for ref in sorted((e for e in scene.desk.under(line) if isinstance(e, int)), reverse=True):
+        own = scene.desk.line(ref).relation
+        if isinstance(own, Meaning) or len(own.options) != 1:
+            continue
+        nodes = [node for tree in trees_of(own) for node in walk(tree)]
+        if any(
+            isinstance(node, Apply) and node.function == "sqrt" and symbol.name in letters(node)
+            for node in nodes
+        ):
+            return (ref,)
+    return ()
 
 
 def _likely(scene: Scene, symbol: sp.Symbol, own: tuple[Ref, ...]) -> tuple[Ref, ...]:

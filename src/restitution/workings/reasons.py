@@ -38,7 +38,7 @@ from restitution.workings.factors import factor_cancelled
 from restitution.workings.grounds import grounds_of
 from restitution.workings.growing import growth, way_of
 from restitution.workings.naming import Naming
-from restitution.workings.sources import Sources, bound_broken
+from restitution.workings.sources import Sources, bound_broken, root_of_a_square
 
 _REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
 _OF_SQUARES = frozenset({"speed", "size", "energy", "total"})
@@ -144,6 +144,11 @@ class Reasons:
 
     def _would(self, line: Line) -> Sentence | None:
         """What the root that is rejected would make of another letter, by which laws."""
+        squared = root_of_a_square(self._derivation, line)
+        if squared is not None and squared[1] in self._sources.numbers:
+            root = self._laid(Relation((squared[0],)))
+            number = say("derived.number", number=str(self._sources.numbers[squared[1]]))
+            return say("derived.no-root", value=root, equation=number)
         broken = bound_broken(self._derivation, line) if line.move.id == "reject" else None
         if broken is None:
             return None

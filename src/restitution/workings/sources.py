@@ -117,6 +117,32 @@ def bound_broken(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], 
     return dropped[0], Link(bound.left, sign, bound.right)
 
 
+def root_of_a_square(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], int] | None:
+    """The one root that a line rejects, and the line with a root by which that is none.
+
+    It came of squaring that line.
+    """
+    cited = [ref for ref in line.premises if isinstance(ref, int)]
+    if line.move.id != "reject" or len(cited) != 2:
+        return None
+    roots, other = (derivation.line(each) for each in cited)
+    if line.premises[0] != cited[0]:
+        return None
+    assert isinstance(line.relation, Relation)
+    if roots is None or other is None or other.move.id == "law":
+        return None
+    if not isinstance(roots.relation, Relation) or not isinstance(other.relation, Relation):
+        return None
+    dropped = [each for each in roots.relation.options if each not in line.relation.options]
+    own = other.relation.options
+    if len(dropped) != 1 or len(own) != 1 or any(each.sign != "=" for each in own[0]):
+        return None
+    nodes = (node for each in own[0] for node in walk(Binary("-", each.left, each.right)))
+    if not any(isinstance(node, Apply) and node.function == "sqrt" for node in nodes):
+        return None
+    return dropped[0], cited[1]
+
+
 class Sources:
     """The sources of the lines of one derivation, and the numbers of those that are named."""
 
@@ -217,7 +243,10 @@ class Sources:
         return not any(isinstance(node, Apply) for node in walk(line.relation.only[0].right))
 
     def _excluding(self, line: Line) -> tuple[int, ...]:
-        """The laws by which a root would break the bound of another letter."""
+        """The laws by which a root would break the bound of another letter, or what was squared."""
+        squared = root_of_a_square(self._derivation, line)
+        if squared is not None and squared[1] in self._lines:
+            return (squared[1],)
         if bound_broken(self._derivation, line) is None:
             return ()
         laws = [
