@@ -106,3 +106,20 @@ find alpha
 def test_a_range_is_that_with_the_facts_below_it() -> None:
     working = to_text(explain(solve(parse(SPHERES + "find range of e\ngiven e < 1/2"))))
     assert "0 ≤ e < ½" in working
+
+
+def test_an_answer_has_no_letter_that_a_let_names() -> None:
+    text = """
+sphere A: mass 2m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+let beta = direction(A)
+let delta = beta - alpha
+find tan(beta) in terms of alpha
+given delta = arctan(1/3), tan(alpha) < 3/4
+find alpha
+"""
+    working = to_text(explain(solve(parse(text))))
+    assert "2 tan(β − arctan(1/3))" not in working
+    assert "tan β = 1" in working
+    assert "α = arctan(1/2)" in working

@@ -425,6 +425,9 @@ def _require_letters(scene: Scene, result: ItemResult) -> None:
     }
     for links in scene.desk.ends[-1].answer.options:
         for link in links:
+            named = {name for name in letters(link.right) - asked if f"let {name}" in scene.facts}
+            if named:
+                raise NotPlannedError(f"an answer in {', '.join(sorted(named))}")
             value = scene.value(link.right)
             value = value.measure() if isinstance(value, Angle) else value
             parts = value if isinstance(value, tuple) else (value,)
