@@ -101,6 +101,15 @@ def _speed(point: Point) -> Fraction:
     return (1 + e_) * u_ / (1 + k_)
 
 
+@pytest.mark.parametrize("end", [sp.pi - sp.atan(2), sp.acos(-1 / sp.sqrt(5))])
+def test_an_obtuse_angle_is_bounded_by_its_cosine(end: sp.Expr) -> None:
+    oracle = Oracle(ROLES, (compared(sp.cos(phi), ">=", -1 / sp.sqrt(5)),))
+    assert oracle.decide(compared(phi, "<=", end)).answer == "proved"
+    assert oracle.decide(compared(phi, "<", end)).answer == "refuted"
+    assert oracle.decide(compared(phi, "<=", sp.pi - sp.atan(3))).answer == "refuted"
+    assert oracle.decide(compared(phi, "<=", sp.acos(-2 / sp.sqrt(5)))).answer == "proved"
+
+
 def test_facts_that_nothing_satisfies() -> None:
     assert Oracle(ROLES, (compared(u, ">", 3), compared(u, "<", 3))).possible.answer == "refuted"
     pinned = Oracle(ROLES, (compared(u, ">=", 3), compared(u, "<=", 3)))

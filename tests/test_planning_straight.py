@@ -197,3 +197,22 @@ def test_what_was_squared_excludes_a_square() -> None:
     assert "7d sqrt(4a^2 - d^2) = 7d^2 - 4a^2" in lines
     assert "d^2 = (9 + sqrt(73)) a^2/7" in lines
     assert lines[-1] == "d = a sqrt((9 + sqrt(73))/7)"
+
+
+def test_of_two_velocities_before_that_is_kept_by_which_the_spheres_approach() -> None:
+    lines = said(
+        working(
+            """
+            point N: (9, 6)
+            sphere A: mass 2, at (1, 1), radius 1/2
+            sphere B: mass 1, at (5, 3), at rest
+            A hits B: e = 1/3
+            B reaches N
+            given speed(A, 0) = 5
+            find velocity(A, 0)
+            """
+        )
+    )
+    # A goes from (1, 1) to (5, 3) - (4, 3)/5 = (21/5, 12/5): along 16i + 7j at 5 m/s.
+    assert "b = 7sqrt(305)/61" in lines
+    assert lines[-1] == "velocity(A, 0) = 16sqrt(305)/61 i + 7sqrt(305)/61 j"

@@ -629,10 +629,9 @@ def _prepared(formula: Formula, roles: Mapping[str, Role]) -> Formula:
 
 def _angular(x: sp.Expr, roles: Mapping[str, Role]) -> sp.Expr:
     """A sum of angles as the sine of a share of it, which has the same sign."""
-    width = fixed = sp.Integer(0)
-    terms = sp.Add.make_args(sp.expand(x))
+    low = high = sp.Integer(0)
     angular = open_ = False
-    for term in terms:
+    for term in sp.Add.make_args(sp.expand(x)):
         coefficient, atom = term.as_coeff_Mul()
         if not coefficient.is_Rational:
             return x
@@ -640,27 +639,45 @@ def _angular(x: sp.Expr, roles: Mapping[str, Role]) -> sp.Expr:
             role = roles.get(atom.name, REAL)
             if role.kind != "angle" or role.low is None or role.high is None:
                 return x
-            width += abs(coefficient) * sp.Max(abs(role.low), abs(role.high))
+            ends = role.low, role.high
             angular, open_ = True, open_ or not any(role.closed)
-        elif isinstance(atom, sp.atan | sp.asin):
-            width += abs(coefficient) * sp.pi / 2
-            angular, open_ = True, open_ or isinstance(atom, sp.atan)
-        elif isinstance(atom, sp.acos | sp.atan2):
-            width += abs(coefficient) * sp.pi
+        elif isinstance(atom, _INVERSE):
+            width = sp.pi if isinstance(atom, sp.acos | sp.atan2) else sp.pi / 2
+            ends = (sp.Integer(0) if isinstance(atom, sp.acos) else -width), width
+            if not term.free_symbols:
+                ends = atom, atom  # its value is known
             angular = True
+            open_ = open_ or (isinstance(atom, sp.atan) and bool(term.free_symbols))
         elif not term.free_symbols and (atom is sp.pi or coefficient is term or term.is_Rational):
-            fixed += term
+            ends = atom, atom
         else:
             return x
+        least, most = ends if coefficient > 0 else ends[::-1]
+        low, high = low + coefficient * least, high + coefficient * most
     if not angular:
         return x
-    if bool(abs(fixed) > width):
-        return fixed  # too large for the angles to matter
-    share = 1
-    width += abs(fixed)
-    while not (bool(width < share * sp.pi) or (open_ and width == share * sp.pi)):
-        share += 1
+    try:
+        for end, sign in ((low, 1), (high, -1)):
+            if _exceeds(sign * end, 0):
+                return end  # so far from 0 that the angles do not matter
+        share = 1
+        while any(
+            not _exceeds(share * sp.pi, end) and not (open_ and end == share * sp.pi)
+            for end in (-low, high)
+        ):
+            share += 1
+    except BeyondError:
+        return x
     return sp.sin(x / share)
+
+
+def _exceeds(x: sp.Expr, bound: sp.Expr | int) -> bool:
+    """Whether a number is certain to be more than another one."""
+    least, _ = ends_of(constant_interval(sp.sympify(x - bound, strict=True), 30))
+    return bool(least > 0)
+
+
+_INVERSE = (sp.atan, sp.asin, sp.acos, sp.atan2)
 
 
 def _angle_within(angle: sp.Expr, role: Role) -> sp.Expr | float:

@@ -51,6 +51,7 @@ from restitution.planning.polynomials import one_fraction
 from restitution.planning.quotients import write_quotient
 from restitution.planning.scene import Scene
 from restitution.planning.turned_at_walls import tangent_of, write_turn
+from restitution.planning.wide_angles import write_by_cosine
 from restitution.planning.worths import Worths
 from restitution.solving.letters import roles
 
@@ -121,7 +122,7 @@ class Claims:
                 line = self.compared(base, relation)
                 if line is not None:
                     return line
-            for proof in (write_of_angles, write_turn):
+            for proof in (write_of_angles, write_turn, write_by_cosine):
                 line = proof(self, quantities, relation)
                 if line is not None:
                     return line

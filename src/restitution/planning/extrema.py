@@ -8,8 +8,9 @@ from typing import Any
 
 import sympy as sp
 
+from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import Line, Link, Move, Ref, Relation, Sign
+from restitution.explaining.derivation import FLIPPED, Line, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -33,6 +34,8 @@ from restitution.planning.order import Solver, Standing
 from restitution.planning.polynomials import cancelled, expanded, factored, one_fraction
 from restitution.planning.quotients import by_tangent, write_quotient
 from restitution.planning.scene import Scene
+from restitution.planning.turns import velocities_of
+from restitution.planning.wide_angles import compared_by_cosine, cosine_of
 from restitution.planning.worths import NAMED
 from restitution.solving.letters import roles
 from restitution.solving.solution import Answer, ItemResult
@@ -149,8 +152,19 @@ class _Extremum:
             whole = replace(whole, right=Apply("arctan", tree_of(tangent)))
         if tangent.has(sp.zoo) or self.scene.model.sign(tangent) <= 0:
             return self._of_wide_angle(asked)
+        start = self.claims.worths.mark()
         line, letter, extent = self._tangent(asked)
         line = self._put(line)
+        if self._may_be_obtuse(asked, line):
+            standing = self.end, self.value
+            try:
+                self.claims.worths.back(start)
+                return self._of_cosine(asked)
+            except NotPlannedError:
+                self.claims.worths.back(start)
+                self.end, self.value = standing
+                line, letter, extent = self._tangent(asked)
+                line = self._put(line)
         if is_of_two_angles(asked) or self.claims.worths.is_of_statement(letter):
             asked, whole = letter, replace(whole, left=letter)
         self.value = tangent
@@ -193,7 +207,7 @@ class _Extremum:
         self.claims.worths.determine_angle(asked)
         parts = made_of_two(self.scene, asked)
         if parts is None:
-            raise NotPlannedError("an angle that is not acute")
+            return self._of_cosine(asked)
         line, support = parts
         self.end = replace(self.end, left=self.scene.desk.last_link(line).left)
         inside = {name for ref in (line, *support) for name in letters_under(self.scene, ref)}
@@ -204,6 +218,34 @@ class _Extremum:
             there = self._place(line, self.end.left, support)
             if there is not None and self.judge.follows(self.move, [bound, there], self._relation):
                 return self.scene.desk.write(self.move, [bound, there], self._relation)
+        raise NotPlannedError("an angle that is not acute")
+
+    def _may_be_obtuse(self, asked: Expression, line: int) -> bool:
+        """Whether the tangent of an angle between velocities does not grow with it throughout."""
+        if not isinstance(asked, Quantity) or velocities_of(self.scene, asked) is None:
+            return False
+        return not proved_sign(self.scene.model.ground, self._value(line))
+
+    def _of_cosine(self, asked: Expression) -> int:
+        """An angle between two velocities by its cosine, which falls as the angle grows."""
+        own = cosine_of(self.claims, asked) if isinstance(asked, Quantity) else None
+        if own is None:
+            raise NotPlannedError("an angle that is not acute")
+        whole, self.value = self._relation, tidy(sp.cos(self.value))
+        sign = FLIPPED[whole.only[0].sign]
+        bound = Relation(((Link(own.tree, sign, tree_of(self.value)),),))
+        ends = self.claims.monotone(own.line, bound)
+        if ends is not None:
+            last = compared_by_cosine(self.claims, own, ends, whole)
+            whole = whole if last is None else self.scene.desk.relation(last)
+            there = self._place(own.line, Apply("cos", asked), own.known)
+            if (
+                last is not None
+                and there is not None
+                and self.judge.follows(self.move, [last, there], whole)
+            ):
+                (self.end,) = whole.only
+                return self.scene.desk.write(self.move, [last, there], whole)
         raise NotPlannedError("an angle that is not acute")
 
     def _of_tied_letter(self, asked: Letter) -> int | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
 import sympy as sp
@@ -279,6 +279,10 @@ def rejected(
         if scene.judge.follows(move, (line, *premises), relation):
             return scene.desk.write(move, (line, *premises), relation)
     facts = [each for each in scene.judge.known(names) if each in scene.facts]
+    for approach in _approaches(scene, line, symbol):
+        refs = scene.judge.enough(move, (line,), relation, approach)
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
     pool = (*own, *laws, *_values(scene, laws), *rest, *facts)
     refs = scene.judge.enough(move, (line,), relation, pool)
     if refs is None:
@@ -299,6 +303,30 @@ def _with_a_root(scene: Scene, line: int, symbol: sp.Symbol) -> tuple[Ref, ...]:
         ):
             return (ref,)
     return ()
+
+
+def _approaches(scene: Scene, line: int, symbol: sp.Symbol) -> Iterator[tuple[Ref, ...]]:
+    """That spheres approach each other, of which one has an open component at the start.
+
+    With it where they are then, and the lines under this one that tie the components.
+    """
+    lets = [
+        each.number
+        for each in scene.desk.lines
+        if isinstance(each.relation, Meaning) and isinstance(each.relation.quantity, Quantity)
+    ]
+    named = {scene.desk.line(each).relation.letter for each in lets}  # type: ignore[union-attr]
+    if symbol.name not in named:
+        return
+    tied = [ref for ref in scene.desk.under(line) if isinstance(ref, int)]
+    for number in scene.model.frames:
+        bodies = scene.spheres(number)
+        facts = [f"{kind} {body}" for body in bodies for kind in ("position", "velocity")]
+        places = [scene.desk.known(Quantity("position", (Name(e),), number)) for e in bodies]
+        stands = [ref for each in places if each is not None for ref in each.refs]
+        own = [f"towards {number}", *(each for each in facts if each in scene.facts)]
+        if own[0] in scene.facts:
+            yield tuple(dict.fromkeys((*own, *stands, *lets, *sorted(tied))))
 
 
 def _likely(scene: Scene, symbol: sp.Symbol, own: tuple[Ref, ...]) -> tuple[Ref, ...]:

@@ -237,9 +237,10 @@ def _in_its_quadrant(step: Step, ratio_: Apply, angle: sp.Expr) -> bool:
     return step.oracle.proves(Claim(share * side, ">"))
 
 
-def is_tangent_of(step: Step, value: Link, end: Link) -> bool:
-    """Whether a tangent tells that an angle of up to 180° has a value: the only one with it."""
-    if value.left != Apply("tan", end.left):
+def is_ratio_of(step: Step, value: Link, end: Link) -> bool:
+    """Whether a tangent or cosine tells that an angle of up to 180° has a value: the only one."""
+    cosine = value.left == Apply("cos", end.left)
+    if not cosine and value.left != Apply("tan", end.left):
         return False
     angle, ratio_ = in_radians(step, end.right), in_radians(step, value.right)
     oracle = Oracle(step.setting.roles)
@@ -248,6 +249,10 @@ def is_tangent_of(step: Step, value: Link, end: Link) -> bool:
         role = role or step.setting.role(end.left.name)
     if role is None or role.low is None or role.high is None:
         return False
+    if cosine:
+        within = (compared(angle, ">=", sp.Integer(0)), compared(angle, "<=", sp.pi))
+        is_of_one = role.low >= 0 and role.high <= sp.pi
+        return is_of_one and _equal(step, sp.cos(angle), ratio_) and all(map(oracle.proves, within))
     if role.low >= -sp.pi / 2 and role.high <= sp.pi / 2 and isinstance(angle, sp.atan):
         return _equal(step, sp.tan(angle), ratio_)
     if role.low != 0:

@@ -10,7 +10,7 @@ from restitution.explaining.definitions import (
     ZERO,
 )
 from restitution.explaining.derivation import Link, Meaning, Relation
-from restitution.explaining.moves.angles import in_radians, is_tangent_of
+from restitution.explaining.moves.angles import in_radians, is_ratio_of
 from restitution.explaining.moves.bases import base_of, condition, ends_of
 from restitution.explaining.step import Step
 from restitution.expression.tree import (
@@ -92,7 +92,7 @@ def is_attained(step: Step, bound: Relation, where: Relation | Meaning) -> bool:
     least = step.move.record == "least"
     if end.sign != (">=" if least else "<="):
         return False
-    if value != Link(end.left, "=", end.right) and not is_tangent_of(step, value, end):
+    if value != Link(end.left, "=", end.right) and not is_ratio_of(step, value, end):
         return False
     free = step.under(cited=(), known=())
     there = free.formula(Relation(((place,),)))
@@ -101,7 +101,7 @@ def is_attained(step: Step, bound: Relation, where: Relation | Meaning) -> bool:
 
 def _is_approached(step: Step, place: Link, value: Link, end: Link) -> bool:
     """Whether a value belongs to an end of the range of a letter that is not in the range."""
-    if value != Link(end.left, "=", end.right) and not is_tangent_of(step, value, end):
+    if value != Link(end.left, "=", end.right) and not is_ratio_of(step, value, end):
         return False
     match place.left:
         case Binary("/", Number(1), Letter(name)) if place.right == ZERO:
