@@ -335,3 +335,10 @@ def test_a_letter_for_a_vector_and_its_part_and_changes_in_words(line: str, verd
 def test_behind_a_sign_of_division_stands_the_whole_of_a_product() -> None:
     assert verdicts(RESTING, "tan θ = usinα ÷ (1-2e)ucosα/3 = 3tanα/(1-2e)") == ["true"]
     assert verdicts(RESTING, "tan θ = usinα ÷ (1-2e)ucosα/2 = 2tanα/(1-2e)") != ["true"]
+
+
+def test_a_chain_may_pass_from_vectors_to_sizes() -> None:
+    """I = m(v - u) holds of vectors, and what comes behind it is the size."""
+    lines = "v = 3i + 2j", "I = m(v - u) = 0.4(4 + 2) = 2.4"
+    assert verdicts(SLOW, *lines) == ["true", "true"]
+    assert verdicts(SLOW, lines[0], "I = m(v - u) = 0.4(4 - 2) = 0.8") == ["true", "false"]

@@ -365,3 +365,22 @@ def test_the_look_of_a_letter_is_odd_for_some_quantities() -> None:
         ("b", "angle(velocity(P), W)", False),
     ):
         assert is_odd(letter, read_expression(quantity, names={"P", "W"})) is odd, letter
+
+
+def test_one_coincidence_of_numbers_does_not_tell_a_letter_of_an_odd_look() -> None:
+    statement = (
+        "sphere A: mass 2, velocity 3i - 4j\nsphere B: mass 3, velocity 2i + 3j\n"
+        "A hits B: along j, e = 3/7\nfind total_energy_lost, impulse, velocity(A)\n"
+    )
+    _, solution = solved(statement)
+    lines = ["p_1 = 1/2*2 (4^2 - 2^2) + 1/2*3 (3^2 - 1^2) = 24", "I = 12"]
+    verdicts = [each["verdict"] for each in r.mark(solution, lines).json()["lines"]]
+    assert verdicts[0] in ("true", "asks")
+    assert verdicts[1] == "true"
+
+
+def test_a_place_may_have_a_letter_for_velocities() -> None:
+    _, solution = solved(PLACED)
+    lines = ["w = 3/2 i + 1/2 j + (2 - 1/2)(3i + 3j)", "w = 6i + 5j"]
+    verdicts = [each["verdict"] for each in r.mark(solution, lines).json()["lines"]]
+    assert "false" not in verdicts

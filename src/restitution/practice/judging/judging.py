@@ -336,23 +336,24 @@ class _Sitting:
     def _unless_in_doubt(
         self, line: JudgedLine, lines: Sequence[JudgedLine], asks: set[str]
     ) -> JudgedLine:
-        """A false line that is no misconception is a question if no other supports a letter in it.
+        """A false line is a question if no other line supports what a letter in it is taken for.
 
-        A letter of an odd look for what it is taken for needs two true lines, others one.
+        A letter of an odd look for that needs two true lines, others one, or a mistake with a name.
         """
         mistake = line.mistake
-        named = mistake is not None and mistake.kind == "misconception"
-        if line.verdict != "false" or named:
+        if line.verdict != "false":
             return line
-        true = [each.line for each in lines if each.verdict == "true"]
+        named = mistake is not None and mistake.kind == "misconception"
+        true = [_names_in(each.line) for each in lines if each.verdict == "true"]
+        true += [_names_of(link) for link in line.line.links[: line.link or 0]]
         names = _names_in(line.line)
-        doubtful = {
-            name
-            for name, meaning in self.meanings.best.at(line.line.number).items()
-            if name in names and meaning.by == "inferred" and not is_phrase(name)
-            if sum(name in _names_in(each) for each in true)
-            < (2 if is_odd(name, meaning.quantity) else 1)
-        }
+        doubtful: set[str] = set()
+        for name, meaning in self.meanings.best.at(line.line.number).items():
+            if name in names and meaning.by == "inferred" and not is_phrase(name):
+                support = sum(name in each for each in true)
+                odd = is_odd(name, meaning.quantity)
+                if support < (2 if odd else 0 if named else 1):
+                    doubtful.add(name)
         if not doubtful:
             return line
         asks.update(doubtful)

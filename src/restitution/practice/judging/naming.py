@@ -331,7 +331,7 @@ def _plainly(entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction]) -> 
     changes = {each.change for each in mended}
     squares = "square" in changes and changes <= {"square", "power", "figure", "factor"}
     above = (each for each in judge.entries if each.claim.left == entry.claim.left)
-    if squares and _is_energetic(entry) and not any(map(_is_energetic, above)):
+    if squares and _is_of_squares(entry) and not any(map(_is_energetic, above)):
         return "square-not-taken"  # where no line above has squares that may be copied wrongly
     return None
 
@@ -403,6 +403,14 @@ def _is_energetic(entry: Entry) -> bool:
         for side in (entry.claim.left, entry.claim.right)
         for each in walk(side)
     )
+
+
+def _is_of_squares(entry: Entry) -> bool:
+    """Whether the left side of a claim is an energy, a speed, or the square of one."""
+    left = entry.claim.left
+    left = left.left if isinstance(left, Binary) and left.op == "^" else left
+    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+    return isinstance(meant, Quantity) and (meant.kind == "speed" or "energy" in meant.kind)
 
 
 def _is_of_energy(entry: Entry) -> bool:

@@ -85,6 +85,8 @@ def _of_other_nature(tree: Expression) -> Expression | None:
             return Quantity("velocity", body, stage)
         case Quantity("velocity", (Name(),) as body, stage):
             return Quantity("speed", body, stage)
+        case Quantity("impulse", (Name(),), stage):
+            return Quantity("impulse", (), stage)
     return None
 
 

@@ -67,7 +67,7 @@ from restitution.practice.judging.supposing import (
     speaks_of_an_extreme,
     supposed_in,
 )
-from restitution.practice.letters.candidates import Candidate
+from restitution.practice.letters.candidates import Candidate, suffix
 from restitution.practice.letters.options import Usage, options, staged
 from restitution.practice.letters.trial import inside_angles
 from restitution.practice.reading.lines import read_as
@@ -443,6 +443,8 @@ class Judge:
         known = len(self.entries)
         for link in line.links:
             each = self._link(line, link)
+            if each.verdict in ("unread", "false") and judged and self._is_of_unlike(line, link):
+                each = self._from_start(line, link, judged) or each
             judged.append(each)
             numeric = is_numeric(each.claim.left) and is_numeric(each.claim.right)
             if each.verdict in ("false", "follows") and not numeric:
@@ -451,6 +453,33 @@ class Judge:
             del self.entries[known:]
             self._own = -1, ()
         return judged
+
+    def _is_of_unlike(self, line: ScriptLine, link: Link) -> bool:
+        """Whether a link compares a vector with a number."""
+        try:
+            agrees(link.readings[0], self._base, self.meanings(line.number), (), line.scope)
+        except RestitutionError as error:
+            return getattr(error, "letter", None) is None
+        return False
+
+    def _from_start(
+        self, line: ScriptLine, link: Link, before: Sequence[JudgedLink]
+    ) -> JudgedLink | None:
+        """A link that compares unlike things, as one of what its chain begins with.
+
+        In ``I = m(v - u) = 0.5(4 + 2)`` the middle is a vector, and the end its size.
+        """
+        start = len(before) - 1
+        if link.readings[0].left != before[start].claim.right:
+            return None
+        while start and _goes_on(before[start - 1], before[start]):
+            start -= 1
+        first = before[start].claim.left
+        if not isinstance(first, Letter | Quantity):
+            return None
+        readings = tuple(dict.fromkeys(replace(each, left=first) for each in link.readings))
+        other = self._link(line, replace(link, readings=readings))
+        return None if other.verdict == "unread" else other
 
     def _link(self, line: ScriptLine, link: Link) -> JudgedLink:
         held = self._holds(link, line, self.worlds)
@@ -948,7 +977,13 @@ class Judge:
         missing: set[str] = set()
         fault: str | None = None
         meanings = self.meanings(line.number)
-        forms = (x for each in link.readings for x in (each, *of_natures(each, meanings)))
+        # v_A is of A whatever its nature, and a vector has a size; else a letter may be doubtful.
+        named = {
+            name: tree
+            for name, tree in meanings.items()
+            if suffix(name) in self._base.start or kind_of(tree) in ("velocity", "impulse")
+        }
+        forms = (x for each in link.readings for x in (each, *of_natures(each, named)))
         for claim in chain(forms, self._in_all_meanings(link, line)):
             try:
                 agrees(claim, self._base, meanings, link.decimals, line.scope)

@@ -357,8 +357,11 @@ class _Search:
 
     def _is_velocity(self, name: str) -> bool:
         """Whether a letter is one for velocities, and a vector by its first line: v = 3i + 2j."""
-        if name not in self.definitions or name.partition("_")[0] not in _VELOCITIES:
+        base = name.partition("_")[0]
+        if name not in self.definitions or base not in _VELOCITIES:
             return False
+        if base in "wW" and any(each.position for each in self.around.problem.spheres):
+            return False  # it may be a place
         number, tree = self.definitions[name]
         value = self.around.tester.value(tree, {}, Frame(None, self.meanings(number)))
         return isinstance(value, Vector) and not self.around.of_the_start(value)
