@@ -235,6 +235,16 @@ find e
 """,
         ["(1)", "v = −2u or v = −14u", "v = −2u, as v = −14u does not satisfy (1)", "e = ½"],
     ),
+    "a root is chosen by the direction of motion that is given": (
+        """
+sphere A: mass 3m, velocity 2u i
+sphere B: mass 2m, velocity -5u i
+A hits B: along i
+given velocity(A) opposite to i, speed(A) = 11/5 u
+find e
+""",
+        ["v = ±11u/5", "v = −11u/5, as A moves in the direction of −𝐢", "e = ½"],
+    ),
     "an inequality divided by a coefficient says that it is positive": (
         REST.format(m="k m", e="") + "given along(velocity(A), i) < 0\nfind range of k",
         ["1 − ek < 0, as α is acute", "k > 1/e, as e > 0"],

@@ -689,6 +689,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.times": "the {quantity} is {share} times the {value}",
     "derived.since": "Since {facts:and}:",
     "derived.anyway": "{fact} in any case.",
+    "derived.moving": "{body} moves in the direction of {way}",
     "derived.moves": "{body} moves in the direction of {way}, so {fact}:",
     "derived.moves-put": (
         "{body} moves in the direction of {way}, so {fact}. Substituting for {letters:and}:"

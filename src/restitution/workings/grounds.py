@@ -8,7 +8,7 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.derivation import Derivation, Fact, Line, Link, Relation
 from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import (
     Apply,
@@ -16,6 +16,8 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Name,
+    Negate,
     Number,
     Quantity,
     Unit,
@@ -41,6 +43,16 @@ def grounds_of(derivation: Derivation, roles: Mapping[str, Role], line: Line) ->
             yield from _divisors(roles, line)
         case "compare":
             yield from _double_angle(derivation, line)
+
+
+def motion_of(fact: Fact | None) -> tuple[str, Expression] | None:
+    """Which body moves in which direction, where that is given and tells a component's sign."""
+    if fact is None or fact.id.partition(" ")[0] != "sense":
+        return None
+    match fact.relation.only:
+        case (Link(Quantity("along", (Quantity("velocity", (Name(body),)), axis)), sign),):
+            return body, axis if sign == ">" else Negate(axis)
+    return None
 
 
 def _relation(derivation: Derivation, ref: object) -> Relation | None:

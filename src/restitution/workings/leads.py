@@ -41,6 +41,7 @@ from restitution.expression.tree import (
 from restitution.render import layout as lay
 from restitution.workings.factors import factor_cancelled
 from restitution.workings.flights import chord_title, distance_title, flight_title
+from restitution.workings.grounds import motion_of
 from restitution.workings.measured import worth
 from restitution.workings.meetings import condition_of, passing_of
 from restitution.workings.naming import Naming
@@ -883,16 +884,11 @@ class Leads:
     ) -> tuple[str, lay.Layout, Sentence | lay.Layout] | None:
         """Which way a body moves, where that is given, and so the sign of its component."""
         sense = self._derivation.fact(names[0]) if len(names) == 1 else None
-        if sense is None or sense.id.partition(" ")[0] != "sense":
+        motion = motion_of(sense)
+        if sense is None or motion is None:
             return None
-        match sense.relation.only:
-            case (Link(Quantity("along", (Quantity("velocity", (Name(body),)), axis)), sign),):
-                pass
-            case _:
-                return None
-        direction = self._naming.layout(axis if sign == ">" else Negate(axis))
-        sentence = self._naming.fact(sense)
-        return body, direction, sentence
+        body, direction = motion
+        return body, self._naming.layout(direction), self._naming.fact(sense)
 
     def _fact(self, name: str) -> Sentence | lay.Layout:
         fact = self._derivation.fact(name)

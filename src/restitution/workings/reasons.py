@@ -35,7 +35,7 @@ from restitution.render import layout as lay
 from restitution.solving.letters import roles
 from restitution.solving.signs import sign
 from restitution.workings.factors import factor_cancelled
-from restitution.workings.grounds import grounds_of
+from restitution.workings.grounds import grounds_of, motion_of
 from restitution.workings.growing import growth, way_of
 from restitution.workings.naming import Naming
 from restitution.workings.sources import Sources, bound_broken, root_of_a_square
@@ -285,6 +285,11 @@ class Reasons:
         if fact is not None:
             signs = {each.sign for links in fact.relation.options for each in links}
             ordered = signs and signs <= {*_UP, *_DOWN, "!="}
+            motion = motion_of(fact)
+            if motion is not None and line.move.id == "reject":
+                # That a sign is given by the direction of motion is said where it is used.
+                body, direction = motion
+                return say("derived.moving", body=body, way=self._naming.layout(direction))
             kind, _, number = fact.id.partition(" ")
             if kind == "order":
                 return fact.relation
