@@ -165,7 +165,7 @@ A hits B: along 30°, e = 1/2
 A hits C: along -60°, e = 1/2
 find speed(C)
 """,
-        ("at right angles to the\nlast one:", "𝐯_A · 𝐧 = 4u"),
+        ("at right angles to the\nlast one:", "𝐯_A · 𝐧₂ = 4u"),
         (),
     ),
     "the speed after a blow": (
