@@ -467,7 +467,8 @@ class Judge:
     ) -> JudgedLink | None:
         """A link that compares unlike things, as one of what its chain begins with.
 
-        In ``I = m(v - u) = 0.5(4 + 2)`` the middle is a vector, and the end its size.
+        In ``I = m(v - u) = 0.5(4 + 2)`` the middle is a vector, and the end its size. Where that
+        is not true either, nobody knows what was meant: it is no mistake by that.
         """
         start = len(before) - 1
         if link.readings[0].left != before[start].claim.right:
@@ -479,7 +480,7 @@ class Judge:
             return None
         readings = tuple(dict.fromkeys(replace(each, left=first) for each in link.readings))
         other = self._link(line, replace(link, readings=readings))
-        return None if other.verdict == "unread" else other
+        return None if other.verdict in ("unread", "false") else other
 
     def _link(self, line: ScriptLine, link: Link) -> JudgedLink:
         held = self._holds(link, line, self.worlds)
