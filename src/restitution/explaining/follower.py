@@ -32,7 +32,7 @@ from restitution.explaining.signs import Signs
 from restitution.explaining.step import Cited, Setting, Step
 from restitution.explaining.trees import settled, statement_of, trees_of
 from restitution.explaining.trials import Trial, known_of_letters, names_in, setting_of
-from restitution.explaining.unused import unused_facts
+from restitution.explaining.unused import lines_under, unused_facts
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -659,18 +659,7 @@ class _Reader:
 
     def _under(self, number: Ref) -> set[Ref]:
         """A line, or a fact, and all that it rests on."""
-        refs: set[Ref] = set()
-        pending: list[Ref] = [number]
-        while pending:
-            ref = pending.pop()
-            if ref in refs:
-                continue
-            refs.add(ref)
-            if isinstance(ref, int) and ref in self.lines:
-                line = self.lines[ref]
-                pending.extend(line.premises)
-                pending.extend(c.line for c in self.derivation.cases if ref in c.lines)
-        return refs
+        return lines_under(self.derivation, number)
 
     def _axes_turned(self) -> Iterator[Complaint]:
         """An event has one axis with one sense: components do not count both ways."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from collections.abc import Set as AbstractSet
 
-from restitution.explaining.derivation import Derivation, Fact, Ref
+from restitution.explaining.derivation import Derivation, Fact, Line, Ref
 
 
 def unused_facts(
@@ -37,6 +37,7 @@ def unused_facts(
 
 def lines_under(derivation: Derivation, ref: Ref) -> set[Ref]:
     """A line, or a fact, and all that it rests on."""
+    lines: dict[Ref, Line] = {line.number: line for line in derivation.lines}
     refs: set[Ref] = set()
     pending: list[Ref] = [ref]
     while pending:
@@ -44,7 +45,7 @@ def lines_under(derivation: Derivation, ref: Ref) -> set[Ref]:
         if own in refs:
             continue
         refs.add(own)
-        line = derivation.line(own) if isinstance(own, int) else None
+        line = lines.get(own)
         if line is not None:
             pending.extend(line.premises)
             pending.extend(case.line for case in derivation.cases if own in case.lines)

@@ -13,7 +13,7 @@ from restitution.exact import rationalised, tidy, tidy_angle
 from restitution.explaining.derivation import Link, Meaning, Note, Ref, Relation
 from restitution.explaining.facts import links_of, staged
 from restitution.explaining.trees import trees_of
-from restitution.expression.evaluate import Angle, evaluate
+from restitution.expression.evaluate import Angle, in_letters
 from restitution.expression.reading import read_number
 from restitution.expression.tree import (
     Binary,
@@ -367,5 +367,5 @@ def _numbers(scene: Scene, given: Mapping[str, str]) -> Iterator[tuple[str, sp.E
     known = roles(scene.problem)
     for name, text in given.items():
         if name in known:
-            value: Any = evaluate(read_number(text), sp.Symbol)
+            value: Any = in_letters(read_number(text))
             yield name, sp.sympify(value, strict=True)

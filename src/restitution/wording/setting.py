@@ -10,7 +10,7 @@ import sympy
 
 from restitution.errors import RestitutionError
 from restitution.expression.dimensions import MASS, SPEED
-from restitution.expression.evaluate import evaluate
+from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Expression, Name, Polar
 from restitution.problem import Problem, Sphere, Wall
 from restitution.shapes import Circle, Line, Segment
@@ -288,5 +288,5 @@ def exact(tree: Any) -> Any:
     if not isinstance(tree, Expression):
         return None
     with suppress(RestitutionError):
-        return evaluate(tree, lambda name: sympy.Symbol(name, positive=True))
+        return in_letters(tree, positive=True)
     return None
