@@ -259,8 +259,23 @@ class FactsOf:
         side = self._sign(gap)
         if side is None:
             world = world_of(self.problem)
-            return -1 if world.scalar(gap).vanishes else None
+            inside = world.scalar(gap).vanishes or self._goes_outward(body, wall, radius_vector)
+            return -1 if inside else None
         return side
+
+    def _goes_outward(self, body: str, wall: Any, radius_vector: Expression) -> bool:
+        """Whether a body that strikes a circular wall first of all comes no nearer to its centre.
+
+        So it begins inside.
+        """
+        own = next((event for event in self.events if body in event.bodies), None)
+        velocity = self.sphere(body).velocity
+        if own is None or not own.wall or wall.name not in own.bodies:
+            return False
+        if not isinstance(velocity, Expression):
+            return False
+        outward = Quantity("dot", (radius_vector, velocity))
+        return world_of(self.problem).scalar(outward).vanishes or self._sign(outward) == 1
 
     def _of_the_story(self, step: Impact, number: int) -> Iterator[Fact]:
         """What has to be, or there is no such impact: of its coefficient, and of the approach."""

@@ -28,6 +28,7 @@ from restitution.planning import journeys, place_trees
 from restitution.planning.angle_sums import is_sum, write_sum
 from restitution.planning.deflections import cosine_of_deflection, write_deflection
 from restitution.planning.desk import NotPlannedError, chain, link, together
+from restitution.planning.equal_angles import write_equal_angles
 from restitution.planning.expressions import outermost, size_of
 from restitution.planning.forms import (
     ONE,
@@ -51,7 +52,6 @@ from restitution.planning.lines_between import (
     has_angle,
     is_moving,
     sine_of_the_offset,
-    write_equal_angles,
 )
 from restitution.planning.named_angles import tangent_line
 from restitution.planning.premises import background

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.explaining.derivation import Move, Ref
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -23,8 +21,8 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angle_formulas import cosine
 from restitution.planning.axes import write_wall
-from restitution.planning.desk import NotPlannedError, Source, chain, together
-from restitution.planning.forms import product, square, swept, total, tree_of
+from restitution.planning.desk import Source, chain, together
+from restitution.planning.forms import product, square, total, tree_of
 from restitution.planning.formulas import Formula, write_formula
 from restitution.planning.impacts import whole_direction
 from restitution.planning.polynomials import expanded
@@ -180,56 +178,6 @@ def sine_of_the_offset(scene: Scene, each: GivenEquation) -> int | None:
     return None if premises is None else scene.desk.write(move, premises, relation)
 
 
-# --- angles that are equal -----------------------------------------------------------------------
-
-
-def write_equal_angles(scene: Scene, each: GivenEquation) -> int:
-    """Two angles that are equal: so are their tangents."""
-    angles = (each.link.left, each.link.right)
-    formulas = [formula(scene, angle) for angle in angles if isinstance(angle, Quantity)]
-    if len(formulas) != 2 or any(own.move.record not in _BY_TANGENTS for own in formulas):
-        raise NotPlannedError("equal angles without tangents")
-    for lines in (_tangents, _squared_tangents):
-        mark = scene.desk.mark()
-        refs = lines(scene, formulas)
-        if refs is not None:
-            left, right = (scene.desk.last_link(ref).right for ref in refs)
-            relation = Relation(((Link(left, "=", right),),))
-            premises = scene.judge.enough(Move("put"), [*refs, each.fact.id], relation)
-            if premises is not None:
-                return scene.desk.write(Move("put"), premises, relation)
-        scene.desk.back(mark)
-    raise NotPlannedError("a relation with angles")
-
-
-_BY_TANGENTS = ("tan", "tan-deflection")
-
-
-def _tangents(scene: Scene, formulas: Sequence[Formula]) -> list[int] | None:
-    refs: list[int] = []
-    for own in formulas:
-        relation = chain(own.left, (swept(own.right), None), (tree_of(own.value), "rearrange"))
-        if not scene.judge.follows(own.move, own.refs, relation):
-            return None
-        refs.append(scene.desk.write(own.move, own.refs, relation))
-    return refs
-
-
-def _squared_tangents(scene: Scene, formulas: Sequence[Formula]) -> list[int] | None:
-    """The squares, where it is open on which side of a line a sphere goes."""
-    refs: list[int] = []
-    for own in formulas:
-        if not isinstance(own.right, Binary):
-            return None
-        right = Binary("/", *(square(part) for part in (own.right.left, own.right.right)))
-        move = replace(own.move, record="tan-squared")
-        relation = chain(square(own.left), (swept(right), None))
-        if not scene.judge.follows(move, own.refs, relation):
-            return None
-        refs.append(scene.desk.write(move, own.refs, relation))
-    return refs
-
-
 __all__ = [
     "angle_of_lines",
     "cosine_of",
@@ -239,5 +187,4 @@ __all__ = [
     "line_source",
     "sine_of_the_offset",
     "whole_velocity",
-    "write_equal_angles",
 ]

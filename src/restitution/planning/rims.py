@@ -166,8 +166,6 @@ def time_of_touching(scene: Scene, number: int, ways: Sequence[Way]) -> Source:
     speed = tidy(expanded(pace.dot(pace)))
     both = tidy(-2 * at.dot(pace) / speed)
     when, _ = scene.put(scene.value(t))
-    if scene.unknown(when):
-        raise NotPlannedError("a time of a contact that is open")
     other = tidy(2 * begin.value + both - when)
     roots = Relation(tuple((Link(t, "=", tree_of(each)),) for each in (when, other)))
     letters = {symbol.name for symbol in (when - other).free_symbols}

@@ -392,6 +392,11 @@ def _assemble(
         inside_below.extend(roots_below)
         roots_below = []
     root_above = None
+    if len(inside_above) + len(inside_below) > 1:
+        # √(2(a + b)/(3c)), and no quotient within a quotient.
+        quotients = [each.as_numer_denom() for each in inside_above]
+        inside_above = [above for above, _ in quotients if above != 1]
+        inside_below.extend(below for _, below in quotients if below != 1)
     if inside_above:
         root_above = Root(fraction(_plain_product(inside_above), _plain_product(inside_below)))
     upper = sorted(above, key=_factor_order)
