@@ -41,6 +41,43 @@ find tan(phi)
         ("be a unit vector perpendicular to BC",),
         ("towards it",),
     ),
+    "a wall that stops what comes towards it": (
+        """
+wall AB: along i
+wall BC: along 45°
+sphere P: velocity u at beta to AB
+P hits AB: e = 1/3
+P hits BC: e = 0
+find speed(P)
+""",
+        ("unit vector perpendicular to BC, and",),
+        ("towards it",),
+    ),
+    "a wall at 75° that is approached or left": (
+        """
+wall AB: along i
+wall BC: along 75°
+sphere P: velocity u at beta to AB
+P hits AB: e = 1/3
+P hits BC: e = 1/2
+find speed(P)
+""",
+        ("component of 𝐯₁ perpendicular to BC\n",),
+        ("towards BC",),
+    ),
+    "a wall that is approached by what is given": (
+        """
+wall AB: along i
+wall BC: along 45°
+sphere P: velocity u at beta to AB
+given beta < 30°
+P hits AB: e = 1/3
+P hits BC: e = 1/2
+find velocity(P)
+""",
+        ("towards it",),
+        (),
+    ),
     "a line of centres at a letter": (
         """
 sphere A: mass m, velocity 4u i

@@ -8,7 +8,7 @@ the wall and **t** at right angles to it, so that a component is a scalar produc
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -16,6 +16,7 @@ import sympy as sp
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explaining.derivation import (
+    FLIPPED,
     Derivation,
     Event,
     Fact,
@@ -37,8 +38,10 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    has_quantity,
     walk,
 )
+from restitution.oracle import REAL, Formula, Oracle, Role, compared
 from restitution.planning.forms import tree_of
 from restitution.planning.impacts import whole_direction
 from restitution.render import layout as lay
@@ -79,7 +82,8 @@ class BoldLetters:
 
     ``used`` are those that it turns out to need, where that is known: then each is introduced with
     those of its time. ``taken`` are letters that stand for something else, ``when`` says a time,
-    ``layout`` lays a tree out, and ``circles`` are the walls that are circular.
+    ``layout`` lays a tree out, ``circles`` are the walls that are circular, and ``roles`` tell what
+    letters may be.
     """
 
     derivation: Derivation
@@ -88,6 +92,7 @@ class BoldLetters:
     layout: Callable[[Expression], lay.Layout]
     used: Used | None = None
     circles: frozenset[str] = frozenset()
+    roles: Mapping[str, Role] = field(default_factory=dict)
     part: str | None = None
     _velocities: dict[tuple[str, int], lay.Bold] = field(default_factory=dict)
     _parts: dict[tuple[str, int], str | None] = field(default_factory=dict)
@@ -236,6 +241,35 @@ class BoldLetters:
             self._introduce(number, kinds, direction)
         return self._units[number, kind]
 
+    def leads_into(self, event: Event) -> bool:
+        """Whether the axis at a wall is certain to be the direction into it.
+
+        The components along it have to say so: one that is nothing, as after an impact whose
+        coefficient is 0, says nothing of that.
+        """
+        axis = Quantity("line_of_centres", (), event.number)
+        values = _values_of_letters(self.derivation)
+        oracle = Oracle(self.roles, tuple(self._in_force()))
+        components = []
+        for line in self.derivation.lines:
+            match line.relation:
+                case Relation(
+                    (
+                        (
+                            Link(
+                                Quantity("along", (Quantity("velocity", _, int(stage)), direction))
+                            ),
+                            *_,
+                        ),
+                    )
+                ) if direction == axis:
+                    value = _value(line.relation.only[-1].right, self.roles, values)
+                    components.append(-value if stage == event.number else value)
+        return any(each != 0 for each in components) and all(
+            each.is_nonnegative or oracle.proves(compared(each, ">=", sp.Integer(0)))
+            for each in components
+        )
+
     def _introduce(self, number: int, kinds: list[str], direction: Vector) -> None:
         events = {n for n, _ in self.used.units} if self.used is not None else {number}
         subscript = str(number) if len(events) > 1 else ""
@@ -254,7 +288,7 @@ class BoldLetters:
             slots["wall"] = event.bodies[1]
             if event.bodies[1] in self.circles:
                 name = _RADIAL[which]
-            elif not self._leads_into(event):
+            elif not self.leads_into(event):
                 name = _EITHER_WAY.get(which, name)
         elif which != "across" and self.derivation.fact(" ".join(("axis", str(number)))) is None:
             # A line of centres that is worked out leads from the first sphere to the second.
@@ -262,29 +296,21 @@ class BoldLetters:
             slots |= {"first": event.bodies[0], "second": event.bodies[1]}
         self._pending.append(say(name, **slots))
 
-    def _leads_into(self, event: Event) -> bool:
-        """Whether the axis at a wall is the direction into it, by all components along that."""
-        axis = Quantity("line_of_centres", (), event.number)
-        letters_ = {
-            **_values_of_letters(self.derivation),
-            **dict.fromkeys(self.derivation.meanings),
-        }
-        components = []
-        for line in self.derivation.lines:
-            match line.relation:
-                case Relation(
-                    (
-                        (
-                            Link(
-                                Quantity("along", (Quantity("velocity", _, int(stage)), direction))
-                            ),
-                            *_,
-                        ),
-                    )
-                ) if direction == axis:
-                    value = _of_acute_angles(line.relation.only[-1].right, letters_)
-                    components.append(-value if stage == event.number else value)
-        return bool(components) and all(each.is_nonnegative for each in components)
+    def _in_force(self) -> Iterator[Formula]:
+        """The inequalities between letters that are given for the part."""
+        for fact in self.derivation.facts:
+            if fact.kind not in ("given", "range") or fact.part not in (None, self.part):
+                continue
+            links = [link for links in fact.relation.options for link in links]
+            sides = (side for link in links for side in (link.left, link.right))
+            if len(fact.relation.options) == 1 and not any(map(has_quantity, sides)):
+                for link in links:
+                    if link.sign in FLIPPED:
+                        yield compared(
+                            _value(link.left, self.roles, {}),
+                            link.sign,
+                            _value(link.right, self.roles, {}),
+                        )
 
 
 def _values_of_letters(derivation: Derivation) -> dict[str, sp.Expr]:
@@ -293,7 +319,7 @@ def _values_of_letters(derivation: Derivation) -> dict[str, sp.Expr]:
     for line in derivation.lines:
         match line.relation:
             case Relation(((Link(Letter(name)), *_),)) if line.relation.only[-1].sign == "=":
-                value = _of_acute_angles(line.relation.only[-1].right, {})
+                value = _value(line.relation.only[-1].right, {}, {})
                 if value.is_number:
                     values[name] = value
     return values
@@ -380,21 +406,13 @@ def _at(tree: Expression) -> Vector | None:
     return unit_vector if plain and all(unit_vector) else None
 
 
-def _of_acute_angles(tree: Expression, letters_: Mapping[str, sp.Expr | None]) -> sp.Expr:
-    """A value of which letters, and sines and cosines of them, are positive.
-
-    ``letters_`` are those that have a value, or None where nothing is known of their sign.
-    """
+def _value(tree: Expression, known: Mapping[str, Role], values: Mapping[str, sp.Expr]) -> sp.Expr:
+    """A value in letters that know their sign; those that have a value have that."""
 
     def symbol(name: str) -> sp.Expr:
-        if name not in letters_:
-            return sp.Symbol(name, positive=True)
-        value = letters_[name]
-        return sp.Symbol(name, real=True) if value is None else value
+        return values[name] if name in values else known.get(name, REAL).symbol(name)
 
-    value = sp.sympify(evaluate(tree, symbol), strict=True)
-    ratios = (atom for atom in value.atoms(sp.sin, sp.cos) if atom.free_symbols)
-    return value.subs({ratio: sp.Dummy(positive=True) for ratio in ratios})
+    return sp.sympify(evaluate(tree, symbol), strict=True)
 
 
 def _tree_of_unit(direction: Vector) -> Expression:

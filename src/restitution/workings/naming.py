@@ -48,6 +48,7 @@ from restitution.problem import Arrival, Given, Meets, Problem
 from restitution.problem import trees as trees_of_problem
 from restitution.render import layout as lay
 from restitution.shapes import Circle
+from restitution.solving.letters import roles
 from restitution.workings.bold_letters import BoldLetters, Used
 from restitution.workings.measured import Measures, is_plain, vector_worth, with_unit, worth
 
@@ -90,6 +91,7 @@ class Naming:
             self.layout,
             self.used,
             frozenset(self._circles),
+            roles(self.problem),
         )
         self._often = Counter(
             node
@@ -584,7 +586,10 @@ class Naming:
                 return say("derived.component-across-sense", axis=own, way=direction, of=of)
             return say("derived.component-across-vector", axis=self.layout(axis), of=of)
         if event.wall and kind == "along":
-            return say("derived.component-towards", of=of, wall=event.bodies[1])
+            wall = event.bodies[1]
+            if wall not in self._circles and not self.bold.leads_into(event):
+                return say("derived.component-across-vector", axis=wall, of=of)
+            return say("derived.component-towards", of=of, wall=wall)
         if event.wall:
             return say("derived.component-parallel", of=of, wall=event.bodies[1])
         if kind == "along":
