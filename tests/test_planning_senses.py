@@ -44,13 +44,13 @@ find tan(phi)
     "a wall that stops what comes towards it": (
         """
 wall AB: along i
-wall BC: along 45°
+wall BC: along 30°
 sphere P: velocity u at beta to AB
-P hits AB: e = 1/3
+P hits AB: e = 1/4
 P hits BC: e = 0
-find speed(P)
+find maximum of speed(P) over beta
 """,
-        ("unit vector perpendicular to BC, and",),
+        ("vector perpendicular to BC, and", "speed of P = u(4√3 cos β + sin β)/8"),
         ("towards it",),
     ),
     "a wall at 75° that is approached or left": (

@@ -473,7 +473,7 @@ class World:
         """√(a + b√c) as √((a + d)/2) ± √((a − d)/2), where d² = a² − b²c has a rational d."""
         parts = self._surd(inside)
         if parts is None:
-            return None
+            return self._root_of_two_terms(inside)
         a, b, c = parts
         gap = a * a - b * b * c
         if a <= 0 or gap < 0:
@@ -484,6 +484,24 @@ class World:
         d = Fraction(above, below)
         first, second = (self._root_of_number(each) for each in ((a + d) / 2, (a - d) / 2))
         return first + second if b > 0 else first - second
+
+    def _root_of_two_terms(self, inside: PolyElement) -> Quotient | None:
+        """√(ax² + 2√(ab) xy + by²) as √a x + √b y, where all of this is positive."""
+        if len(inside) != 3 or not self._is_plainly_positive(inside):
+            return None
+        ends = [
+            (powers, _fraction(value))
+            for powers, value in inside.terms()
+            if not any(each % 2 for each in powers)
+        ]
+        if len(ends) != 2:
+            return None
+        root = CONSTANT(0)
+        for powers, value in ends:
+            term = quotient_ring().from_dict({tuple(each // 2 for each in powers): QQ(1)})
+            root = root + self._root_of_number(value) * Quotient(term, quotient_ring().one)
+        difference = self.reduced(root * root - Quotient(inside, quotient_ring().one))
+        return root if difference.vanishes else None
 
     def _surd(self, polynomial: PolyElement) -> tuple[Fraction, Fraction, Fraction] | None:
         """The a, b and c of a number a + b√c; None for anything else."""

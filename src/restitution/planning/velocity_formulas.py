@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref
 from restitution.expression.tree import (
@@ -231,11 +232,20 @@ def speed_formula(scene: Scene, quantity: Quantity) -> Formula:
     body, stage = body_and_stage(scene, quantity)
     tree, value, refs = squares(scene, body, stage)
     move = Move("define", "speed", stage or None, (body,))
-    size = tidy(sp.sqrt(tidy(expanded(value))))
+    size = _of_one_square(scene, tree) or tidy(sp.sqrt(tidy(expanded(value))))
     if len({atom.args for atom in value.atoms(sp.sin, sp.cos)}) > 1:
         # Products of ratios of several angles are longer multiplied out.
         size = min(size, _with_factor_outside(value), key=lambda each: each.count_ops())
     return Formula(move, itself, quantity, Apply("sqrt", tree), size, refs)
+
+
+def _of_one_square(scene: Scene, tree: Expression) -> sp.Expr | None:
+    """The root of one square whose base has a certain sign; None of anything else."""
+    if not isinstance(tree, Binary) or tree.op != "^":
+        return None
+    base = scene.scalar(tree.left)
+    sign = proved_sign(scene.model.ground, base) if base.free_symbols else None
+    return tidy(sign * base) if sign else None
 
 
 def _with_factor_outside(square_: sp.Expr) -> sp.Expr:

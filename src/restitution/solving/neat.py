@@ -9,6 +9,7 @@ from contextlib import suppress
 
 import sympy as sp
 
+from restitution.exact import rationalised
 from restitution.solving.polynomials import TooLargeError, reduced, without_cos_squared
 from restitution.solving.signs import rational_below
 from restitution.work import remembered, spend
@@ -41,6 +42,26 @@ def neat(x: sp.Expr) -> sp.Expr:
         with suppress(sp.PolynomialError, TooLargeError):  # a cosine under a root
             result = _reduced(result)
     return pythagoras(sp.factor_terms(result))
+
+
+def ratio_in_numbers(above: sp.Expr, below: sp.Expr) -> sp.Expr | None:
+    """The ratio of two expressions whose terms have proportional numbers before them, or None."""
+    if above.free_symbols != below.free_symbols or sp.count_ops(above + below) > _LARGE:
+        return None
+    upper, lower = map(_numbers_of_terms, (above, below))
+    if upper.keys() != lower.keys() or sp.S.Zero in (*upper.values(), *lower.values()):
+        return None
+    ratios = {rationalised(number / lower[term]) for term, number in upper.items()}
+    return ratios.pop() if len(ratios) == 1 else None
+
+
+def _numbers_of_terms(x: sp.Expr) -> dict[sp.Expr, sp.Expr]:
+    """The terms of an expression without the numbers before them, each with its number."""
+    numbers: dict[sp.Expr, sp.Expr] = {}
+    for each in sp.Add.make_args(sp.expand(x)):
+        number, term = each.as_independent(*x.free_symbols, as_Add=False)
+        numbers[term] = numbers.get(term, sp.Integer(0)) + number
+    return numbers
 
 
 def _has_sums_inside(x: sp.Expr) -> bool:

@@ -34,7 +34,7 @@ from restitution.shapes import Circle, Line, Segment, Shape
 from restitution.solving import missing
 from restitution.solving.conditions import AnyOf, Condition, Equation
 from restitution.solving.happenings import Happening
-from restitution.solving.neat import neat
+from restitution.solving.neat import neat, ratio_in_numbers
 from restitution.vector import Vector
 
 Sign = Literal["positive", "real"]
@@ -319,11 +319,18 @@ class State(ABC):
     # --- numbers ------------------------------------------------------------------------------
 
     def size(self, v: Vector) -> Scalar:
-        """The size of a vector; exactly |x| where it lies along an axis."""
+        """The size of a vector; exactly |x| where it lies along an axis.
+
+        Along a line at a known slope it is a multiple of |x|, too: its square need not be taken.
+        """
         if self.field.is_zero(v.y):
             return self.field.abs(v.x)
         if self.field.is_zero(v.x):
             return self.field.abs(v.y)
+        if self.field.exact and v.x.free_symbols:
+            slope = ratio_in_numbers(v.y, v.x)
+            if slope is not None:
+                return self.field.abs(v.x) * self.field.sqrt(neat(1 + slope**2))
         return self.field.sqrt(v.x * v.x + v.y * v.y)
 
     def sign(self, x: Scalar) -> int | None:
