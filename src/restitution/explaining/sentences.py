@@ -197,7 +197,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "positive"
     ),
     "chord.length": "Chord = diameter × cosine of its angle with the radius",
-    "chord.diameter": "{body} moves through the centre",
+    "chord.diameter": (
+        "The component towards {wall} is the whole speed, so {body} moves through the centre"
+    ),
+    "chord.through": "{body} moves through the centre",
     "chord.time": "Time = length of the chord ÷ speed",
     "derived.chord": "length of the chord",
     "chord.why": (

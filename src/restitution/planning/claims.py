@@ -149,15 +149,27 @@ class Claims:
         raise NotPlannedError("an inequality")
 
     def _of_letter(self, relation: Relation) -> int | None:
-        """An inequality that stands already of the letter for its quantity."""
+        """An inequality that stands already of the letter for its quantity, said of that."""
+        standing = self.standing_of_letter(relation)
+        if standing is None:
+            return None
+        return self.judge.write((Move("compare"),), standing, relation)
+
+    def standing_of_letter(self, relation: Relation) -> tuple[int, int] | None:
+        """The line that says an inequality of the letter for its quantity, and that of the letter.
+
+        None where there is none.
+        """
         for each in self.scene.desk.lines:
             own = each.relation
             if not isinstance(own, Meaning):
                 continue
-            renamed = Relation((tuple(_renamed(link, own) for link in relation.only),))
+            renamed = Relation(
+                tuple(tuple(_renamed(e, own) for e in links) for links in relation.options)
+            )
             line = None if renamed == relation else self.judge.standing(renamed)
             if line is not None:
-                return self.judge.write((Move("compare"),), [line, each.number], relation)
+                return line, each.number
         return None
 
     def write_parts(self, asked: Expression, relation: Relation) -> int:

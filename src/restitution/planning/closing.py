@@ -39,6 +39,7 @@ from restitution.planning.ratios import (
     inside_functions,
     ratio,
     sum_of_angles,
+    with_tangents,
     without_sums,
 )
 from restitution.planning.roots import by_roots, known_as
@@ -74,7 +75,7 @@ def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
 
 def with_known(scene: Scene, number: int, symbol: sp.Symbol | None = None) -> int:
     """The line with everything put in that is known, as a line; the same line without that."""
-    number = _with_angles(scene, number, symbol)
+    number = with_tangents(scene, _with_angles(scene, number, symbol))
     link = scene.desk.last_link(number)
     values: dict[Expression, Expression] = {}
     refs: list[Ref] = []

@@ -285,6 +285,12 @@ class Desk:
                 return each
         return None
 
+    def loosen(self, letter: Expression, source: Source) -> None:
+        """A letter that is known by a line is open again, and the line is an equation for it."""
+        self.version += 1
+        self._sources[letter] = [each for each in self._sources[letter] if each is not source]
+        self.shown += [ref for ref in source.refs if isinstance(ref, int)]
+
     # --- solutions apart ---------------------------------------------------------------------
 
     def fork(self) -> Desk:

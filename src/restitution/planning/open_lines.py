@@ -19,6 +19,7 @@ from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.forms import (
     ZERO,
     UnwrittenError,
+    alike,
     negative,
     product,
     square,
@@ -204,15 +205,15 @@ def _axis(
     if any(source.value):
         axis = Binary("-", axis, tree_of(source.value))
     centres = Quantity("line_of_centres", (), number)
+    final = Relation(((Link(centres, "parallel to", _tree(change)),),))
+    first = Relation(((Link(centres, "parallel to", swept(axis)),),))
+    is_one = alike(swept(axis), _tree(change))  # in another order of terms it is the same line
     line = scene.desk.write(
         Move("law", "along-the-change", number, (body,)),
         together(source.refs, (lines[body],)),
-        Relation(((Link(centres, "parallel to", swept(axis)),),)),
+        final if is_one else first,
     )
-    line = scene.desk.write(
-        Move("rearrange"), (line,), Relation(((Link(centres, "parallel to", _tree(change)),),))
-    )
-    return change, line
+    return change, scene.desk.write(Move("rearrange"), (line,), final)
 
 
 def _restitution(

@@ -97,6 +97,24 @@ class Solver:
         self.reasons: list[NotPlannedError] = []
         # Whether equations that no shape fits are solved together.
         self.resort = False
+        self._loosen_ties()
+
+    def _loosen_ties(self) -> None:
+        """Letters that another part has by others, and that are numbers here, are open again.
+
+        What ties them is an equation for one of them, once the other is known.
+        """
+        scene = self.scene
+        for symbol, value in scene.model.final.items():
+            known = scene.desk.known(Letter(symbol.name))
+            if known is None or symbol in self._letters or len(known.refs) != 1:
+                continue
+            if sp.sympify(known.value, strict=True).has(sp.Function):
+                continue  # an angle goes by its ratio
+            open_ = scene.unknown(known.value)
+            if value.free_symbols & scene.model.final.keys() or not open_:
+                continue
+            scene.desk.loosen(Letter(symbol.name), known)
 
     def resume(self, waiting: Mapping[sp.Symbol, Waiting]) -> None:
         """Takes up the components of which another solver of the part has written the laws."""
@@ -811,20 +829,21 @@ class Solver:
         letter, tree = Letter(symbol.name), Letter(other.name)
         known = scene.desk.known(tree)
         now, _ = (value, ()) if known is None else scene.put(known.value)
-        if (
-            known is not None
-            and (not known.value.has(sp.Add) or not value.free_symbols or other in wanted)
-            and not (now.has(sp.Add) and now.free_symbols)
-        ):
-            source = settled(scene, tree) or known
+        if known is not None and not (now.has(sp.Add) and now.free_symbols):
+            # What letters have come to since is put into the law that has none of them.
+            later = not scene.others and self._is_settled(known.value, value)
+            plain = not known.value.has(sp.Add) or not value.free_symbols or other in wanted
+            laws = [(law, True) for law in lines if later]
+            laws += [(law, False) for law in lines[1:] if plain]
+            source = (settled(scene, tree) or known) if laws else known
             put, more = scene.put(value)
             relation = chain(letter, (tree_of(put), None))
-            premises = (lines[1], *source.refs)
-            refs = scene.judge.enough(Move("put"), premises, relation, more)
-            if refs is not None:
-                line = scene.desk.write(Move("put"), refs, relation)
-                scene.desk.know(letter, put, (line,))
-                return
+            for law, alone in laws:
+                refs = scene.judge.enough(Move("put"), (law, *source.refs), relation, more)
+                if refs is not None and not (alone and len(refs) > 2):
+                    line = scene.desk.write(Move("put"), refs, relation)
+                    scene.desk.know(letter, put, (line,))
+                    return
         move = Move("combine", eliminated=other.name)
         relation = chain(letter, (tree_of(value), None))
         # Of what is zero no denominator says what was divided by.
@@ -832,6 +851,14 @@ class Solver:
         enough = scene.judge.enough(move, lines, relation, background(scene, names))
         line = scene.desk.write(move, enough or lines, relation)
         scene.desk.know(letter, value, (line,))
+
+    def _is_settled(self, *values: sp.Expr) -> bool:
+        """Whether values in letters have come to numbers, since these have been found."""
+        scene = self.scene
+        put = [scene.put(each)[0] for each in values]
+        return all(each.free_symbols & scene.model.final.keys() for each in values) and not any(
+            each.free_symbols & scene.model.final.keys() or each.has(sp.Add) for each in put
+        )
 
     def _single(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """A law of two spheres with one component open after it: that is expressed."""

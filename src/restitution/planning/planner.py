@@ -151,7 +151,8 @@ def _require_closed(desk: Desk, name: str) -> None:
         if end.item != name or end.shown:
             continue  # what is shown of two bodies may be said in the letters of both
         for links in end.answer.options:
-            if any(own & letters(link.right) for link in links):
+            between = {link.left for link in links[1:]}
+            if any(own & letters(link.right) for link in links if link.right not in between):
                 raise NotPlannedError(f"{end.item} is open")
 
 

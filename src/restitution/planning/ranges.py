@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.explaining.derivation import Link, Move, Relation, Sign
-from restitution.expression.tree import Apply, Expression
+from restitution.expression.tree import Apply, Expression, has_quantity
 from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import tree_of
@@ -27,7 +27,13 @@ def write_range(
 ) -> None:
     """Writes the lines of a range, of which the last says all its ends."""
     with Claims(scene, solver) as claims:
-        if len(relation.options) > 1:
+        standing = None if shown else claims.standing_of_letter(relation)
+        if standing is not None:
+            line, _ = standing
+            relation = scene.desk.relation(line)
+        elif (earlier := _by_an_earlier_one(scene, solver, relation)) is not None:
+            line = earlier
+        elif len(relation.options) > 1:
             line = claims.write_parts(asked, relation)
         else:
             line = claims.join_the_rest(claims.write(relation), relation)
@@ -35,6 +41,55 @@ def write_range(
             if not shown:
                 relation = _by_its_ratio(claims, asked, line, relation)
     scene.desk.end(name, line, relation, shown=shown)
+
+
+def _by_an_earlier_one(scene: Scene, solver: Solver, relation: Relation) -> int | None:
+    """The line of a range that an item has in letters, with the values put in that they have now.
+
+    None where there is no such item, or it does not come to the range.
+    """
+    desk = scene.desk
+    if len(relation.options) != 1:
+        return None
+    for end in reversed(desk.ends):
+        own = desk.line(end.line).relation
+        if not isinstance(own, Relation) or not _is_range_like(own, relation):
+            continue
+        if own == relation or not desk.holds(end.line):
+            continue
+        standing = solver.mark()
+        line = _with_values(scene, solver, end.line, relation)
+        if line is not None:
+            return line
+        solver.back(standing)
+    return None
+
+
+def _with_values(scene: Scene, solver: Solver, number: int, relation: Relation) -> int | None:
+    """A range as a line has it in letters, with the values of these put in."""
+    same = {side for link in relation.only for side in (link.left, link.right)}
+    ends = [
+        scene.scalar(side)
+        for link in scene.desk.relation(number).only
+        for side in (link.left, link.right)
+        if side not in same and not has_quantity(side)
+    ]
+    try:
+        solver.determine(ends)
+        refs = [ref for each in ends for ref in scene.put(each)[1]]
+    except NotPlannedError:
+        return None
+    return scene.judge.write((Move("put"),), (number, *refs), relation) if refs else None
+
+
+def _is_range_like(own: Relation, relation: Relation) -> bool:
+    """Whether two relations bound the same thing from the same sides."""
+    if len(own.options) != 1 or len(own.only) != len(relation.only):
+        return False
+    if any(each.sign == "=" for each in own.only):
+        return False
+    pairs = list(zip(own.only, relation.only, strict=True))
+    return all(a.sign == b.sign and (a.left == b.left or a.right == b.right) for a, b in pairs)
 
 
 def _with_what_holds(claims: Claims, line: int, relation: Relation) -> int:

@@ -118,6 +118,60 @@ def by_its_half(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     return known_as(scene, symbol, angle, scene.desk.write(Move("inverse"), refs, whole))
 
 
+def with_tangents(scene: Scene, number: int) -> int:
+    """A line with a sine on one side and the cosine on the other, divided by the cosine.
+
+    It is so where a line gives the tangent of the angle; else it is the line as it stands.
+    """
+    link = scene.desk.last_link(number)
+    for side, other in ((link.left, link.right), (link.right, link.left)):
+        sines = {e for e in walk(side) if isinstance(e, Apply) and e.function == "sin"}
+        if link.sign != "=" or len(sines) != 1:
+            continue
+        (sine,) = sines
+        cosine, tangent = (Apply(each, sine.argument) for each in ("cos", "tan"))
+        known = scene.desk.known(tangent)
+        if known is None or not any(isinstance(ref, int) for ref in known.refs):
+            continue
+        if any(map(scene.desk.known, (sine, cosine))) or _has_ratio_of(other, sine.argument, "sin"):
+            continue
+        divided = _without_factor(other, cosine)
+        if divided is None or _has_ratio_of(side, sine.argument, "cos"):
+            continue
+        multiple = _without_factor(side, sine)
+        if multiple is None:
+            continue
+        relation = chain(product(multiple, tangent), (divided, None))
+        move = Move("rearrange")
+        refs = scene.judge.enough(move, (number,), relation, _background(scene, number))
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
+    return number
+
+
+def _has_ratio_of(tree: Expression, angle: Expression, *kinds: str) -> bool:
+    """Whether one of some ratios of an angle stands in a tree."""
+    return any(
+        isinstance(e, Apply) and e.function in kinds and e.argument == angle for e in walk(tree)
+    )
+
+
+def _without_factor(tree: Expression, factor: Apply) -> Expression | None:
+    """A product without a ratio of an angle that is one of its factors; None of another tree."""
+    if tree == factor:
+        return ONE
+    match tree:
+        case Binary("*", left, right):
+            for own, rest in ((left, right), (right, left)):
+                inside = _without_factor(own, factor)
+                if inside is not None and not _has_ratio_of(rest, factor.argument, *_KINDS):
+                    return product(*((inside, rest) if own is left else (rest, inside)))
+    return None
+
+
+_KINDS = ("sin", "cos", "tan")
+
+
 def _by_one(scene: Scene, line: int, above: sp.Expr, kind: Any, symbol: sp.Symbol) -> Source | None:
     """An equation in one ratio: linear, or by its roots; then the angle."""
     subject = Apply(kind.__name__, Letter(symbol.name))

@@ -509,7 +509,7 @@ def _by_scalar(
     a, b = (source.value for source in sources)
     pairs = [(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)]
     right, value = cosine_of(pairs, a, b, sizes)
-    if is_long(right):
+    if is_long(right) or _has_its_product(scene, asked):
         if value == 0 and (line := write_right_angle(scene, asked)) is not None:
             return line
         own = _by_cosine(scene, asked)
@@ -519,6 +519,13 @@ def _by_scalar(
     refs = together((meaning,), *(source.whole for source in sources))
     line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
     return Ratio(line, letter, "cos", value, _RANGES["deflection"].format(letter))
+
+
+def _has_its_product(scene: Scene, asked: Quantity) -> bool:
+    """Whether a line gives the scalar product of the velocities of an angle."""
+    pair = asked.arguments
+    products = (Quantity("dot", each) for each in (pair, pair[::-1]) if len(each) == 2)
+    return any(scene.desk.known(each) is not None for each in products)
 
 
 # --- deflections -------------------------------------------------------------------------------

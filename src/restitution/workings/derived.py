@@ -180,6 +180,7 @@ class _Writer:
                 waiting.append(line)
                 continue
             after = shown[index + 1] if index + 1 < len(shown) else None
+            given: tuple[Sentence, ...] = ()
             if self.staying.stays(line) and not waiting:
                 self.stay.append(line)
                 if after is not None and self._stays_with(shown, index):
@@ -195,12 +196,15 @@ class _Writer:
                 if touching:
                     self.afresh()
                     yield Step("setting", sentences=touching)
+                given = self.leads.given_before(line)
                 step = self._step(line, waiting)
                 waiting = []
             introduced = self.naming.introduced()
             if introduced:
                 step = self._whole(step, line)
                 yield Step("setting", sentences=introduced)
+            if given:
+                yield Step("note", sentences=given, item=step.item)
             yield step
             for claim in self.ends.claims(line):
                 yield from self._introduced()

@@ -53,7 +53,9 @@ def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
     if is_time(left):
         return say("chord.time")
     if isinstance(left, Quantity) and left.kind == "distance":
-        return _length_title(line)
+        return _length_title(derivation, line, wall)
+    if _is_on_a_diameter(derivation, line):
+        return say("chord.through", body=line.move.bodies[0])
     own = (each for each in derivation.lines if each.move.record == "chord")
     sensed = any(
         isinstance(each.relation, Relation)
@@ -65,13 +67,34 @@ def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
     return say("chord.title-sense", wall=wall) if sensed else say("chord.title")
 
 
-def _length_title(line: Line) -> Sentence:
+def _length_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
     """The title of the length of a chord: of a diameter, or by its angle with the radius."""
-    assert isinstance(line.relation, Relation)
-    match line.relation.options[0][0].right:
-        case Binary("*", Number(), right) if not isinstance(right, Binary):
-            return say("chord.diameter", body=line.move.bodies[0])
-    return say("chord.length")
+    if not _is_diameter(line):
+        return say("chord.length")
+    earlier = (each for each in derivation.lines if each.number < line.number)
+    if any(_is_diameter(each) and each.move.bodies == line.move.bodies for each in earlier):
+        return say("chord.through", body=line.move.bodies[0])
+    return say("chord.diameter", body=line.move.bodies[0], wall=wall)
+
+
+def _is_diameter(line: Line) -> bool:
+    """Whether a line gives the length of a chord as twice the radius."""
+    if line.move.record != "chord" or not isinstance(line.relation, Relation):
+        return False
+    match line.relation.options[0][0]:
+        case Link(Quantity("distance"), _, Binary("*", Number(), right)):
+            return not isinstance(right, Binary)
+    return False
+
+
+def _is_on_a_diameter(derivation: Derivation, line: Line) -> bool:
+    """Whether a line above gives the length of the chord of a line, which is a diameter."""
+    return any(
+        _is_diameter(each) and (each.move.event, each.move.bodies) == (event, line.move.bodies)
+        for event in (line.move.event,)
+        for each in derivation.lines
+        if each.number < line.number
+    )
 
 
 def distance_title(line: Line) -> Sentence:

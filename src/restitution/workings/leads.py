@@ -168,6 +168,18 @@ class Leads:
             return (say("given.proportion", fact=sentence),)
         return (*self._sine_of_an_offset(line), say("given.fact", fact=sentence))
 
+    def given_before(self, line: Line) -> tuple[Sentence, ...]:
+        """The given fact that says a velocity by another one, before a law that takes it."""
+        for ref in line.premises if line.move.id == "law" else ():
+            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            if fact is None or fact.kind != "given" or fact.id in self._given:
+                continue
+            match fact.relation.options[0][0]:
+                case Link(Quantity("velocity"), "=", right) if has_quantity(right):
+                    self._given.add(fact.id)
+                    return (say("given.and", fact=self._naming.fact(fact)),)
+        return ()
+
     def _opened(self, link: Link) -> Link:
         """A relation of a letter that the statement has for a quantity, said of the quantity."""
         named = {

@@ -24,6 +24,7 @@ from restitution.expression.tree import (
     Quantity,
     has_quantity,
     is_zero,
+    letters,
     walk,
 )
 from restitution.planning.forms import coordinates
@@ -224,6 +225,9 @@ class Rows:
         angle = self._tangent_of(line, links[0])
         if angle is not None:
             sides[:0], signs[:0] = [self._naming.layout(Apply("tan", angle))], ["="]
+        match links[0].right:
+            case Binary("/") | Negate(Binary("/")) if line.move.record == "scalar-angle":
+                sides[1] = self._unrationalised(links[0].right)
         for n in range(len(sides) - 1, 1, -1):
             if sides[n] == sides[n - 1] and signs[n - 1] == "=":
                 del sides[n], signs[n - 1]
@@ -243,6 +247,16 @@ class Rows:
         elif last and self._ends.of(line) is not None:
             self._bounded(trees, sides)
         return Row(tuple(sides), tuple(signs), reasons=reasons)
+
+    def _unrationalised(self, ratio: Expression) -> lay.Layout:
+        """A quotient by a root as it stands, where its layout would have a whole number below."""
+        own = ratio.operand if isinstance(ratio, Negate) else ratio
+        whole = self._naming.layout(ratio)
+        match own:
+            case Binary("/", Number() as above, below) if not letters(below):
+                quotient = lay.Fraction(self._naming.layout(above), self._naming.layout(below))
+                return quotient if own is ratio else lay.negative(quotient)
+        return whole
 
     def _by_axis(self, line: Line) -> bool:
         """Whether a ratio is that of a line of centres which a line tells, and of no components."""

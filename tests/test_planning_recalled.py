@@ -1,0 +1,154 @@
+"""What stands in a working is taken from there, and is not found a second time."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from restitution.explaining.derivation import Derivation, Relation
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import write_relation
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solving import Solution, solve
+from restitution.solving.letters import roles
+from restitution.workings import explain, to_text
+
+
+@cache
+def solved(text: str) -> Solution:
+    return solve(parse(text))
+
+
+@cache
+def planned(text: str) -> Derivation:
+    """The working of a statement, which the follower accepts."""
+    solution = solved(text)
+    derivation = plan(solution)
+    oracle = Oracle(roles(solution.problem))
+    assert [str(each) for each in follow(derivation, oracle)] == []
+    return derivation
+
+
+def said(text: str) -> list[str]:
+    """What the lines of a working say, but for those that introduce a letter."""
+    lines = planned(text).lines
+    return [write_relation(e.relation) for e in lines if e.move.id != "let"]  # type: ignore[arg-type]
+
+
+def printed(text: str) -> str:
+    return " ".join(to_text(explain(solved(text)), 100).split())
+
+
+def test_an_angle_takes_the_scalar_product_that_a_line_gives() -> None:
+    text = """
+sphere A: mass 3, velocity 3i + j
+sphere B: mass 2, velocity -2i - j
+A hits B: along i, e = 1/2
+find velocity(A), velocity(B), dot(velocity(A), velocity(B)), angle(velocity(A), velocity(B))
+"""
+    lines = planned(text).lines
+    (product,) = (e for e in lines if e.move.record == "product")
+    (cosine,) = (e for e in lines if e.move.record == "scalar-angle")
+    assert product.number in cosine.premises
+
+
+def test_a_quotient_by_two_roots_is_printed_as_it_stands() -> None:
+    text = """
+sphere A: mass 3, velocity 3i + 2j
+sphere B: mass 2, velocity -3i - 2j
+A hits B: along i, e = 2/3
+find dot(velocity(A), velocity(B)), angle(velocity(A), velocity(B))
+"""
+    assert "cos β = −7/(√5√13) = −7√65/65" in printed(text)
+
+
+def test_a_range_that_stands_in_the_letter_of_an_angle_is_the_answer() -> None:
+    text = """
+sphere A: mass m, velocity u at 45°
+sphere B: mass 2m, at rest
+A hits B: along i
+unknown e
+find range of deflection(A)
+find range of tan(deflection(A))
+"""
+    derivation = planned(text)
+    first, second = (each.line for each in derivation.items)
+    assert second < first
+    assert sum("tan(delta) <= 2" in each for each in said(text)) == 1
+
+
+def test_a_range_in_letters_has_their_values_put_in() -> None:
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i
+given along(velocity(A), i) < 0
+part a
+find range of k
+part b
+given e = 1/3
+find range of k
+"""
+    derivation = planned(text)
+    first, second = (derivation.line(each.line) for each in derivation.items)
+    assert second.move.id == "put"
+    assert first.number in second.premises
+    assert write_relation(second.relation) == "k > 3"  # type: ignore[arg-type]
+
+
+def test_a_tangent_that_is_known_is_put_in_as_it_is() -> None:
+    text = """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W
+given speed(P) = 3/4 u, deflection(P) = 60°
+find alpha, e
+"""
+    lines = said(text)
+    assert "(3 + 8e) tan(alpha) = 3sqrt(3)" in lines
+    assert not any(each.startswith("sin(alpha) =") for each in lines)
+
+
+def test_what_has_come_to_a_number_is_put_into_the_law() -> None:
+    text = """
+sphere A: mass 2, velocity 4i + 3j
+sphere B: mass 1, velocity 2j
+A hits B: along i
+given speed(B) = 2 sqrt(5)
+find e, velocity(A)
+"""
+    lines = [each for each in planned(text).lines if isinstance(each.relation, Relation)]
+    (line,) = (each for each in lines if write_relation(each.relation) == "v = 2")
+    assert line.move.id == "put"
+
+
+def test_what_ties_two_letters_in_another_part_is_an_equation_once_one_is_known() -> None:
+    text = """
+sphere A: mass m, velocity 3u i + 4u j
+sphere B: mass k m, velocity -2u i + u j
+A hits B: along i
+given velocity(A) = -u i + 4u j
+find velocity(B) in terms of u, k
+part a
+show 4/9 <= k
+part b
+given velocity(B) in the direction of j
+find k, e
+"""
+    lines = said(text)
+    assert "k = 2" in lines
+    assert lines.index("k = 2") < lines.index("e = 1/5")
+
+
+def test_a_direction_is_not_said_twice_in_another_order_of_terms() -> None:
+    text = """
+wall W
+sphere P: velocity 3i
+P hits W: e = 1/4
+given direction(P) = 90°
+find direction(W), speed(P)
+"""
+    normals = [each for each in said(text) if each.startswith("line_of_centres(1) parallel to")]
+    assert "line_of_centres(1) parallel to -3i + s j" in normals
+    assert "line_of_centres(1) parallel to s j - 3i" not in normals
