@@ -132,7 +132,7 @@ def mask_roots(value: Expr, back: dict[Symbol, Expr]) -> Expr:
     for base in sorted(roots, key=sympy.default_sort_key):
         if base not in known:
             kind = {"nonnegative": True} if base.is_extended_nonnegative is not False else {}
-            symbol = sympy.Dummy("root", **kind)
+            symbol = sympy.Dummy("root", len(back), **kind)
             known[base] = symbol
             back[symbol] = Pow(base, HALF)
         if base.is_Symbol:

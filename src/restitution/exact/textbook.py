@@ -214,11 +214,13 @@ def _mask(value: Expr, angles: dict[Expr, MaskedAngle], masks: dict[Expr, Symbol
             if argument not in angles:
                 acute = bool(argument.is_Symbol and argument.is_positive)
                 kind = {"positive": True} if acute else {"real": True}
+                # The same letters at every call: what was done with them before is remembered.
+                number = len(angles)
                 angles[argument] = MaskedAngle(
                     argument,
-                    sympy.Dummy("sin", **kind),
-                    sympy.Dummy("cos", **kind),
-                    sympy.Dummy("tan", **kind),
+                    sympy.Dummy("sin", number, **kind),
+                    sympy.Dummy("cos", number, **kind),
+                    sympy.Dummy("tan", number, **kind),
                 )
             angle = angles[argument]
             return {
@@ -247,7 +249,7 @@ def _mask(value: Expr, angles: dict[Expr, MaskedAngle], masks: dict[Expr, Symbol
             known["positive"] = True
         elif whole.is_real is not False:
             known["real"] = True
-        masks[whole] = sympy.Dummy("f", **known)
+        masks[whole] = sympy.Dummy("f", len(masks), **known)
     return masks[whole]
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache
+from functools import cache, lru_cache
 from math import isqrt
 from typing import Any
 
@@ -192,7 +192,7 @@ def factors_of(polynomial: PolyElement) -> tuple[Any, list[tuple[PolyElement, in
     used, (own,) = small(polynomial)
     if not used:
         return polynomial.LC, []
-    number, factors = own.factor_list()
+    number, factors = _factor_list(own)
     return number, [(large(used, factor), times) for factor, times in factors]
 
 
@@ -201,5 +201,18 @@ def without_common(a: PolyElement, b: PolyElement) -> tuple[PolyElement, PolyEle
     used, (own_a, own_b) = small(a, b)
     if not used or not own_a or not own_b:
         return a, b
-    _, rest_a, rest_b = own_a.cofactors(own_b)
+    rest_a, rest_b = _coprime(own_a, own_b)
     return large(used, rest_a), large(used, rest_b)
+
+
+# The lines of a working are tried one after another, of the same quantities.
+@lru_cache(4096)
+def _factor_list(polynomial: PolyElement) -> tuple[Any, list[tuple[PolyElement, int]]]:
+    number, factors = polynomial.factor_list()
+    return number, factors
+
+
+@lru_cache(4096)
+def _coprime(a: PolyElement, b: PolyElement) -> tuple[PolyElement, PolyElement]:
+    _, rest_a, rest_b = a.cofactors(b)
+    return rest_a, rest_b

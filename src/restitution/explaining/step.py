@@ -817,7 +817,7 @@ class Step:
 
         Where ``sign`` is not asked for, it is enough that k is not zero, and 1 is the answer.
         """
-        k = self._multiple(line, expected)
+        k = self.multiple(line, expected)
         if k is None:
             return None
         known = self.signs.of(k, sure=sign)
@@ -825,7 +825,8 @@ class Step:
             return None
         return known or 1
 
-    def _multiple(self, line: Value, expected: Value) -> Quotient | None:
+    def multiple(self, line: Value, expected: Value) -> Quotient | None:
+        """The factor by which a residual is the expected one, which may be zero."""
         if isinstance(line, Plane) and isinstance(expected, Plane):
             pairs = [(line.x, expected.x), (line.y, expected.y)]
             if any(a.vanishes != b.vanishes for a, b in pairs):

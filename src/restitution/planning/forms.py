@@ -56,7 +56,10 @@ def neat(value: Any) -> Any:
     }
     if not multiples:
         return tidy(own)
-    names = {multiple: sp.Dummy("angle", positive=True) for multiple in multiples}
+    names = {
+        multiple: sp.Dummy("angle", number, positive=True)
+        for number, multiple in enumerate(sorted(multiples, key=sp.default_sort_key))
+    }
     functions = {
         atom: type(atom)(names[atom.args[0]])
         for atom in own.atoms(sp.sin, sp.cos, sp.tan)

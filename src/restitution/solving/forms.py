@@ -132,7 +132,7 @@ def _angles_as_letters(x: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
                 put[node] = complement(letters[other])
             continue
         if argument not in letters:
-            letters[argument] = sp.Dummy(f"alpha_{len(letters)}", positive=True)
+            letters[argument] = sp.Dummy("alpha", len(letters), positive=True)
         put[node] = node.func(letters[argument])
     return x.xreplace(put), {letter: argument for argument, letter in letters.items()}
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 import sympy as sp
@@ -125,6 +125,14 @@ def matches(step: Step, line: Link, expected: Value, sign: Sign = "=") -> bool:
         return line.sign == sign and step.is_multiple(own, expected) is not None
     k = step.is_multiple(own, expected, sign=True)
     return k is not None and line.sign == (sign if k == 1 else FLIPPED[sign])
+
+
+def may_match(step: Step, line: Link, expected: Iterable[Value]) -> bool:
+    """Whether a line has a factor in common with one of some residuals, whatever its sign."""
+    step.world.printed = False
+    own = step.residual(line)
+    step.world.printed = True
+    return any(step.multiple(own, each) is not None for each in expected)
 
 
 def expected_residual(step: Step, link: Link, rules: Rules) -> Value:

@@ -18,7 +18,7 @@ from restitution.explaining.definitions import (
     ties,
 )
 from restitution.explaining.derivation import Event, Link, Relation
-from restitution.explaining.moves.bases import expected_residual, matches
+from restitution.explaining.moves.bases import expected_residual, matches, may_match
 from restitution.explaining.moves.putting import matches_with, points_along
 from restitution.explaining.principles import RECORDS, Record
 from restitution.explaining.quotients import NotComparableError, Plane, Quotient
@@ -106,6 +106,9 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
     except NotComparableError:
         return False
     if isinstance(left, Plane) or isinstance(right, Plane) or isinstance(above, Plane):
+        return False
+    # A sense takes long to decide: it is asked only where either would make the line.
+    if not may_match(step, line, (left - right, left + right)):
         return False
     sign = oriented(step, above)
     if sign is None and isinstance(link.left, Quantity):
