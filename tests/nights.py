@@ -1,21 +1,26 @@
 """What the normal run leaves to the night: of many cases that take long, it looks at some.
 
 Which those are, nobody chooses: the order of checksums of their names. The cases of one statement
-go together, for what takes long is made once for all that is asked of it.
+go together, for what takes long is made once for all that is asked of it. What is asked for by its
+file, or by a name, runs whole.
 """
 
 from __future__ import annotations
 
+import os
+import time
 import zlib
 from collections import defaultdict
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 FEW = 5
-"""A test with fewer cases is whole in the normal run."""
+"""A test with fewer cases is whole in the normal run, but for those that take long."""
 
 ONE_IN = {
+    "test_statements": 2,
     # Workings of statements of its own: solved, planned, followed.
     "test_planning_accepted": 3,
     "test_planning_angles": 3,
@@ -51,13 +56,13 @@ ONE_IN = {
 }
 """Of the cases of a test in these modules, one in so many stands in the normal run."""
 
-LONG = frozenset(
-    (Path(__file__).parent / "long_statements.txt").read_text(encoding="utf-8").split()
-)
-"""Statements that took more than half a second of a processor with all their laws."""
+LONG_TESTS = Path(__file__).parent / "long_tests.txt"
+"""Tests that took more than half a second of a processor; ``--long FILE`` writes their names."""
 
-LONG_ONE_IN, SHORT_ONE_IN = 8, 2
-"""Of the long statements, and of the others, one in so many stands in the normal run."""
+LONG = frozenset(LONG_TESTS.read_text(encoding="utf-8").splitlines())
+LONG_SECONDS = 0.5
+LONG_ONE_IN = 6
+"""Of the tests that take long, one in so many stands in the normal run."""
 
 
 def order(name: str) -> int:
@@ -71,26 +76,63 @@ def some(names: list[str], one_in: int) -> set[str]:
     return set(sorted(names, key=order)[:most])
 
 
+KEPT = some(sorted(LONG), LONG_ONE_IN)
+"""The tests that take long and stand in the normal run all the same."""
+
+
 @pytest.hookimpl(tryfirst=True)  # marks are looked at afterwards
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Marks as nightly what the normal run leaves out, but for cases that are asked for by name."""
-    if config.option.keyword or any("::" in each for each in config.args):
+    """Marks as nightly what the normal run leaves out, but for what is asked for by name."""
+    if config.option.whole:
         return
     cases: dict[tuple[Path, str], list[pytest.Function]] = defaultdict(list)
     for item in items:
-        if item.get_closest_marker("nightly") is None and hasattr(item, "callspec"):
+        if item.get_closest_marker("nightly") is not None:
+            continue
+        if item.nodeid in LONG:
+            if item.nodeid not in KEPT:
+                item.add_marker(pytest.mark.nightly)
+        elif hasattr(item, "callspec"):
             assert isinstance(item, pytest.Function)
             cases[item.path, item.originalname].append(item)
     for (path, _), own in cases.items():
-        names = [each.callspec.id for each in own]
-        if path.stem == "test_statements":
-            long = [name for name in names if name in LONG]
-            short = [name for name in names if name not in LONG]
-            kept = some(long, LONG_ONE_IN) | some(short, SHORT_ONE_IN)
-        elif path.stem in ONE_IN and len(names) >= FEW:
-            kept = some(names, ONE_IN[path.stem])
-        else:
+        if path.stem not in ONE_IN or len(own) < FEW:
             continue
+        kept = some([each.callspec.id for each in own], ONE_IN[path.stem])
         for each in own:
             if each.callspec.id not in kept:
                 each.add_marker(pytest.mark.nightly)
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Processes of pytest-xdist get the options of the first, which knows what was typed."""
+    if not hasattr(config, "workerinput"):
+        named = config.args_source is config.ArgsSource.ARGS or bool(config.option.keyword)
+        config.option.whole |= named and config.option.markexpr == "not nightly"
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Options for who wants all of what is named, and for who writes the list of long ones."""
+    parser.addoption("--whole", action="store_true", help="leave nothing to the night")
+    parser.addoption("--long", default="", help="a file to which tests that take long are added")
+
+
+# --- the list of those that take long -------------------------------------------------------------
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
+    """Notes a test that takes long of a processor, its own processes included."""
+    before = _seconds()
+    try:
+        return (yield)
+    finally:
+        file = item.config.getoption("--long")
+        if file and _seconds() - before > LONG_SECONDS:
+            with Path(file).open("a", encoding="utf-8") as names:
+                names.write(item.nodeid + "\n")
+
+
+def _seconds() -> float:
+    children = os.times()
+    return time.process_time() + children.children_user + children.children_system

@@ -6,15 +6,21 @@ from pathlib import Path
 
 import nights
 import pytest
-from statements import NAMES
 
 HERE = Path(__file__).parent
 
 
-def test_modules_and_statements_that_are_named_are_there() -> None:
+def test_modules_and_tests_that_are_named_are_there() -> None:
     assert [name for name in nights.ONE_IN if not (HERE / f"{name}.py").exists()] == []
-    assert nights.LONG <= NAMES
-    assert len(nights.LONG) < 0.4 * len(NAMES)
+    texts = {path.name: path.read_text(encoding="utf-8") for path in HERE.glob("test_*.py")}
+    for name in nights.LONG:
+        module, function = name.removeprefix("tests/").split("[")[0].split("::")
+        assert f"def {function}(" in texts[module], name
+
+
+def test_the_night_leaves_some_of_those_that_take_long() -> None:
+    assert nights.KEPT < nights.LONG
+    assert len(nights.KEPT) == round(len(nights.LONG) / nights.LONG_ONE_IN)
 
 
 @pytest.mark.parametrize(("count", "one_in", "kept"), [(1, 3, 1), (5, 3, 2), (9, 3, 3), (40, 8, 5)])
@@ -44,3 +50,21 @@ def test_the_night_has_what_the_normal_run_leaves(
     assert (len(normal), len(night), len(all_)) == (30 + 10, 20, 60)
     assert normal | night == all_
     assert len(names("-m", "not nightly", "-k", "many_cases")) == 30
+    assert len(names("-m", "not nightly", "test_with_many_cases.py")) == 30
+    assert len(names("-m", "not nightly", "--whole")) == 60
+
+
+def test_those_that_take_long_are_noted_and_left_to_the_night(
+    pytester: pytest.Pytester, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytester.syspathinsert(HERE)
+    pytester.makeini("[pytest]\nmarkers = nightly: at night\n")
+    pytester.makepyfile(test_one="def test_long(): sum(range(10**7))\ndef test_short(): pass\n")
+    monkeypatch.setattr(nights, "LONG_SECONDS", 0.02)
+    options = ("-p", "nights", "-p", "no:playwright", "-n", "0", "-m", "not nightly")
+    pytester.runpytest_inprocess(*options, "--long", "long.txt").assert_outcomes(passed=2)
+    (name,) = (pytester.path / "long.txt").read_text(encoding="utf-8").split()
+    assert name == "test_one.py::test_long"
+    monkeypatch.setattr(nights, "LONG", {name})
+    monkeypatch.setattr(nights, "KEPT", set())
+    pytester.runpytest_inprocess(*options).assert_outcomes(passed=1, deselected=1)
