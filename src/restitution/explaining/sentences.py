@@ -120,6 +120,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "resolved-wall.before-sense": (
         "Components before the impact, those parallel to {wall} in the direction of {axis}:"
     ),
+    "resolved.before-vector": "Components before the impact, as {vector}:",
     "resolved-axes.title": "Components along the axes:",
     "resolved-spheres.after-units": "Components after the impact:",
     "resolved-wall.before-units": "Components before the impact:",
@@ -559,6 +560,17 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "answer.only": "This holds for {condition} only.",
     "range.also": "In this range {bounds:and} as well.",
+    "answer.only-range": (
+        "This holds for {condition} only, as there is no such {letter} otherwise."
+    ),
+    "answer.moving": "{body} is still moving at the end",
+    "answer.divisor": "the divisor {divisor} is not zero",
+    "range.within": "In this range {bounds:and}, so {body} hits {walls:and} between its ends too.",
+    "range.within-anyway": "{body} hits {walls:and} between its ends too, as {bounds:and}.",
+    "range.within-all-anyway": "{body} hits {walls:and} between their ends too, as {bounds:and}.",
+    "range.within-all": (
+        "In this range {bounds:and}, so {body} hits {walls:and} between their ends too."
+    ),
     "answer.only-as": "As {reasons:and}, this holds for {condition} only.",
     "answer.reason": "{item}: {reason}",
     "answer.undecided": "{item}: not decided",
@@ -701,6 +713,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.since-in": "Since {facts:and}, from {equation}:",
     "derived.since-by": "Since {facts:and}, {how}:",
     "derived.right-angle": "and {angle} if {at}",
+    "derived.upright-too": "also if {at}, where {angle}",
     "derived.as": "as {reasons:and}",
     "derived.no-root": "{value} does not satisfy {equation}",
     "derived.would": "{value} would give {result} by {equations:and}",

@@ -27,10 +27,10 @@ from restitution.expression.tree import (
 from restitution.planning.angle_ratios import write_other_ratio
 from restitution.planning.collecting import multiplied_out
 from restitution.planning.desk import NotPlannedError, Source, chain, together
-from restitution.planning.forms import ZERO, square, swept, total, tree_of
+from restitution.planning.forms import ZERO, product, square, swept, total, tree_of
 from restitution.planning.impacts import residual, scene_value
 from restitution.planning.one_root import alone, in_squares
-from restitution.planning.polynomials import expanded, factored, numerator
+from restitution.planning.polynomials import cancelled, expanded, factored, numerator
 from restitution.planning.premises import background, nonzero, not_negative
 from restitution.planning.ratios import (
     by_its_half,
@@ -310,14 +310,32 @@ def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
 def _quotient(symbol: sp.Symbol, poly: sp.Poly, value: sp.Expr) -> Relation:
     """The root of a linear polynomial; below a sum with roots it is first a quotient."""
     letter, last = Letter(symbol.name), tree_of(value)
-    below = poly.nth(1)
-    if not (below.is_number and below.is_Add):
+    below, letters_ = _without_letters(poly.nth(1))
+    if not below.is_Add:
         return chain(letter, (last, None))
-    above = -poly.nth(0)
+    above = cancelled(-poly.nth(0) / letters_)
+    lowest = sp.ilcm(*(each.as_coeff_Mul()[0].q for each in below.args))
+    above, below = (expanded(each * lowest) for each in (above, below))
     if below.is_negative:
         above, below = -above, -below
-    first = Binary("/", tree_of(above, as_it_is=True), tree_of(below, as_it_is=True))
+    top, others = _without_letters(above) if above.free_symbols else (above, sp.Integer(1))
+    over = product(tree_of(top, as_it_is=True), tree_of(others)) if top.is_Add else tree_of(above)
+    first = Binary("/", over, tree_of(below, as_it_is=True))
     return chain(letter, (first, None), (last, "rearrange"))
+
+
+def is_over_roots(above: sp.Expr, symbol: sp.Symbol) -> bool:
+    """Whether an unknown, in a linear equation, is divided by a sum with roots."""
+    whole = numerator(above)
+    if symbol in inside_functions(whole) or sp.degree(whole, symbol) != 1:
+        return False
+    return bool(_without_letters(sp.Poly(whole, symbol).nth(1))[0].is_Add)
+
+
+def _without_letters(x: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """A number, and the product of letters that goes with it; 1 and 1 where it is more."""
+    number, letters_ = sp.factor_terms(expanded(x)).as_independent(*x.free_symbols, as_Add=False)
+    return (expanded(number), letters_) if not letters_.is_Add else (sp.Integer(1), x)
 
 
 def _by_identity(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
@@ -449,4 +467,12 @@ SHAPES: tuple[Shape, ...] = (
 )
 """What an equation may look like, in the order in which the shapes are tried."""
 
-__all__ = ["SHAPES", "close", "nonzero", "not_negative", "rearranged", "with_known"]
+__all__ = [
+    "SHAPES",
+    "close",
+    "is_over_roots",
+    "nonzero",
+    "not_negative",
+    "rearranged",
+    "with_known",
+]

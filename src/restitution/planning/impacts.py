@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from fractions import Fraction
 from typing import Any
 
 import sympy as sp
@@ -11,9 +10,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.derivation import Meaning, Move, MoveId, Ref
 from restitution.expression.tree import (
-    Apply,
     Binary,
-    Degrees,
     Expression,
     Letter,
     Name,
@@ -23,7 +20,8 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.circles import chord_from, circle_of, from_centre
+from restitution.planning.circles import chord_from, from_centre
+from restitution.planning.degrees import by_degrees, share_by_degrees
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import (
     ONE,
@@ -336,60 +334,6 @@ def _by_ratio(
     if value.is_Add or len(ratios) != 1 or not any(ratio.free_symbols for ratio in ratios):
         return None
     return None if source.value.has(*ratios) else tree_of(value)
-
-
-def by_degrees(
-    scene: Scene, kind: str, body: str, frame: Frame, value: sp.Expr
-) -> Expression | None:
-    """A component at the start by the angle, a number: ``u cos 60°``, ``5 × 0.6``.
-
-    None without one.
-    """
-    initial = scene.initial(body).value
-    fact = scene.facts.get(f"velocity {body}")
-    if fact is None:
-        return None
-    (link,) = fact.relation.only
-    if isinstance(link.right, Polar):
-        size = scene.scalar(link.right.size)
-    elif initial.x == 0 or initial.y == 0:
-        size = initial.x + initial.y
-        size = -size if scene.model.sign(size) < 0 else size
-    else:
-        return None
-    ratio = tidy(value / size) if size != 0 else size
-    # At a straight wall, angles are measured from it.
-    straight = frame.wall is not None and circle_of(scene, frame.number) is None
-    function = "sin" if straight == (kind == "along") else "cos"
-    share = share_by_degrees(ratio, function) or _share_in_numbers(link.right, size, ratio)
-    if share is None:
-        return None
-    own = product(tree_of(size), share)
-    return negative(own) if scene.model.sign(value) < 0 else own
-
-
-def _share_in_numbers(velocity: Expression, size: sp.Expr, ratio: sp.Expr) -> Expression | None:
-    """The size of a ratio of an angle that is told by another of its ratios: ``arccos(0.6)``.
-
-    None where a letter is the speed: ``12u/13`` is read off.
-    """
-    match velocity:
-        case Polar(angle=Apply("arcsin" | "arccos" | "arctan")) if (
-            size.is_number and ratio.is_Rational and abs(ratio) not in (0, 1)
-        ):
-            return tree_of(abs(ratio))
-    return None
-
-
-def share_by_degrees(ratio: sp.Expr, function: str) -> Expression | None:
-    """The size of a ratio as the sine or cosine of whole degrees; None where it is none."""
-    if not ratio.is_number or ratio.atoms(sp.sin, sp.cos, sp.tan) or abs(ratio) in (0, 1):
-        return None
-    size = sp.Abs(ratio)
-    angle = (sp.asin if function == "sin" else sp.acos)(size) * 180 / sp.pi
-    if not angle.is_Integer:
-        return None
-    return Apply(function, Degrees(Fraction(int(angle))))
 
 
 def _product_of_units(a: Vector, b: Vector, value: sp.Expr) -> Expression:

@@ -22,7 +22,7 @@ from restitution.planning import paths, place_trees, rounds, separations
 from restitution.planning.axes import take_impulse, take_opposite
 from restitution.planning.blows import write_blows
 from restitution.planning.checking import require_true
-from restitution.planning.closing import close, with_known
+from restitution.planning.closing import close, is_over_roots, with_known
 from restitution.planning.deflections import turned_at_a_wall
 from restitution.planning.desk import Mark, NotPlannedError, Source, chain, together
 from restitution.planning.forms import tree_of
@@ -875,6 +875,9 @@ class Solver:
             own_residual = residual(self.scene, number)
             if symbol not in own_residual.free_symbols:
                 continue  # it is known by now
+            if is_over_roots(own_residual, symbol):
+                close(self.scene, number, symbol)
+                return (own,)
             value = tidy(_solved(own_residual, symbol))
             line = self.scene.desk.write(
                 Move("rearrange"), (number,), chain(Letter(symbol.name), (tree_of(value), None))

@@ -13,10 +13,11 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.expression.tree import Binary, Degrees, Expression, Polar, Quantity, walk
+from restitution.expression.tree import Binary, Expression, Polar, Quantity, walk
 from restitution.planning.aims import striker, write_aim
 from restitution.planning.circles import chord_from, chord_to_a_point, circle_of
 from restitution.planning.closing import nonzero
+from restitution.planning.degrees import angles_in, share_by_degrees
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.encounters import with_the_gap
 from restitution.planning.flights import added, divisor_refs, slope, time_quotient
@@ -29,7 +30,7 @@ from restitution.planning.forms import (
     tree_of,
     vector,
 )
-from restitution.planning.impacts import share_by_degrees, whole_direction
+from restitution.planning.impacts import whole_direction
 from restitution.planning.place_trees import (
     AXES,
     Axis,
@@ -543,14 +544,9 @@ def _by_degrees(scene: Scene, body: str, since: int, axis: Axis) -> Expression |
     ratio = tidy(scene.initial(body).value.dot(unit_of(axis)) / size)
     for function in ("cos", "sin") if axis == "i" else ("sin", "cos"):
         share = share_by_degrees(ratio, function)
-        if share is not None and set(walk(share)) & _angles_in(right):
+        if share is not None and set(walk(share)) & angles_in(right):
             return product(tree_of(size), share)
     return None
-
-
-def _angles_in(tree: Expression) -> set[Expression]:
-    """The angles in degrees that a tree has."""
-    return {node for node in walk(tree) if isinstance(node, Degrees)}
 
 
 def _leg_to_circle(scene: Scene, body: str, number: int) -> tuple[int, Source]:

@@ -12,7 +12,6 @@ import sympy as sp
 from restitution.components.letters import protected_letters
 from restitution.components.telling import model
 from restitution.errors import MissingError
-from restitution.explaining.arrangement import events_of
 from restitution.explaining.derivation import (
     Derivation,
     ItemEnd,
@@ -22,8 +21,8 @@ from restitution.explaining.derivation import (
     Relation,
     equation,
 )
-from restitution.explaining.facts import facts_of, staged
-from restitution.explaining.premises import (
+from restitution.explaining.facts import events_of, facts_of, staged
+from restitution.explaining.follower import (
     with_identities,
     with_ranges,
     without_idle_ratios,

@@ -9,7 +9,7 @@ from restitution.explaining.derivation import Move
 from restitution.expression.tree import Name, Quantity, Unit
 from restitution.planning.desk import Source, chain, together
 from restitution.planning.forms import product, swept, total, tree_of
-from restitution.planning.impacts import after
+from restitution.planning.impacts import after, settled
 from restitution.planning.scene import Scene
 from restitution.vector import Vector
 
@@ -35,8 +35,9 @@ def along_axis(scene: Scene, body: str, stage: int, axis: Literal["i", "j"]) -> 
     for kind in ("along", "across"):
         share = tidy(frame.direction(kind).dot(unit))
         if share in (1, -1):
-            own = after(scene, kind, body, frame)
-            named = frame.component(kind, body, last).arguments[-1] == Unit(axis)
+            component = frame.component(kind, body, last)
+            own = settled(scene, component) or after(scene, kind, body, frame)
+            named = component.arguments[-1] == Unit(axis)
             refs = own.refs if named else together(own.refs, own.axis, frame.refs)
             return Source(share * own.value, refs)
     quantity = Quantity("along", (Quantity("velocity", (Name(body),), last), Unit(axis)))

@@ -76,9 +76,12 @@ def write_round(scene: Scene, own: Round) -> int:
     """The equation of the tangents, and its number."""
     first, second = own.hits
     ends = [(0, first), (first, first), (second, second)]
+    angles: list[Letter] = []
     tangents: dict[Expression, tuple[sp.Expr, int]] = {}
-    letters: list[Letter] = []
+    premises: list[Ref] = [f"contact {n}" for n in (*own.hits, own.number)]
+    premises.append(f"position {own.body}")
     meanings: list[Ref] = []
+    pool: list[Ref] = []
     for stage, event in ends:
         frame = scene.frame(event)
         along, across = (
@@ -90,36 +93,58 @@ def write_round(scene: Scene, own: Round) -> int:
         velocity = Quantity("velocity", (Name(own.body),), stage)
         angle = Quantity("angle", (velocity, Quantity("line_of_centres", (), event)))
         letter, meaning = letter_of(scene, angle)
-        letters.append(Letter(letter))
-        meanings.append(meaning)
-        tangents[Apply("tan", letters[-1])] = _tangent(
-            scene, event, own.body, letter, meaning, along, across
-        )
-    a, b, c = letters
-    premises: list[Ref] = [f"contact {n}" for n in (*own.hits, own.number)]
-    premises += [f"position {own.body}", *meanings]
-    closing = scene.desk.write(
-        Move("define", "round", own.number, (own.body,)),
-        together(premises),
-        chain(Binary("+", a, b), (Binary("-", _RIGHT, c), None)),
-    )
-    x, y, z = tangents
+        premises.append(meaning)
+        worth, line = _tangent(scene, event, own.body, letter, meaning, along, across)
+        same = _same_angle(scene, line, letter, worth)
+        if same is None:
+            angles.append(Letter(letter))
+            tangents[Apply("tan", angles[-1])] = worth, line
+            meanings.append(meaning)
+        else:
+            other, number = same
+            angles.append(other)
+            premises.append(number)
+            pool.append(f"acute: {other.name}")
+    a, b, c = angles
+    total = chain(Binary("+", a, b), (Binary("-", _RIGHT, c), None))
+    move = Move("define", "round", own.number, (own.body,))
+    closing = scene.desk.write(move, together(premises), total)
+    if len({*angles}) == 1:
+        return closing
+    x, y, z = (Apply("tan", each) for each in angles)
     quotient = Binary("/", Binary("+", x, y), Binary("-", ONE, product(x, y)))
     relation = chain(quotient, (Binary("/", ONE, z), None))
     move = Move("identity", "sum-of-angles")
-    refs = scene.judge.enough(move, (closing,), relation, [*meanings])
+    refs = scene.judge.enough(move, (closing,), relation, [*meanings, *pool])
     if refs is None:
         raise NotPlannedError("the tangent of a sum")
     line = scene.desk.write(move, refs, relation)
-    values = {key: tree_of(worth) for key, (worth, _) in tangents.items()}
-    right = tree_of(in_tangents(tidy(1 / tangents[z][0])))
+    values: dict[Expression, Expression] = {
+        key: tree_of(worth) for key, (worth, _) in tangents.items()
+    }
+    right = tree_of(in_tangents(tidy(1 / tangents[z][0]))) if z in tangents else Binary("/", ONE, z)
     put = chain(swept(exchanged(quotient, values)), (right, None))
     names = {each.name for each in scene.unknown(own.candidate.residuals[0])}
-    pool = [*(number for _, number in tangents.values()), *background(scene, names)]
-    kept = scene.judge.enough(Move("put"), (line,), put, pool)
+    known = [*(number for _, number in tangents.values()), *background(scene, names)]
+    kept = scene.judge.enough(Move("put"), (line,), put, known)
     if kept is None:
         raise NotPlannedError("the tangents of angles round a circle")
     return scene.desk.write(Move("put"), kept, put)
+
+
+def _same_angle(
+    scene: Scene, line: int, letter: str, tangent: sp.Expr
+) -> tuple[Letter, int] | None:
+    """The letter whose tangent an angle has, and the line that they are equal; None without one."""
+    match in_tangents(tangent):
+        case sp.tan(args=(sp.Symbol() as symbol,)):
+            other = Letter(symbol.name)
+        case _:
+            return None
+    relation = chain(Letter(letter), (other, None))
+    pool = [f"0° <= {letter} <= 90°", f"acute: {other.name}"]
+    refs = scene.judge.enough(Move("inverse"), (line,), relation, pool)
+    return None if refs is None else (other, scene.desk.write(Move("inverse"), refs, relation))
 
 
 def _tangent(

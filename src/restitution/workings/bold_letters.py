@@ -332,7 +332,10 @@ def _direction(derivation: Derivation, number: int) -> Vector | None:
     axis = Quantity("line_of_centres", (), number)
     # Components are taken in the sense of the line that they cite, or of the last above them;
     # below them it may stand again, with a letter put in that was sought.
-    lines = [] if derivation.cases else derivation.lines
+    apart = {own for each in derivation.cases for own in each.lines}
+    if any(_gives(line, axis) for line in derivation.lines if line.number in apart):
+        return None  # it is another one in each case
+    lines = [line for line in derivation.lines if line.number not in apart]
     resolved = [e.move.record == "component" and e.move.event == number for e in lines]
     first = resolved.index(True) if True in resolved else len(lines)
     cited = lines[first].premises if first < len(lines) else ()
@@ -351,6 +354,15 @@ def _direction(derivation: Derivation, number: int) -> Vector | None:
                 if direction is not None:
                     return direction
     return _beside_i(derivation, axis)
+
+
+def _gives(line: Line, axis: Quantity) -> bool:
+    """Whether a line says what the direction of a line of centres is."""
+    return not isinstance(line.relation, Meaning) and any(
+        link.left == axis and link.sign in ("=", "parallel to")
+        for links in line.relation.options
+        for link in links
+    )
 
 
 def _beside_i(derivation: Derivation, axis: Quantity) -> Vector | None:

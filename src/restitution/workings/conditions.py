@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 import sympy as sp
 
 from restitution.components.letters import protected_letters
 from restitution.components.models import Model
 from restitution.components.telling import model
+from restitution.exact import tidy
 from restitution.explaining.derivation import Derivation, Meaning
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Letter, has_quantity, letters
-from restitution.oracle import BeyondError, Formula, Oracle
+from restitution.expression.tree import Apply, Letter, has_quantity, letters
+from restitution.oracle import All, BeyondError, Formula, Oracle
 from restitution.oracle import Relation as Claim
+from restitution.oracle.roles import ACUTE
 from restitution.problem import Find, Given, Range, Value
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
@@ -42,7 +44,7 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
                 continue
             pairs = [(ends[-1], answers[0])] if alike else zip(ends, answers, strict=True)
             for line, answer in pairs:
-                sentence = _sentence(solution, part, answer, subjects)
+                sentence = _sentence(solution, part, item, answer, subjects)
                 if sentence is not None:
                     sentences[line] = sentence
     return sentences
@@ -130,58 +132,155 @@ def _speaks_of_others(solution: Solution, item: ItemResult, answers: Sequence[An
 
 
 def _subjects(derivation: Derivation) -> set[str]:
-    """The letters of which some line says the value."""
+    """The letters of which, or of a ratio of which, some line says the value."""
     return {
-        link.left.name
+        own.name
         for line in derivation.lines
         if not isinstance(line.relation, Meaning)
         for links in line.relation.options
         for link in links
-        if isinstance(link.left, Letter)
+        for own in [link.left.argument if isinstance(link.left, Apply) else link.left]
+        if isinstance(own, Letter)
     }
 
 
 def _sentence(
-    solution: Solution, part: PartSolution, answer: Answer, subjects: Collection[str]
+    solution: Solution,
+    part: PartSolution,
+    item: ItemResult,
+    answer: Answer,
+    subjects: Collection[str],
 ) -> Sentence | None:
     condition = answer.condition_layout
     if condition is None:
         return None
+    if isinstance(item.item, Range):
+        asked = item.item.expression
+        if not isinstance(asked, Letter):
+            return say("answer.only", condition=condition)
+        letter = lay.from_sympy(sp.Symbol(asked.name))
+        return say("answer.only-range", condition=condition, letter=letter)
     branch = next(each for each in part.branches if each.number == answer.solution)
     protected = protected_letters(part.part)
     own = model(solution.problem, part.part, branch, part.roles, protected)
     unknowns = {each for each in own.final if each.name in subjects}
-    reasons = coefficients_that_bind(own, unknowns)
+    reasons = reasons_that_bind(own, unknowns)
     if reasons and condition not in reasons:
         return say("answer.only-as", reasons=reasons, condition=condition)
     return say("answer.only", condition=condition)
 
 
-def coefficients_that_bind(model: Model, unknowns: Collection[sp.Symbol]) -> list[Layout]:
-    """``e ≤ 1``: the bounds of coefficients that were found, if a solution's condition is theirs.
+Bound = tuple[Formula, tuple[sp.Symbol, str]]
+"""A claim of a letter that was found, and of which end or angle it is one."""
 
-    Empty where it rests on anything else, or on a coefficient that is not yet known.
+
+def reasons_that_bind(
+    model: Model, unknowns: Collection[sp.Symbol]
+) -> tuple[Sentence | Layout, ...]:
+    """``e ≤ 1``, *α is acute*: what letters that were found may be, if a condition is just that.
+
+    Where it is that of a value without a divisor that is zero, it is that; and empty where the
+    condition rests on anything else, or on a letter that is not yet known.
     """
     if model.branch.oracle is None:
-        return []
-    bounds: dict[tuple[sp.Symbol, bool], Formula] = {}
+        return ()
+    ends = list(_ends(model))
+    angles = [each for each in ends if each[1][1] != "positive"]
+    groups = (angles, _divisors(model), ends, _squares(model), _motions(model))
+    for bounds in map(list, groups):
+        needed = _enough(model, bounds)
+        if needed and all(end == "moving" or e in unknowns for _, (e, end) in needed):
+            return _in_words(model, needed)
+    return ()
+
+
+def _enough(model: Model, bounds: Sequence[Bound]) -> list[Bound]:
+    """Those bounds without which the solution is not one; none where they are not enough."""
+    needed = [each for each in bounds if not _follows(model.ground, each[0])]
+    for bound in list(needed):
+        fewer = [each for each in needed if each is not bound]
+        if _is_enough(model, fewer):
+            needed = fewer
+    return needed if _is_enough(model, needed) else []
+
+
+def _is_enough(model: Model, bounds: Sequence[Bound]) -> bool:
+    oracle = model.ground.with_facts([claim for claim, _ in bounds])
+    return all(_follows(oracle, fact) for fact in model.oracle.facts)
+
+
+def _ends(model: Model) -> Iterator[Bound]:
+    """What the letters that were found may be."""
     for symbol, value in model.final.items():
         role = model.unknowns.roles.get(symbol.name)
-        if role is None or role.kind != "restitution" or (role.low, role.high) != (0, 1):
+        if role is None:
             continue
-        for upper, gap in ((False, value), (True, 1 - value)):
-            claim = Claim(gap, ">=" if role.closed[upper] else ">")
-            if not _follows(model.ground, claim):
-                bounds[symbol, upper] = claim
-    for bound in list(bounds):
-        fewer = {key: claim for key, claim in bounds.items() if key != bound}
-        if all(_follows(model.ground.with_facts(fewer.values()), x) for x in model.oracle.facts):
-            bounds = fewer
-    known = all(symbol in unknowns for symbol, _ in bounds)
-    enough = model.ground.with_facts(bounds.values())
-    if not bounds or not known or not all(_follows(enough, fact) for fact in model.oracle.facts):
-        return []
-    return [_coefficient_range(model, s, bounds) for s in dict.fromkeys(s for s, _ in bounds)]
+        if role.kind == "restitution" and (role.low, role.high) == (0, 1):
+            for end, gap in (("low", value), ("high", 1 - value)):
+                closed = role.closed[end == "high"]
+                yield Claim(gap, ">=" if closed else ">"), (symbol, end)
+        elif role == ACUTE:
+            ratios = (Claim(tidy(ratio(value)), ">") for ratio in (sp.sin, sp.cos))
+            yield All(tuple(ratios)), (symbol, "acute")
+        elif role.kind == "positive":
+            yield Claim(value, ">"), (symbol, "positive")
+
+
+def _divisors(model: Model) -> Iterator[Bound]:
+    """That no value of a letter of the statement has a divisor that is zero."""
+    for symbol, value in model.final.items():
+        divisor = sp.fraction(sp.together(value))[1]
+        if symbol.name in model.unknowns.roles and isinstance(divisor, sp.Symbol):
+            yield Claim(divisor, "!="), (symbol, "divisor")
+
+
+def _squares(model: Model) -> Iterator[Bound]:
+    """That the squares of letters that are roots are not negative."""
+    for symbol, value in model.final.items():
+        square = tidy(value**2)
+        roots_ = [each for each in square.atoms(sp.Pow) if not each.exp.is_integer]
+        if symbol.name in model.unknowns.roles and not roots_:
+            yield Claim(square, ">="), (symbol, "square")
+
+
+def _motions(model: Model) -> Iterator[Bound]:
+    """That a sphere still moves at the end."""
+    story = model.branch.story
+    for body in story.spheres:
+        velocity = story.velocity(body, len(story.happenings))
+        square = tidy(model.in_data(velocity.dot(velocity)))
+        yield Claim(square, ">"), (sp.Symbol(body), "moving")
+
+
+def _in_words(model: Model, bounds: Sequence[Bound]) -> tuple[Sentence | Layout, ...]:
+    """Bounds as reasons, both ends of a coefficient at once."""
+    ends: dict[sp.Symbol, set[str]] = {}
+    for _, (symbol, end) in bounds:
+        ends.setdefault(symbol, set()).add(end)
+    return tuple(_reason(model, symbol, own) for symbol, own in ends.items())
+
+
+def _reason(model: Model, symbol: sp.Symbol, ends: Collection[str]) -> Sentence | Layout:
+    name, zero, one = lay.from_sympy(symbol), lay.Number("0"), lay.Number("1")
+    if "acute" in ends:
+        return say("derived.acute", angle=name)
+    if "divisor" in ends:
+        divisor = lay.from_sympy(sp.fraction(sp.together(model.final[symbol]))[1])
+        return say("answer.divisor", divisor=divisor)
+    if "moving" in ends:
+        return say("answer.moving", body=symbol.name)
+    if "square" in ends:
+        return lay.Relation((lay.from_sympy(symbol**2), zero), ("≥",))
+    if "positive" in ends:
+        return lay.Relation((name, zero), (">",))
+    at_low, at_high = (
+        "≤" if closed else "<" for closed in model.unknowns.roles[symbol.name].closed
+    )
+    if "high" not in ends:
+        return lay.Relation((name, zero), ("≥" if at_low == "≤" else ">",))
+    if "low" not in ends:
+        return lay.Relation((name, one), (at_high,))
+    return lay.Relation((zero, name, one), (at_low, at_high))
 
 
 def _follows(oracle: Oracle, claim: Formula) -> bool:
@@ -189,18 +288,3 @@ def _follows(oracle: Oracle, claim: Formula) -> bool:
         return bool(oracle.decide(claim))
     except BeyondError:
         return False
-
-
-def _coefficient_range(
-    model: Model, symbol: sp.Symbol, bounds: Collection[tuple[sp.Symbol, bool]]
-) -> Layout:
-    """``0 ≤ e``, ``e ≤ 1`` or both at once."""
-    at_low, at_high = (
-        "≤" if closed else "<" for closed in model.unknowns.roles[symbol.name].closed
-    )
-    name, low, high = lay.from_sympy(symbol), lay.Number("0"), lay.Number("1")
-    if (symbol, True) not in bounds:
-        return lay.Relation((name, low), ("≥" if at_low == "≤" else ">",))
-    if (symbol, False) not in bounds:
-        return lay.Relation((name, high), (at_high,))
-    return lay.Relation((low, name, high), (at_low, at_high))

@@ -46,6 +46,7 @@ from restitution.workings.measured import worth
 from restitution.workings.meetings import condition_of, passing_of
 from restitution.workings.naming import Naming
 from restitution.workings.offsets import is_offset, offset_sentence
+from restitution.workings.one_component import vector_resolved
 from restitution.workings.reasons import Reasons
 from restitution.workings.sources import Source, Sources
 
@@ -625,13 +626,27 @@ class Leads:
             return None
         bold = self._naming.bold
         direction = None if bold.has_unit(event.number) else bold.direction(event.number, "across")
-        if stage < event.number and direction is not None:
+        if stage < event.number and direction is not None and self._has_across(line, axis):
             if event.wall:
                 return say("resolved-wall.before-sense", wall=event.bodies[1], axis=direction)
             return say("resolved-spheres.before-sense", axis=direction)
         if not event.wall and self._is_turned(line, event.number):
             return say("resolved-spheres.before-turned")
+        vector = vector_resolved(self._derivation, self._naming, line, event)
+        if vector is not None:
+            return say("resolved.before-vector", vector=vector)
         return say(_RESOLVED[event.wall, stage < event.number])
+
+    def _has_across(self, line: Line, axis: Expression) -> bool:
+        """Whether a component across a line is resolved in the part of a line."""
+        parts = self._derivation.asked
+        for own in self._derivation.lines:
+            match own.relation:
+                case Relation(((Link(Quantity("across", (_, other))), *_),)) if other == axis:
+                    together = parts.get(own.item or "") == parts.get(line.item or "")
+                    if together and own.move.record == line.move.record:
+                        return True
+        return False
 
     def _since_nothing(self, line: Line) -> Sentence | None:
         """That a component is zero, by which a direction is what it is."""

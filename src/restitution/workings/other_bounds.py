@@ -1,18 +1,28 @@
-"""The bound of a coefficient that makes no end of a range: it holds in the range as well."""
+"""What makes no end of a range, and holds in it: a bound of a coefficient, a wall with ends."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.derivation import Derivation, Event, Line, Link, Relation
 from restitution.explaining.saying import Sentence, say
+from restitution.explaining.sentences import SentenceId
 from restitution.explaining.unused import lines_under
 from restitution.expression.evaluate import evaluate
-from restitution.expression.tree import Binary, Expression, Letter, Number, has_quantity, walk
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    has_quantity,
+    letters,
+    walk,
+)
 from restitution.oracle import BeyondError, Oracle, compared
 from restitution.problem import Range
 from restitution.solving.letters import roles
@@ -21,6 +31,12 @@ from restitution.workings.ends import Ends
 from restitution.workings.naming import Naming
 
 _OTHER = {"<=": (">=", Number(Fraction(0))), ">=": ("<=", Number(Fraction(1)))}
+_WITHIN: Mapping[tuple[str, bool], SentenceId] = {
+    ("range", False): "range.within",
+    ("range", True): "range.within-all",
+    ("anyway", False): "range.within-anyway",
+    ("anyway", True): "range.within-all-anyway",
+}
 _ORDER = ("<", "<=", ">", ">=")
 
 
@@ -40,7 +56,64 @@ def other_bounds(solution: Solution, derivation: Derivation) -> dict[int, Senten
                 for letter, _, sign in bounds
             )
             sentences[line.number] = say("range.also", bounds=laid)
+            continue
+        reached = list(_other_walls(solution, derivation, line))
+        if reached:
+            sentences[line.number] = _said_of_walls(naming, line, reached)
     return sentences
+
+
+Reached = tuple[Event, tuple[Link, ...]]
+"""The event of a wall, and that the place there lies between its ends."""
+
+
+def _said_of_walls(naming: Naming, line: Line, reached: Sequence[Reached]) -> Sentence:
+    """That the body which comes first to such a wall comes there between its ends."""
+    assert isinstance(line.relation, Relation)
+    body = reached[0][0].bodies[0]
+    own = [each for each in reached if each[0].bodies[0] == body]
+    walls = tuple(dict.fromkeys(event.bodies[1] for event, _ in own))
+    bounds = tuple(naming.relation(Relation(((*links,),))) for _, links in own)
+    sides, places = (
+        {name for e in links for tree in (e.left, e.right) for name in letters(tree)}
+        for links in (line.relation.options[0], [e for _, links in own for e in links])
+    )
+    varies = "range" if sides & places else "anyway"
+    name = _WITHIN[varies, len(walls) > 1]
+    return say(name, bounds=bounds, body=body, walls=walls)
+
+
+def _other_walls(solution: Solution, derivation: Derivation, line: Line) -> Iterator[Reached]:
+    """Walls with ends that no line tests, where a sphere comes between them in a whole range."""
+    under = lines_under(derivation, line.number)
+    cited = {
+        ref
+        for each in under
+        if isinstance(each, int) and (own := derivation.line(each)) is not None
+        for ref in own.premises
+    }
+    if not any(str(ref).partition(" ")[0] == "within" for ref in cited):
+        return
+    values = {
+        own.relation.only[0].left: own.relation.only[-1].right
+        for own in derivation.lines
+        if own.number in under
+        and isinstance(own.relation, Relation)
+        and len(own.relation.options) == 1
+        and own.relation.only[0].sign == "="
+    }
+    for event in derivation.events:
+        fact = derivation.fact(" ".join(("within", str(event.number))))
+        if fact is None or fact.id in cited or len(fact.relation.options) != 1:
+            continue
+        links = tuple(
+            replace(e, left=values.get(e.left, e.left), right=values.get(e.right, e.right))
+            for e in fact.relation.only
+        )
+        if not any(has_quantity(side) for e in links for side in (e.left, e.right)) and all(
+            _follows(solution, line, e.left, e.sign, e.right) for e in links
+        ):
+            yield event, links
 
 
 def _bounds(derivation: Derivation, line: Line) -> Iterator[tuple[Letter, Expression, str]]:
@@ -76,9 +149,16 @@ def _holds(solution: Solution, line: Line, letter: Letter, value: Expression, si
     role = own.get(letter.name)
     if role is None or role.kind != "restitution" or not isinstance(line.relation, Relation):
         return False
-    if len(line.relation.options) != 1:
+    return _follows(solution, line, value, *_OTHER[sign])
+
+
+def _follows(
+    solution: Solution, line: Line, left: Expression, sign: str, right: Expression
+) -> bool:
+    """Whether a comparison is proved wherever a range holds."""
+    own = roles(solution.problem)
+    if not isinstance(line.relation, Relation) or len(line.relation.options) != 1:
         return False
-    other, far = _OTHER[sign]
 
     def symbol(name: str) -> sp.Expr:
         return own[name].symbol(name)
@@ -89,7 +169,7 @@ def _holds(solution: Solution, line: Line, letter: Letter, value: Expression, si
             for each in line.relation.only
             if each.sign in _ORDER
         ]
-        claim = compared(evaluate(value, symbol), other, evaluate(far, symbol))
+        claim = compared(evaluate(left, symbol), sign, evaluate(right, symbol))
         return Oracle(own).with_facts(within).proves(claim)
     except (RestitutionError, BeyondError, KeyError, TypeError, ValueError):
         return False

@@ -12,8 +12,7 @@ from restitution.explaining.derivation import Derivation, Line, Link, Move, Ref,
 from restitution.explaining.notation import read_relation, read_tree
 from restitution.explaining.quotients import NotComparableError, Quotient
 from restitution.explaining.saying import Sentence, say
-from restitution.explaining.setting import Setting
-from restitution.explaining.step import Step
+from restitution.explaining.step import Setting, Step
 from restitution.explaining.trees import rebuilt
 from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import (
@@ -39,6 +38,7 @@ from restitution.workings.factors import factor_cancelled
 from restitution.workings.grounds import grounds_of, motion_of
 from restitution.workings.growing import growth, way_of
 from restitution.workings.naming import Naming
+from restitution.workings.right_angles import RightAngles
 from restitution.workings.sources import Sources, bound_broken, root_of_a_square
 
 _REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
@@ -60,16 +60,18 @@ class Reasons:
         self._sources = sources
         self._roles = roles(problem)
         self._naming = naming
+        self._right_angles = RightAngles(derivation, naming, self._roles)
 
     def of(self, line: Line) -> tuple[Sentence, ...]:
         """What a line rests on, to stand behind it."""
         if self._by_pythagoras(line):
             return (say("derived.pythagoras"),)
-        vertical = self._right_angle(line)
+        vertical = self._right_angles.of(line)
         if vertical is not None:
             return (vertical,)
         grounds = tuple(map(self._ground, grounds_of(self._derivation, self._roles, line)))
         reasoned = line.move.id in _REASONED or self._ordered(line) or self._is_root(line)
+        reasoned = reasoned or any(self._cleared(line))
         if not reasoned and not self._of_sizes(line) and not grounds:
             return ()
         if line.move.id == "cancel" and factor_cancelled(self._derivation, line) is not None:
@@ -84,6 +86,7 @@ class Reasons:
             *self._shape(line),
             *self._known(line),
             *self._silent(line),
+            *self._cleared(line),
         )
         reasons = reasons or tuple(self._positive_sum(line))
         if self._is_root(line):
@@ -95,53 +98,6 @@ class Reasons:
             reasons = tuple(self._positive(line))
         reasons = (*(each for each in grounds if each not in reasons), *reasons)
         return (say("derived.as", reasons=reasons),) if reasons else ()
-
-    def _right_angle(self, line: Line) -> Sentence | None:
-        """For which value of a letter an angle of the motion has no tangent, since it is 90°."""
-        assert isinstance(line.relation, Relation)
-        match line.relation.options:
-            case ((Link(Apply("tan", angle), "="), *_),) if line.move.id in ("define", "rearrange"):
-                value = line.relation.only[-1].right
-            case _:
-                return None
-        meaning = self._naming.meanings.get(angle.name) if isinstance(angle, Letter) else None
-        meant = angle if meaning is None else meaning.quantity
-        if not isinstance(meant, Quantity) or meant.kind not in ("angle", "deflection"):
-            return None
-        below = [e.right for e in walk(value) if isinstance(e, Binary) and e.op == "/"]
-        for factor in (each for tree in below for each in factors(tree)):
-            (name, *more) = letters(factor) or ("",)
-            if more or not name or not isinstance(factor, Binary) or factor.op not in ("+", "-"):
-                continue
-            letter, above = sp.Symbol(name), _in_letters(value)
-            difference = _in_letters(factor)
-            if difference is None or above is None or not difference.is_polynomial(letter):
-                continue
-            for root in sp.roots(sp.Poly(difference, letter)):
-                over, under = sp.fraction(sp.together(above))
-                is_pole = under.subs(letter, root) == 0 != over.subs(letter, root)
-                if is_pole and self._may_be(name, root):
-                    right = Relation(((Link(angle, "=", Degrees(Fraction(90))),),))
-                    at = Relation(((Link(Letter(name), "=", tree_of(root)),),))
-                    return say("derived.right-angle", angle=self._laid(right), at=self._laid(at))
-        return None
-
-    def _may_be(self, name: str, value: sp.Expr) -> bool:
-        """Whether a letter may have a value, which is a number, by its role and by the data."""
-        role = self._roles.get(name)
-        if role is None or role.kind == "angle" or not value.is_Rational:
-            return False
-        for end, sign_, closed in ((role.low, 1, role.closed[0]), (role.high, -1, role.closed[1])):
-            if end is not None and not (sign_ * (value - end) > 0 or (closed and value == end)):
-                return False
-        return not any(
-            name in letters(side)
-            for fact in self._derivation.facts
-            if fact.kind == "range"
-            for links in fact.relation.options
-            for link in links
-            for side in (link.left, link.right)
-        )
 
     def _would(self, line: Line) -> Sentence | None:
         """What the root that is rejected would make of another letter, by which laws."""
@@ -334,6 +290,28 @@ class Reasons:
                     if _bounds_below(self._relation_of(ref), letter):
                         return
                 yield self._laid(Relation(((Link(letter, ">", ZERO),),)))
+
+    def _cleared(self, line: Line) -> Iterator[lay.Layout]:
+        """That the letter which is sought is positive, by which an inequality is multiplied."""
+        if line.move.id not in ("compare", "rearrange") or len(line.premises) != 1:
+            return
+        above = self._relation_of(line.premises[0])
+        assert isinstance(line.relation, Relation)
+        if above is None or len(above.options) != 1 or len(line.relation.options) != 1:
+            return
+        names = {
+            name
+            for link in above.only
+            for side in (link.left, link.right)
+            for name in letters(side)
+        }
+        below, left = (_letters_below(each.only) for each in (above, line.relation))
+        if len(names) != 1 or not names <= below - left:
+            return
+        (name,) = names
+        role = self._roles.get(name)
+        if role is not None and role.kind == "positive" and above.only[0].sign in (*_UP, *_DOWN):
+            yield self._laid(Relation(((Link(Letter(name), ">", ZERO),),)))
 
     def _relation_of(self, ref: Ref) -> Relation | None:
         """What a premise says."""
@@ -706,12 +684,12 @@ def _is_short(tree: Expression) -> bool:
     return sum(1 for _ in walk(tree)) <= _LONGEST
 
 
-def _in_letters(tree: Expression) -> sp.Expr | None:
-    """What a tree is worth in its letters; None where it holds more than these."""
-    try:
-        return in_letters(tree)
-    except RestitutionError:
-        return None
+def _letters_below(links: Sequence[Link]) -> set[str]:
+    """The letters that stand below a line."""
+    sides = (side for link in links for side in (link.left, link.right))
+    nodes = (node for side in sides for node in walk(side))
+    below = (node.right for node in nodes if isinstance(node, Binary) and node.op == "/")
+    return {name for tree in below for name in letters(tree)}
 
 
 def _merged(bounds: list[Link]) -> Iterator[Relation]:

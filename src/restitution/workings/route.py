@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from restitution.errors import TimeLimitError, UnsupportedError
+from restitution.explaining.agreeing import agreeing_facts
 from restitution.explaining.awarding import awarded
 from restitution.explaining.derivation import Derivation
 from restitution.explaining.follower import follow
@@ -87,7 +88,8 @@ def _printed(
     warnings = [warning for warning in solution.warnings if warning not in proved]
     followed: bool | None = None
     if check:
-        complaints = follow(derivation, Oracle(roles(solution.problem)))
+        oracle = Oracle(roles(solution.problem))
+        complaints = follow(derivation, oracle, agreeing_facts(derivation, oracle))
         warnings += [
             str(say("amiss.complaint", complaint=str(complaint))) for complaint in complaints
         ]

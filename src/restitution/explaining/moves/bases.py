@@ -12,8 +12,7 @@ from restitution.explaining.algebra import Value
 from restitution.explaining.derivation import Link, Meaning, Relation, Sign, whole_of
 from restitution.explaining.quotients import CONSTANT, NotComparableError, Plane, Quotient
 from restitution.explaining.rules import Rules
-from restitution.explaining.setting import Cited
-from restitution.explaining.step import Step
+from restitution.explaining.step import Cited, Step
 from restitution.expression.tree import (
     Expression,
 )

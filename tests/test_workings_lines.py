@@ -1,0 +1,242 @@
+"""How printed lines read: reasons beside conditions, one name for one thing, the angles of data."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
+
+EQUAL_SPEEDS = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along j
+given speed(A) = speed(B)
+find tan(alpha) in terms of e
+"""
+STOPPED = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i
+given direction(A) = 90°
+find k
+"""
+LOST = """
+wall W: along j
+sphere P: mass m, velocity u at alpha
+P hits W
+given energy_lost/energy(0) = s
+find e
+"""
+BACK = """
+wall W: along j
+wall V: along i
+sphere P: velocity u at 40° to W
+P hits W: e = f
+P hits V: e = g
+given velocity(P) opposite to velocity(P, 0)
+find g
+"""
+FASTER = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+given speed(B) > speed(A)
+find range of e
+"""
+ACROSS = """
+wall R: along j, through (d, 0)
+sphere P: at (0, 0), velocity u at 45°
+P hits R: e = 1/2
+find velocity(P), time(1)
+"""
+STEEP = """
+wall R: along j, through (d, 0)
+sphere P: at (0, 0), velocity u at 30°
+P hits R: e = 1/2
+find velocity(P)
+"""
+DRIFT = """
+wall L: along j, through (0, 0)
+wall R: along j, through (d, 0)
+sphere P: at (0, 0), velocity u at 45°
+P hits R
+P hits L
+given distance(position(P, 0), position(P)) = 3d
+find e, time(2)
+"""
+THREE_CHORDS = """
+wall C: circle centre (0, 0) radius a
+point S: (-a, 0)
+sphere P: at (-a, 0), velocity u at alpha
+P hits C
+P hits C
+P reaches S
+given e = 1
+find alpha
+"""
+TWO_SLANTS = """
+sphere A: mass 2, velocity a i + b j
+sphere B: mass 3, velocity -i + 2j
+A hits B
+given impulse(A) = -6i + 3j, e = 1/2
+given velocity(A) perpendicular to velocity(A, 0)
+find a
+"""
+OFFSET = """
+sphere A: mass m, velocity u i, radius r
+sphere B: mass m, at rest, radius r
+A hits B: offset r, e = 1/2
+find speed(B)
+"""
+
+TURNED = """
+sphere A: mass m, velocity u at 45°
+sphere B: mass 2m, at rest
+A hits B: along i
+find range of deflection(A)
+"""
+TABLE = """
+wall W1: from (0, 0) to (0, 2)
+wall W2: from (0, 2) to (3, 2)
+sphere P: at (2, 1), velocity -u i + k u j
+P hits W1: e = 2/3
+P hits W2: e = 2/3
+find range of k
+"""
+BALL_TO_BALL = """
+sphere A, B, C: mass m
+sphere A: velocity u i
+sphere B, C: at rest
+A hits B: along i
+B hits C: along 60°
+find speed(C)
+"""
+CANNON = """
+sphere A, B, C: mass m
+sphere A: velocity u i
+sphere B, C: at rest
+A hits B: along 30°, e = 1
+A hits C: along -30°, e = 1
+find velocity(A)
+"""
+PARALLEL = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, velocity u at beta from -i
+given tan(alpha) = 2, tan(beta) = 1
+A hits B: along i
+given velocity(A) parallel to velocity(B)
+find e
+"""
+
+SPARE = """
+wall W: along i, through (0, 0)
+sphere P: mass 2, at (0, 4), velocity u at 30° to W
+P hits W: e = 1/2
+given time(1) = 2, impulse = 6
+find u, velocity(P)
+"""
+
+
+@cache
+def working(text: str) -> str:
+    """A printed working, with single spaces."""
+    return " ".join(to_text(explain(solve(parse(text))), 80).split())
+
+
+# --- conditions ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        (EQUAL_SPEEDS, "As α is acute, this holds for e > 0 only."),
+        (STOPPED, "As the divisor e is not zero, this holds for e > 0 only."),
+        (LOST, "As e² ≥ 0, this holds for s ≤ cos²α only."),
+        (BACK, "As P is still moving at the end, this holds for f > 0 only."),
+        (FASTER, "This holds for α < 45° only, as there is no such e otherwise."),
+    ],
+)
+def test_a_condition_has_its_reason(text: str, sentence: str) -> None:
+    assert sentence in working(text)
+
+
+# --- angles of the data --------------------------------------------------------------------------
+
+
+def test_a_component_is_by_the_angle_that_is_told() -> None:
+    assert "stays u sin 45°" in working(ACROSS)
+    assert "= −½u cos 45°" in working(ACROSS)
+    assert "d/(u cos 45°)" in working(ACROSS)
+    assert "stays u sin 30°" in working(STEEP)
+    assert "cos 60°" not in working(STEEP)
+
+
+def test_a_component_in_which_a_value_is_put_stands_before_its_use() -> None:
+    text = working(DRIFT)
+    assert text.index("component of 𝐯_P along 𝐢 = −√2 u/4") < text.index("t₂ − t₁ =")
+
+
+# --- one name for one thing ----------------------------------------------------------------------
+
+
+def test_angles_of_one_tangent_are_one_angle() -> None:
+    text = working(THREE_CHORDS)
+    for each in ("β = α", "θ = α", "φ = α", "α + α = 90° − α", "α = 30°"):
+        assert each in text
+    assert "tan²α" not in text
+
+
+# --- unit vectors --------------------------------------------------------------------------------
+
+
+def test_unit_vectors_stand_above_cases() -> None:
+    text = working(TWO_SLANTS)
+    assert "𝐧 = (2𝐢 − 𝐣)/√5 be the unit vector along the line of centres, from A to B" in text
+    assert "𝐮_A · 𝐧 = (2a − b)/√5" in text
+
+
+def test_a_direction_across_is_told_where_it_is_used() -> None:
+    assert "those perpendicular to" not in working(OFFSET)
+    sideways = OFFSET.replace("find speed(B)", "find speed(A)")
+    assert "those perpendicular to the line of centres in the direction of" in working(sideways)
+
+
+# --- reasons behind lines ------------------------------------------------------------------------
+
+
+def test_a_tangent_holds_where_one_of_its_angles_is_right() -> None:
+    text = working(TURNED)
+    assert "β = 90° if e = ½" in text
+    assert "= (1 + e)/(2 − e), also if e = ½, where δ = 90° − 45°" in text
+
+
+def test_walls_that_are_hit_in_the_whole_range_are_named() -> None:
+    text = working(TABLE)
+    assert "0 < 2 − 4k < 9k, as k > 0" in text
+    assert "In this range 0 < 1 + 2k < 2, so P hits W1 between its ends too." in text
+
+
+def test_a_velocity_of_one_component_is_told_before_it_is_resolved() -> None:
+    text = working(BALL_TO_BALL)
+    assert "Components before the impact, as 𝐯_B = ((1 + e)u/2)𝐢:" in text
+    text = working(CANNON)
+    assert "Components before the impact, as 𝐯_A1 = −(u/2)𝐭₁:" in text
+
+
+def test_a_sum_with_roots_is_below_a_line_before_it_is_gone() -> None:
+    text = working(PARALLEL)
+    assert "(√5 − 5√2)u = (10 − 2√10)w" in text
+    assert "w = (√5 − 5√2)u/(10 − 2√10) = −(√5 + 4√2)u/6" in text
+
+
+# --- facts that are not needed -------------------------------------------------------------------
+
+
+def test_a_fact_that_follows_is_no_complaint() -> None:
+    solution = solve(parse(SPARE))
+    assert explain(solution, check=True).followed
+    assert "It is also given that the magnitude of the impulse is 6 N s" in working(SPARE)
