@@ -13,7 +13,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
-from typing import Any
+from typing import Any, TypeAlias
 
 import sympy as sp
 from mpmath.libmp import (
@@ -40,7 +40,7 @@ from restitution.expression.enclosed import (
     whole_power_in,
 )
 
-Value = Fraction | float | Any  # Any: a SymPy number
+Value: TypeAlias = Fraction | float | sp.Expr
 Point = Mapping[str, Value]
 Ball = tuple[float, float]
 """A number in floats, and a bound of its error."""

@@ -447,7 +447,7 @@ def _require_letters(scene: Scene, result: ItemResult) -> None:
 def _require_form(scene: Scene, result: ItemResult) -> None:
     """Refuses a place or a length whose ratios of angles are not those of the answer."""
     end = scene.desk.ends[-1]
-    values = {answer.value for answer in result.answers}
+    values = {answer.value for answer in result.answers if not isinstance(answer.value, tuple)}
     if len(values) != 1 or len(end.answer.options) != 1 or result.kind != "value":
         return
     (value,) = values

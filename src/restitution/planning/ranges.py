@@ -155,6 +155,7 @@ def relation_of(asked: Expression, result: ItemResult) -> Relation:
         raise NotPlannedError("a range in cases")
     answer = result.distinct[0]
     own = answer.value
+    assert not isinstance(own, tuple), "a range is a set"
     parts = [
         part
         for each in (own.args if isinstance(own, sp.Union) else (own,))

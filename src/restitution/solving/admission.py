@@ -10,11 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import sympy as sp
 
-from restitution.expression.enclosed import UndefinedError
+from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.oracle import (
     Formula,
     Oracle,
@@ -26,6 +25,7 @@ from restitution.oracle import (
     negation,
     relations,
 )
+from restitution.oracle.points import Value
 from restitution.oracle.roles import COEFFICIENT, Role
 from restitution.solving.conditions import AnyOf, Condition, Equation
 from restitution.solving.signs import sign as sign_of
@@ -93,7 +93,7 @@ class Admission:
         exactly = ((n, sign_of(x)) for n, x in enumerate(numbers) if seen[n] == 0)
         return {n: own for n, own in exactly if own is not None}
 
-    def objection(self, point: Mapping[str, Any]) -> tuple[str, str] | None:
+    def objection(self, point: Mapping[str, Enclosed | Value]) -> tuple[str, str] | None:
         """Why the letters may not have these values, as (reason, kind); None if they may.
 
         Raises UndefinedError where something has no real value, and LookupError where the story

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import lru_cache
-from typing import Any
 
 import sympy as sp
 
@@ -15,7 +14,7 @@ from restitution.problem import Value
 from restitution.render.layout import Layout, display, display_point, display_vector
 from restitution.render.text import to_text
 from restitution.solving import missing
-from restitution.solving.solution import Answer, Branch, ItemKind
+from restitution.solving.solution import Answer, Branch, Exact, ItemKind
 from restitution.solving.unknowns import Letters
 
 
@@ -75,7 +74,7 @@ def name_of(item: Value) -> str:
     return text
 
 
-def is_same_value(a: Any, b: Any) -> bool:
+def is_same_value(a: Exact, b: Exact) -> bool:
     """Whether two values, numbers or vectors, are equal."""
     if isinstance(a, tuple) != isinstance(b, tuple):
         return False
@@ -84,7 +83,7 @@ def is_same_value(a: Any, b: Any) -> bool:
     return bool(exact.same(a, b))
 
 
-def value_layout(value: Any, kind: ItemKind, angle: bool, percentage: bool) -> Layout:
+def value_layout(value: Exact, kind: ItemKind, angle: bool, percentage: bool) -> Layout:
     """A value as people write it: a number, a vector or a point."""
     if isinstance(value, tuple):
         return display_point(*value) if kind == "point" else display_vector(*value)
@@ -92,7 +91,7 @@ def value_layout(value: Any, kind: ItemKind, angle: bool, percentage: bool) -> L
 
 
 @lru_cache(maxsize=512)
-def answer_of(number: int, value: Any, kind: ItemKind, angle: bool, percentage: bool) -> Answer:
+def answer_of(number: int, value: Exact, kind: ItemKind, angle: bool, percentage: bool) -> Answer:
     """The answer that a value makes. Raises ImpossibleError for a value that is not finite."""
     if any(each.has(sp.nan, sp.zoo) for each in (value if isinstance(value, tuple) else (value,))):
         raise ImpossibleError("it has no value: a division by zero, or a direction at rest")

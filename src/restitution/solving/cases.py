@@ -10,12 +10,12 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Any, Protocol
+from typing import Protocol
 
 import sympy as sp
 
 from restitution.errors import RestitutionError, UnsupportedError
-from restitution.expression.enclosed import UndefinedError
+from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.oracle import BeyondError, Formula, Oracle, Proof, Relation, Verdict
 from restitution.oracle.roles import Role
 from restitution.solving import forms
@@ -153,7 +153,7 @@ def _ordered(region: Family, name: str, borders: Sequence[sp.Expr]) -> tuple[Sam
     seen: list[tuple[Sample, list[sp.Expr]]] = []
     for _ in range(SAMPLES if others else 1):
         drawn = sample(others, region.roles, rng)
-        numbers: list[tuple[Any, sp.Expr]] = []
+        numbers: list[tuple[Enclosed, sp.Expr]] = []
         for border in borders:
             try:
                 value = at(border, drawn)
@@ -167,7 +167,7 @@ def _ordered(region: Family, name: str, borders: Sequence[sp.Expr]) -> tuple[Sam
     return seen[0]
 
 
-def _within(value: Any, role: Role) -> bool:
+def _within(value: Enclosed, role: Role) -> bool:
     low, high = bound(role.low), bound(role.high)
     return (low is None or value > low) and (high is None or value < high)
 
@@ -192,9 +192,9 @@ def _cells(
     yield (low, last), region.pieces_at({**drawn, name: _between(low, last, drawn)})
 
 
-def _between(low: End, high: End, drawn: Sample) -> Any:
+def _between(low: End, high: End, drawn: Sample) -> Enclosed:
     if low.value == -sp.oo:
-        return 0 if high.value == sp.oo else at(high.value, drawn) - 1
+        return Enclosed.of(0) if high.value == sp.oo else at(high.value, drawn) - 1
     if high.value == sp.oo:
         return 2 * at(low.value, drawn) + 1
     return (2 * at(low.value, drawn) + 3 * at(high.value, drawn)) / 5

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import sympy as sp
 
@@ -41,7 +40,7 @@ def claimed_set(relation: Compare, subject: Range, evaluator: Evaluator) -> sp.S
     return sp.Interval(low, high, low_open, high_open)
 
 
-def same_value(a: Any, b: Any, roles: Mapping[str, Role]) -> bool | None:
+def same_value(a: sp.Expr, b: sp.Expr, roles: Mapping[str, Role]) -> bool | None:
     """Whether two expressions are equal for all that their letters may be; None if that is open."""
     gap = sp.sympify(a - b, strict=True)
     if not gap.free_symbols:

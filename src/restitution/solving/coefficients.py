@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any
 
 import sympy as sp
 
 from restitution import exact
 from restitution.errors import ImpossibleError, RestitutionError
+from restitution.expression.enclosed import Enclosed
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Expression, Letter, letters, line_and_column
 from restitution.expression.writing import write_expression
@@ -35,7 +35,7 @@ COEFFICIENTS = "a coefficient of restitution lies in [0, 1]"
 OWN = "coefficient {}"  # no name that a letter can have
 STEP = Fraction(1, 10**190)
 SMALL = Fraction(1, 10**47)
-Numeric = tuple[Any, ...]
+Numeric = tuple[Enclosed, ...]
 
 
 @dataclass(frozen=True)
@@ -172,14 +172,16 @@ def _freed(branch: Branch, setting: Setting) -> tuple[Setting, Sample]:
 
 def _gradients(
     function: Callable[[Sample], Numeric], values: Sample, names: Sequence[str]
-) -> list[list[Any]]:
+) -> list[list[Fraction]]:
     """For every component of a function its changes with each name, the largest as 1.
 
     Every name is changed in the same proportion, so that nothing hangs on the units.
     """
     here = function(values)
     moved = [
-        function({**values, name: values[name] * (1 + STEP) if values[name].sign else STEP})
+        function(
+            {**values, name: values[name] * (1 + STEP) if values[name].sign else Enclosed.of(STEP)}
+        )
         for name in names
     ]
     rows = [[(each[n] - here[n]).fraction for each in moved] for n in range(len(here))]
@@ -187,7 +189,7 @@ def _gradients(
     return [[x / size if size else x for x in row] for row, size in zip(rows, sizes, strict=True)]
 
 
-def _is_combination(row: Sequence[Any], of: Sequence[Sequence[Any]]) -> bool:
+def _is_combination(row: Sequence[Fraction], of: Sequence[Sequence[Fraction]]) -> bool:
     """Whether a row is a linear combination of others: by elimination."""
     rest = [list(each) for each in of]
     row = list(row)

@@ -10,14 +10,14 @@ from typing import Any
 import sympy as sp
 
 from restitution import exact
-from restitution.expression.enclosed import UndefinedError
+from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.expression.evaluate import Angle, root
 from restitution.oracle import Oracle, Relation, Some
 from restitution.solving.neat import neat
 from restitution.solving.numbers import FIELD, at, sign_at
 from restitution.vector import Vector
 
-Samples = Iterable[Mapping[str, Any]]
+Samples = Iterable[Mapping[str, Enclosed]]
 _FEW = 4
 
 
@@ -28,7 +28,7 @@ class _Moving:
     samples: Samples
     oracle: Oracle | None
 
-    def __iter__(self) -> Iterator[Mapping[str, Any]]:
+    def __iter__(self) -> Iterator[Mapping[str, Enclosed]]:
         return iter(self.samples)
 
 
@@ -55,7 +55,7 @@ def sign_of(x: sp.Expr, samples: Samples) -> int | None:
     return seen if oracle.decide(claim) else None
 
 
-def open_in(value: Any, samples: Samples) -> list[str]:
+def open_in(value: Vector | sp.Expr, samples: Samples) -> list[str]:
     """Hidden unknowns that a value rests on: names that begin with ``_``.
 
     Each of them is seen to matter, as the value is another where that alone is a little larger.
@@ -79,7 +79,7 @@ def open_in(value: Any, samples: Samples) -> list[str]:
             here = point.get(symbol.name)
             if here is None:
                 continue
-            moved = {**point, other.name: here + (abs(here) or 1) / 1024}
+            moved = {**point, other.name: here + (abs(here) if here.sign else 1) / 1024}
             if any(sign_at(difference, [moved]) for difference in differences):
                 angles.append(symbol.name)
                 break

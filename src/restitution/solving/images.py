@@ -6,12 +6,11 @@ import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
 
 import sympy as sp
 
 from restitution.errors import ContradictionError, UnsupportedError
-from restitution.expression.enclosed import UndefinedError
+from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.oracle import (
     All,
     BeyondError,
@@ -159,10 +158,10 @@ def _role_of_angle(pieces: Sequence[Piece]) -> Role:
 
 
 def _bounding(
-    region: Region, candidates: list[Candidate], drawn: Sample, sign: int, bound: Any
+    region: Region, candidates: list[Candidate], drawn: Sample, sign: int, bound: Enclosed
 ) -> Candidate | None:
     """The candidate next beyond the values seen, above (sign 1) or below (-1) them."""
-    best: tuple[Any, Candidate] | None = None
+    best: tuple[Enclosed, Candidate] | None = None
     for candidate in candidates:
         number = limit_at(candidate.value, drawn)
         if number is None:
@@ -181,7 +180,7 @@ def _bounding(
 
 def _seen(
     region: Region, value: sp.Expr, free: list[str], drawn: Sample, known: Point
-) -> list[Any]:
+) -> list[Enclosed]:
     """Values that do occur: at many random points, and at one that is known."""
     rng = random.Random(29)
     seen = []

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
 
@@ -32,6 +31,7 @@ class End:
 
 
 Piece = tuple[End, End]
+Pick = Callable[[Iterable[Enclosed]], Enclosed]
 
 
 def inside_of(x: sp.Expr, pieces: Sequence[Piece]) -> Formula:
@@ -90,7 +90,9 @@ def reconcile(shapes: list[tuple[list[Piece], Sample]]) -> list[Piece]:
     return [(low, high)]
 
 
-def _extreme(ends: set[End], seen: list[tuple[End, Sample]], form: Any, pick: Any) -> End:
+def _extreme(
+    ends: set[End], seen: list[tuple[End, Sample]], form: type[sp.Max | sp.Min], pick: Pick
+) -> End:
     if len(ends) == 1:
         return next(iter(ends))
     for end, drawn in seen:
@@ -100,7 +102,7 @@ def _extreme(ends: set[End], seen: list[tuple[End, Sample]], form: Any, pick: An
     return End(form(*[each.value for each in ends]), all(each.closed for each in ends))
 
 
-def _end_at(end: End, drawn: Sample) -> Any:
+def _end_at(end: End, drawn: Sample) -> Enclosed:
     if end.value in (sp.oo, -sp.oo):
         return Enclosed.of(INFINITE if end.value == sp.oo else -INFINITE)
     try:

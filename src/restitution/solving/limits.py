@@ -105,7 +105,7 @@ def _approached(x: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool) -> s
     near = bottom.xreplace({symbol: point + step})
     rng = random.Random(47)
     names = sorted(s.name for s in (value * near).free_symbols)
-    points = [{name: rng.uniform(0.1, 0.9) for name in names} for _ in range(4)]
+    points = [{name: Enclosed.of(rng.uniform(0.1, 0.9)) for name in names} for _ in range(4)]
     sign = sign_at(value * near, points)
     return None if sign in (None, 0) else sign * sp.oo
 

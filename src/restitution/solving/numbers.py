@@ -23,10 +23,10 @@ from restitution.oracle.roles import REAL, Role
 
 FIELD = Numeric()
 
-Sample = dict[str, Any]
+Sample = dict[str, Enclosed]
 
 
-def at(x: Any, values: Mapping[str, Any]) -> Enclosed:
+def at(x: Any, values: Mapping[str, Enclosed]) -> Enclosed:
     """The value of a SymPy expression with letters put in, by name.
 
     Raises UndefinedError where it is not real, and KeyError for a letter without a value.
@@ -44,7 +44,7 @@ def at(x: Any, values: Mapping[str, Any]) -> Enclosed:
     return Enclosed(interval)
 
 
-def _otherwise(x: sp.Basic, values: Mapping[str, Any]) -> Enclosed:
+def _otherwise(x: sp.Basic, values: Mapping[str, Enclosed]) -> Enclosed:
     """The value of an unusual form, as SymPy works it out: a power with a letter as exponent."""
     if isinstance(x, sp.Piecewise):
         for value, condition in x.args:
@@ -65,7 +65,7 @@ def _otherwise(x: sp.Basic, values: Mapping[str, Any]) -> Enclosed:
     return Enclosed.of(Fraction(str(value)))
 
 
-def _holds(condition: Any, values: Mapping[str, Any]) -> bool:
+def _holds(condition: Any, values: Mapping[str, Enclosed]) -> bool:
     if condition in (True, sp.true):
         return True
     if condition in (False, sp.false):
@@ -97,12 +97,12 @@ def number_of(value: Any) -> Enclosed:
 
 
 @lru_cache(maxsize=256)
-def bound(x: sp.Expr | None) -> Any:
+def bound(x: sp.Expr | None) -> Enclosed | None:
     """An end of a letter's range as a number; None where it has none."""
     return None if x is None else at(x, {})
 
 
-def draw(role: Role, rng: random.Random, at_edge: bool = False) -> Any:
+def draw(role: Role, rng: random.Random, at_edge: bool = False) -> Enclosed:
     """A random value that a letter may have; ``at_edge`` near an end of them, or extreme."""
     low, high = bound(role.low), bound(role.high)
     # Floats are random enough, and as numbers of few digits quick to calculate with.
@@ -126,7 +126,7 @@ def sample(
     return {name: draw(roles.get(name, REAL), rng, at_edge) for name in names}
 
 
-def sign_at(x: Any, samples: Iterable[Mapping[str, Any]]) -> int | None:
+def sign_at(x: Any, samples: Iterable[Mapping[str, Enclosed]]) -> int | None:
     """The sign of an expression if it is the same at all points where it has one, else None."""
     x = sp.sympify(x, strict=True)
     common: int | None = None

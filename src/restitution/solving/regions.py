@@ -9,17 +9,16 @@ the data, or gives values for which it is wrong, from which a better guess is ma
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
-from typing import Any
 
 import sympy as sp
 
 from restitution.errors import RestitutionError, UnsupportedError
-from restitution.expression.enclosed import UndefinedError
+from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.oracle import (
     BeyondError,
     Formula,
@@ -63,6 +62,10 @@ ROUNDS = 4
 
 # Far above rounding, and as nothing beside what is known with so many digits.
 ASIDE = Fraction(1, 10**196)
+
+
+Border = tuple[Enclosed, sp.Expr]
+"""A critical value of a letter, in numbers and as it is."""
 
 
 @dataclass
@@ -224,7 +227,7 @@ class Region:
             - {self.letter, *self.free}
         )
 
-    def allowed(self, value: Any, drawn: Mapping[str, Any]) -> bool:
+    def allowed(self, value: Enclosed, drawn: Sample) -> bool:
         """Whether the letter may have this numerical value, the data being as drawn."""
         if not self.free:
             return self._possible({**drawn, self.letter: value})
@@ -233,7 +236,7 @@ class Region:
             for extra in self._choices(value, drawn)
         )
 
-    def _choices(self, value: Any, drawn: Mapping[str, Any]) -> list[Sample]:
+    def _choices(self, value: Enclosed, drawn: Sample) -> list[Sample]:
         """Values of the free letters that stand for all: between and at the critical ones."""
         chosen: list[Sample] = [{}]
         for name in self.free:
@@ -427,7 +430,7 @@ class Region:
 
     def pieces_at(self, drawn: Sample) -> list[Piece]:
         """The allowed values for these values of the data."""
-        numbered: list[tuple[Any, sp.Expr]] = []
+        numbered: list[Border] = []
         for point in self.critical:
             try:
                 value = at(point, drawn)
@@ -446,7 +449,7 @@ class Region:
             key=lambda pair: pair[0],
         )
         cells: list[tuple[sp.Expr | None, bool]] = []  # alternating: gap, point, gap, …
-        edges = [None, *numbered, None]
+        edges: list[Border | None] = [None, *numbered, None]
         for left, right in pairwise(edges):
             beyond = (left is None and low is not None) or (right is None and high is not None)
             inside = False if beyond else self._gap(left, right, drawn)
@@ -455,16 +458,17 @@ class Region:
                 cells.append((right[1], self.allowed(right[0], drawn)))
         return joined_cells(cells)
 
-    def _gap(self, left: Any, right: Any, drawn: Sample) -> bool:
-        if left is None and right is None:
-            points = [-7, 1, 11]
-        elif left is None:
-            points = [right[0] - 1, right[0] - 5]
-        elif right is None:
-            points = [left[0] + abs(left[0]) + 1, left[0] + 17]
-        else:
-            width = right[0] - left[0]
-            points = [left[0] + width / 2, left[0] + width / 7, right[0] - width / 9]
+    def _gap(self, left: Border | None, right: Border | None, drawn: Sample) -> bool:
+        match left, right:
+            case (low, _), (high, _):
+                width = high - low
+                points = [low + width / 2, low + width / 7, high - width / 9]
+            case (low, _), None:
+                points = [low + abs(low) + 1, low + 17]
+            case None, (high, _):
+                points = [high - 1, high - 5]
+            case _:
+                points = [Enclosed.of(x) for x in (-7, 1, 11)]
         truths = {self.allowed(x, drawn) for x in points}
         if len(truths) > 1:
             raise UnsupportedError(

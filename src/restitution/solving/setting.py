@@ -7,7 +7,6 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any
 
 import sympy as sp
 
@@ -141,7 +140,7 @@ class Setting:
 
     def examine(
         self,
-        values: Mapping[str, Any],
+        values: Mapping[str, Enclosed],
         solved: Iterable[str],
         story: Story | None = None,
         stories: list[Story] | None = None,
@@ -424,7 +423,7 @@ def holds(condition: Condition) -> bool:
     return {">": sign > 0, ">=": sign >= 0, "!=": sign != 0}[condition.relation]
 
 
-def out_of_range(name: str, value: Any, role: Role | None) -> tuple[str, str] | None:
+def out_of_range(name: str, value: Enclosed, role: Role | None) -> tuple[str, str] | None:
     """Why a letter may not have this value."""
     if role is None:
         return None

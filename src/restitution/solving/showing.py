@@ -6,15 +6,16 @@ said to be undecided.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from fractions import Fraction
-from typing import Any, Protocol
+from typing import Protocol
 
 import sympy as sp
 
 from restitution import exact
 from restitution.errors import UnsupportedError
 from restitution.expression.evaluate import Evaluator, evaluate
-from restitution.expression.tree import Degrees, letters, walk
+from restitution.expression.tree import Degrees, Expression, letters, walk
 from restitution.oracle import (
     BeyondError,
     Formula,
@@ -25,7 +26,7 @@ from restitution.oracle import (
     joined,
     relations,
 )
-from restitution.oracle.roles import REAL
+from restitution.oracle.roles import REAL, Role
 from restitution.problem import (
     Compare,
     Extremum,
@@ -36,6 +37,9 @@ from restitution.problem import (
     Show,
     trees,
     trees_of_relation,
+)
+from restitution.problem import (
+    Relation as Said,
 )
 from restitution.render.layout import display
 from restitution.render.text import to_text
@@ -228,7 +232,7 @@ def _counterexample(
     return {name: exact.sympy_text(shown[name]) for name in sorted(shown) if name in used}
 
 
-def _number(value: Any) -> sp.Expr:
+def _number(value: sp.Expr | Fraction) -> sp.Expr:
     """The value of a letter at a point as a SymPy number; a root without a formula in figures."""
     if isinstance(value, sp.Expr):
         return sp.N(value, 30) if value.has(sp.CRootOf) else value
@@ -244,11 +248,11 @@ def _complete(matters: set[str], branch: Branch) -> None:
         raise missing.needs("this claim", (phrases.get(name, name.lstrip("_")) for name in open_))
 
 
-def _hidden_roles(branch: Branch) -> dict[str, Any]:
+def _hidden_roles(branch: Branch) -> Mapping[str, Role]:
     return branch.letters.hidden_roles if isinstance(branch.letters, Letters) else {}
 
 
-def _matters(claim: Any, formula: Formula) -> set[str]:
+def _matters(claim: Said, formula: Formula) -> set[str]:
     """The letters and hidden unknowns on which a claim depends, with those that it names."""
     names: set[str] = set()
     for tree in trees_of_relation(claim):
@@ -283,7 +287,7 @@ def _used(results: Results, outcome: Outcome) -> set[str]:
     return used - set(outcome.setting.lets)
 
 
-def _leading(tree: Any) -> Fraction:
+def _leading(tree: Expression) -> Fraction:
     value = sp.sympify(evaluate(tree, lambda name: sp.Symbol(name, positive=True)), strict=True)
     if any(isinstance(node, Degrees) for node in walk(tree)):
         value = value * 180 / sp.pi  # an angle is printed in degrees

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Literal
+from typing import Any, Literal, TypeAlias
 
 import sympy as sp
 
 from restitution.errors import RestitutionError
+from restitution.expression.enclosed import Enclosed
 from restitution.oracle import Oracle, Proof
+from restitution.oracle.points import Value as NumberOfPoint
 from restitution.oracle.roles import Role
 from restitution.problem import Extremum, Part, Problem, Range, Show, Value
 from restitution.render.layout import Layout
@@ -18,6 +20,10 @@ from restitution.solving.state import Unknowns
 from restitution.solving.story import Story
 
 ItemKind = Literal["value", "vector", "point", "direction", "range", "extremum", "show"]
+
+
+Exact: TypeAlias = sp.Expr | sp.Set | tuple[sp.Expr, ...]
+"""What an answer is: a number, a range, or a pair."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +41,7 @@ class Answer:
     """
 
     solution: int
-    value: Any
+    value: Exact
     exact: str | tuple[str, str]
     decimal: float | tuple[float, float] | None
     display: str
@@ -51,7 +57,7 @@ class Answer:
 class Rejected:
     """A root that is not an answer, and the physical reason."""
 
-    value: Any
+    value: Exact
     exact: str | tuple[str, str]
     display: str
     reason: str
@@ -94,18 +100,18 @@ class ItemResult:
 
         ``answers`` has one for every solution of the part, so that items can be put together.
         """
-        first: dict[Any, Answer] = {}
+        first: dict[tuple[str | tuple[str, str], tuple[str, ...]], Answer] = {}
         for answer in self.answers:
             first.setdefault((answer.exact, answer.condition), answer)
         return tuple(first.values())
 
     @property
-    def exact(self) -> Any:
+    def exact(self) -> Exact:
         """The exact value of the first answer: a SymPy expression, a pair, or a set."""
         return self._first().value
 
     @property
-    def decimal(self) -> Any:
+    def decimal(self) -> float | tuple[float, float] | None:
         """The first answer in double precision, or None where letters are left."""
         return self._first().decimal
 
@@ -140,10 +146,10 @@ class Branch:
     values: Mapping[str, sp.Expr]
     angles: Mapping[str, tuple[sp.Expr, sp.Expr]]
     letters: Unknowns
-    sample: Mapping[str, Any]
+    sample: Mapping[str, Enclosed]
     numbers: Story
     tell: Callable[[Any], Story] = field(compare=False, repr=False)
-    objection: Callable[[Mapping[str, Any]], tuple[str, str] | None] = field(
+    objection: Callable[[Mapping[str, Enclosed | NumberOfPoint]], tuple[str, str] | None] = field(
         compare=False, repr=False
     )
     oracle: Oracle | None = field(default=None, compare=False, repr=False)

@@ -6,7 +6,6 @@ import random
 from collections import ChainMap
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 import sympy as sp
 
@@ -104,18 +103,18 @@ class Letters:
 class Numbers:
     """Letters and hidden unknowns as numbers."""
 
-    values: Mapping[str, Any]
+    values: Mapping[str, Enclosed]
 
-    def letter(self, name: str) -> Any:
+    def letter(self, name: str) -> Enclosed:
         if name not in self.values:
             raise UndefinedError(name)
         return self.values[name]
 
-    def hidden(self, key: str, phrase: str, sign: Sign) -> Any:
+    def hidden(self, key: str, phrase: str, sign: Sign) -> Enclosed:
         name = f"_{key}"
         if name not in self.values:
             raise UndefinedError(name)
         return self.values[name]
 
-    def sign(self, x: Any, given: Sequence[Condition | AnyOf] = ()) -> int:
+    def sign(self, x: Enclosed, given: Sequence[Condition | AnyOf] = ()) -> int:
         return Enclosed.of(x).sign

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from itertools import pairwise
-from typing import Any
 
 import sympy as sp
 from mpmath.libmp import NoConvergence
 
 from restitution import exact
 from restitution.errors import UnsupportedError
-from restitution.expression.enclosed import DIGITS
+from restitution.expression.enclosed import DIGITS, Enclosed
 from restitution.oracle.roles import Role
 from restitution.solving.algebra import solve_system
 from restitution.solving.numbers import at
@@ -107,7 +106,9 @@ def essential_factors(x: sp.Expr) -> tuple[sp.Expr, ...]:
     return tuple(f for f in factors if f.free_symbols and not f.is_positive and not f.is_negative)
 
 
-def numeric_zeros(atoms: Sequence[sp.Expr], x: sp.Symbol, values: Mapping[str, Any]) -> list[Any]:
+def numeric_zeros(
+    atoms: Sequence[sp.Expr], x: sp.Symbol, values: Mapping[str, Enclosed]
+) -> list[Enclosed]:
     """Where expressions vanish, in numbers, as one letter varies and the others are put in."""
     roots = []
     for atom in atoms:
@@ -152,7 +153,7 @@ def numeric_zeros(atoms: Sequence[sp.Expr], x: sp.Symbol, values: Mapping[str, A
     return roots
 
 
-def representatives(numbers: list[Any], role: Role) -> list[Any]:
+def representatives(numbers: list[Enclosed], role: Role) -> list[Enclosed]:
     """Numbers, points between them and points beyond them."""
     if not numbers:
         return [at(sp.Rational(1, 3), {})]

@@ -107,7 +107,7 @@ def _ranges(solved: PartSolution) -> Iterator[tuple[str, tuple[float, float]]]:
         if not isinstance(subject, Letter) or len(item.answers) != 1:
             continue
         value = item.answers[0].value
-        if getattr(value, "is_Interval", False):
+        if not isinstance(value, tuple) and value.is_Interval:
             ends = value.start, value.end
             if all(end.is_extended_real and not end.free_symbols for end in ends):
                 yield subject.name, (float(ends[0]), float(ends[1]))
