@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 
 from restitution import solve
+from restitution.expression.enclosed import Enclosed
 from restitution.language import parse
+from restitution.solving.forms import open_in
 
 LINE = "the line of centres of A and B"
 WRITTEN = "(write 'A hits B: along …')"
@@ -74,3 +77,11 @@ def test_what_is_open_is_named(text) -> None:
         said and ("missing", said) for said in OPEN[text]
     ]
     assert all(item.answers for item in items if item.error is None)
+
+
+@pytest.mark.parametrize("at", [0, 2])
+def test_a_value_rests_on_what_is_not_known_though_that_is_zero_at_a_sample(at: int) -> None:
+    speed, mass = sp.Symbol("_speed", real=True), sp.Symbol("m", positive=True)
+    samples = [{"_speed": Enclosed.of(at), "m": Enclosed.of(3)}]
+    assert open_in(mass * (1 + speed), samples) == ["_speed"]
+    assert open_in(mass * (1 + speed - speed), samples) == []

@@ -55,7 +55,7 @@ def sign_of(x: sp.Expr, samples: Samples) -> int | None:
     return seen if oracle.decide(claim) else None
 
 
-def open_in(value: Vector | sp.Expr, samples: Samples) -> list[str]:
+def open_in(value: Angle | Vector | sp.Expr, samples: Samples) -> list[str]:
     """Hidden unknowns that a value rests on: names that begin with ``_``.
 
     Each of them is seen to matter, as the value is another where that alone is a little larger.
