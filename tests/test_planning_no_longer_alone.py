@@ -11,7 +11,7 @@ from laws_of_workings import answers, complaints
 from restitution.language import parse
 from restitution.planning.planner import plan
 from restitution.solving import solve
-from restitution.workings import to_text
+from restitution.workings import explain, to_text
 from restitution.workings.derived import explanation_of
 
 # A statement, and what its working says: lines, or parts of them.
@@ -38,6 +38,39 @@ find h
 """,
         ("t = √(b² − h²)/(3w), as t > 0", "h² = 2b²/3"),
     ),
+    "items in letters of which one tells the other": (
+        """
+wall V: along j
+sphere Q: mass 2m, velocity w at phi
+Q hits V: e = k
+given velocity(Q) perpendicular to velocity(Q, 0)
+show tan^2(phi) = k
+find energy_lost in terms of m, w, k
+find speed(Q)/w in terms of k
+find energy_lost/energy(0) in terms of phi
+""",
+        ("= (1 − k)mw²", "(speed of Q)/w = √k", "= 1 − tan²φ"),
+    ),
+    "an offset for which there is an impact": (
+        """
+sphere P: mass m, velocity w i, radius b
+sphere Q: mass m, at rest, radius b
+P hits Q: offset h, e = 1/3
+find range of h
+find maximum of deflection(P) over h
+""",
+        ("P does not pass by Q:\n    h < 2b", "0 < h < 2b, as h > 0", "tan δ > 0"),
+    ),
+    "an angle and a coefficient by a deflection and a loss": (
+        """
+sphere P: mass m, velocity w at theta
+sphere Q: mass m, at rest
+P hits Q: along i
+given deflection(P) = arctan(1/3), energy_lost = 1/4 energy(0)
+find theta, e
+""",
+        ("tan θ = 1 or tan θ = 1/17",),
+    ),
     "a path to a round wall that is to be found": (
         """
 wall R: circle centre (0, 0) radius b
@@ -62,3 +95,10 @@ def test_the_working_has_a_plan(name: str) -> None:
     text = to_text(explanation_of(derivation, problem))
     missing = [each for each in lines if each not in text]
     assert not missing, text
+
+
+def test_a_bound_is_no_reason_for_a_condition_of_its_own_letter() -> None:
+    statement, _ = CASES["items in letters of which one tells the other"]
+    text = to_text(explain(solve(parse(statement))))
+    assert "\nThis holds for k > 0 only." in text
+    assert "As k ≤ 1, this holds for φ ≤ 45° only." in text

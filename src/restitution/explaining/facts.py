@@ -284,7 +284,14 @@ class FactsOf:
             if letters(step.e) and self._sign(Binary("-", one, step.e)) is None:
                 most = Relation(((Link(step.e, "<=", one),),))
                 yield Fact(f"most {number}", "geometry", most, None, step.place)
-        if number > 1 or step.second in self.walls or step.along is None:
+        if number > 1 or step.second in self.walls:
+            return
+        if isinstance(step.offset, Expression) and self.radius is not None:
+            both = self._doubled(self.radius)
+            if letters(step.offset) and self._sign(step.offset) == 1:
+                near = Relation(((Link(step.offset, "<", both),),))
+                yield Fact(f"offset {number}", "geometry", near, None, step.place)
+        if step.along is None:
             return
         speeds = [self.sphere(each).velocity for each in (step.first, step.second)]
         if all(isinstance(speed, Expression) for speed in speeds) and any(map(letters, speeds)):

@@ -392,6 +392,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.product": "It is given that {fact}, so the scalar product is zero:",
     "given.proportion": "It is given that {fact}, so their components are in proportion:",
     "given.approach": "{one} and {other} approach each other before the impact:",
+    "given.offset": "{one} does not pass by {other}:",
     "given.most": "A coefficient of restitution is at most 1:",
     "given.between": "{body} hits {wall} between its ends:",
     "given.compare": "Comparing components:",

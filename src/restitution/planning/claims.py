@@ -50,6 +50,7 @@ from restitution.planning.order import Solver
 from restitution.planning.polynomials import one_fraction
 from restitution.planning.quotients import write_quotient
 from restitution.planning.scene import Scene
+from restitution.planning.turn_lines import meeting
 from restitution.planning.turned_at_walls import tangent_of, write_turn
 from restitution.planning.wide_angles import write_by_cosine
 from restitution.planning.worths import Worths
@@ -343,7 +344,7 @@ class Claims:
             return written
         own = self.scene.desk.last_link(tangent)
         bounded = Relation(((Link(own.left, ">", ZERO),),))
-        positive = self.compared([tangent], bounded)
+        positive = self.compared([tangent, *meeting(self.scene)], bounded)
         if positive is None and support:
             positive = self.compared(support, bounded)
         if positive is None:

@@ -373,6 +373,8 @@ def rearranged(scene: Scene, number: int, relation: Relation) -> int | None:
     """A line in another form, with what makes the factor between them not zero."""
     own = scene.desk.line(number)
     if statement_of(scene.desk.relation(number)) == statement_of(relation):
+        if number in scene.desk.shown:
+            return number  # it was to be shown as it stands
         # From the other side: the line itself is written so.
         return scene.desk.write(own.move, own.premises, relation)
     for move in (Move("rearrange"), Move("cancel")):

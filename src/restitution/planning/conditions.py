@@ -42,6 +42,7 @@ from restitution.planning.worths import Worths
 from restitution.problem import Given, Meets
 
 _BOUNDED = ("<", "<=", ">", ">=")
+_OF_THE_STORY = ("most ", "approach ", "offset ")
 
 Product = tuple[Sequence[tuple[str, int]], Expression, sp.Expr, tuple[Ref, ...]]
 """A scalar product: of which velocities, as a tree, as a value, and what it rests on."""
@@ -68,7 +69,7 @@ class Conditions:
             self._story = [
                 line
                 for fact in self.scene.desk.facts
-                if fact.id.startswith(("most ", "approach ")) and self.scene.desk.holds(fact.id)
+                if fact.id.startswith(_OF_THE_STORY) and self.scene.desk.holds(fact.id)
                 for line in (self.condition(fact, wanted),)
                 if line is not None
             ]
@@ -114,7 +115,7 @@ class Conditions:
         (link,) = fact.relation.only
         if not has_quantity(link.left) and has_quantity(self.worths.opened(link.right)):
             link = turned(link)
-        if fact.id.startswith("most "):
+        if fact.id.startswith(("most ", "offset ")):
             x = expanded(self.scene.scalar(link.left) - self.scene.scalar(link.right))
             solved = solve_linear(self.scene, link.sign, x, wanted)
             if solved is None:

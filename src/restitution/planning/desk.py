@@ -29,7 +29,7 @@ from restitution.explaining.derivation import (
     scopes_of,
 )
 from restitution.explaining.trees import statement_of
-from restitution.expression.tree import Expression
+from restitution.expression.tree import Expression, Quantity
 from restitution.planning.forms import UnwrittenError, alike
 
 # These moves start from the line that is cited first.
@@ -290,6 +290,13 @@ class Desk:
         self.version += 1
         self._sources[letter] = [each for each in self._sources[letter] if each is not source]
         self.shown += [ref for ref in source.refs if isinstance(ref, int)]
+
+    def forget_components(self, mark: Mark) -> None:
+        """Forgets what components have come to since a mark, of which the lines stay."""
+        self.version += 1
+        for key in list(self._sources):
+            if isinstance(key, Quantity) and key.kind in ("along", "across", "velocity"):
+                self._sources[key] = list(mark.sources.get(key, []))
 
     # --- solutions apart ---------------------------------------------------------------------
 

@@ -85,7 +85,7 @@ def _without(
             break
         if same:
             ended.add(index)
-        in_terms = of_motion or _terms(part.part, index) is not None
+        in_terms = of_motion or terms(part.part, index) is not None
         if alone.kind == "show" if same else in_terms:
             count = index
     ended = {each for each in ended if each <= count}
@@ -93,7 +93,7 @@ def _without(
     return Early(without, solved, ids, range(start + 1, count + 1), frozenset(ended))
 
 
-def _terms(part: Part, index: int) -> tuple[str, ...] | None:
+def terms(part: Part, index: int) -> tuple[str, ...] | None:
     """The letters in which an item is asked; None where it is asked in none."""
     number = 0
     for step in part.steps:

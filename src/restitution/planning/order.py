@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
+from itertools import chain as chained
 from itertools import combinations
 
 import sympy as sp
@@ -191,7 +192,8 @@ class Solver:
         scene = self.scene
         first: NotPlannedError | None = None
         routes = self.routes(goals)
-        for n, route in enumerate(routes):
+        whole = filter(None, map(self._with_both_laws, routes))
+        for n, route in enumerate(chained(routes, whole)):
             standing = self.mark()
             try:
                 self._take(route, goals)
@@ -261,6 +263,23 @@ class Solver:
                 left += more
                 return True
         return False
+
+    def _with_both_laws(self, route: Sequence[Candidate]) -> tuple[Candidate, ...]:
+        """A route with momentum where it has restitution alone, and the other way round.
+
+        Both solve together, though one may be enough to tell what is asked. Empty without such.
+        """
+        ids = {each.id for each in route}
+        more = [
+            own.candidate
+            for own in self.laws
+            for other in ("momentum", "restitution")
+            if own.kind in _LAWS
+            and own.candidate.id not in ids | self.used
+            and f"{other} {own.number}" in ids
+            and self._after(own.number).keys() <= {s for each in route for s in self._open(each)}
+        ]
+        return (*route, *more) if more else ()
 
     def _separating(self) -> frozenset[sp.Symbol]:
         """The components of which only the difference is known."""

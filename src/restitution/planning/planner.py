@@ -37,7 +37,7 @@ from restitution.planning.axes import frame_at
 from restitution.planning.cases import joined, without_idle
 from restitution.planning.checking import require_true
 from restitution.planning.desk import UNPLANNED, Desk, NotPlannedError
-from restitution.planning.early import Early, early_items
+from restitution.planning.early import Early, early_items, terms
 from restitution.planning.either_side import on_one_side, write_other_side
 from restitution.planning.extrema import only_answer, write_extremum
 from restitution.planning.forms import tree_of
@@ -325,11 +325,13 @@ def _write_items(scene: Scene, ways: dict[str, int], last: int) -> None:
     scene.desk.item = next(iter(ways))  # what is given may be put in before the first is written
     solver = Solver(scene)
     solver.resume(scene.desk.waiting)
+    whole = scene, solver
     for index, ((item, now), result) in enumerate(zip(problem.asked(scene.part), part.items), 1):
         name = _name(part, index)
         if name not in ways:
             continue
         scene.desk.item = name
+        scene, solver = whole
         written = False
         while not written:
             standing, start = solver.mark(), len(scene.desk.lines)
@@ -346,12 +348,43 @@ def _write_items(scene: Scene, ways: dict[str, int], last: int) -> None:
                     require_followed(scene, lines[start:])
                 _require_closed(scene.desk, name)
                 written = True
+                if scene is not whole[0]:
+                    scene.desk.forget_components(standing.desk)
             except UNPLANNED:
+                solver.back(standing)
+                in_its_letters = _in_letters_of(scene, index)
+                if in_its_letters is not None:
+                    scene, solver = in_its_letters, Solver(in_its_letters)
+                    continue
+                scene, solver = whole
                 if ways[name] >= last:
                     raise
-                solver.back(standing)
                 ways[name] += 1
+    scene, solver = whole
     scene.desk.waiting = dict(solver.waiting) if scene.desk.withheld else {}
+
+
+def _in_letters_of(scene: Scene, index: int) -> Scene | None:
+    """The part in the letters in which one item is asked, where the others are asked in others.
+
+    None where these letters are those of the part anyway.
+    """
+    wanted = terms(scene.part, index)
+    if not wanted or scene.turned or scene.others or scene.desk.withheld:
+        return None
+    (branch,) = scene.solution.branches
+    own = model(scene.problem, scene.part, branch, scene.solution.roles, frozenset(wanted))
+    if not turn_round(own, frozenset(wanted)):
+        return None
+    return Scene(
+        scene.problem,
+        scene.part,
+        scene.solution,
+        own,
+        scene.desk,
+        turned=True,
+        find_frame=frame_at,
+    )
 
 
 def _require_short(lines: Iterable[Line]) -> None:

@@ -169,9 +169,15 @@ def made_of_angles(
         named.append(letter_of(scene, turn.asked)[1])
     refs = (*turn.first.sources, *turn.second.sources)
     components = (*turn.first.refs, *turn.second.refs)
-    pool = dict.fromkeys((*given, *named, *refs, *components, *_axis(turn), *turn.frame.refs))
+    axis = (*_axis(turn), *turn.frame.refs, *meeting(scene))
+    pool = dict.fromkeys((*given, *named, *refs, *components, *axis))
     premises = scene.judge.needed(turn.move, pool, relation, named)
     return None if premises is None else scene.desk.write(turn.move, premises, relation)
+
+
+def meeting(scene: Scene) -> tuple[Ref, ...]:
+    """That spheres are not too far beside each other to meet, where the data are lengths."""
+    return tuple(each for each in scene.facts if each.startswith("offset "))
 
 
 def _term(scene: Scene, side: Direction) -> Term:
@@ -213,7 +219,7 @@ def by_tangents(
     """
     own = _tangent_of(form, *map(_tangent, terms))
     names = {name for each in terms for name in letters(each.angle)}
-    known = background(scene, names)
+    known = (*background(scene, names), *meeting(scene))
     asked = isinstance(turned, Apply)
     relation = chain(turned, (own, None)) if asked else chain(own, (turned, None))
     refs = scene.judge.enough(Move("identity", "sum-of-angles"), (number,), relation, known)

@@ -138,8 +138,8 @@ def _subjects(derivation: Derivation) -> set[str]:
         for line in derivation.lines
         if not isinstance(line.relation, Meaning)
         for links in line.relation.options
-        for link in links
-        for own in [link.left.argument if isinstance(link.left, Apply) else link.left]
+        for side in (*(link.left for link in links), links[-1].right)
+        for own in [side.argument if isinstance(side, Apply) else side]
         if isinstance(own, Letter)
     }
 
@@ -165,6 +165,9 @@ def _sentence(
     own = model(solution.problem, part.part, branch, part.roles, protected)
     unknowns = {each for each in own.final if each.name in subjects}
     reasons = reasons_that_bind(own, unknowns)
+    tied = {each.name for each in own.final}
+    if any(tied.intersection(_names_in(text)) for text in answer.condition):
+        reasons = ()  # the condition is one of the coefficient itself
     if reasons and condition not in reasons:
         return say("answer.only-as", reasons=reasons, condition=condition)
     return say("answer.only", condition=condition)

@@ -734,9 +734,11 @@ class Leads:
             kind, _, number = ref.partition(" ") if isinstance(ref, str) else ("", "", "")
             if kind == "most":
                 return say("given.most")
-            if kind not in ("within", "approach"):
+            if kind not in ("within", "approach", "offset"):
                 continue
             one, other = self._naming.events[int(number)].bodies
+            if kind == "offset":
+                return say("given.offset", one=one, other=other)
             if kind == "within":
                 return say("given.between", body=one, wall=other)
             return say("given.approach", one=one, other=other)
