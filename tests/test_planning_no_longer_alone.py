@@ -71,6 +71,47 @@ find theta, e
 """,
         ("tan θ = 1 or tan θ = 1/17",),
     ),
+    "a quadratic in a tangent with one root by sin² + cos² = 1": (
+        """
+wall V: along i
+wall W: along 180° - phi
+sphere Q: velocity w at theta to V
+Q hits V: e = 1
+Q hits W: e = 1
+given velocity(Q) parallel to i
+find phi in terms of theta
+""",
+        ("tan φ = (cos θ + √(cos²θ + sin²θ))/sin θ", "(1 + cos θ)/sin θ"),
+    ),
+    "an angle that is made of two by the statement": (
+        """
+sphere P: mass 2m, velocity w at theta
+sphere Q: mass m, at rest
+P hits Q: along i, e = 1/2
+let phi = direction(P)
+let psi = phi - theta
+find tan(psi) in terms of theta
+given psi = arctan(1/3), tan(theta) > 3/4
+find theta
+""",
+        (
+            "tan ψ = (tan φ − tan θ)/(1 + tan φ tan θ)",
+            "= tan θ/(1 + 2 tan²θ)",
+            "φ − θ = arctan(1/3)",
+            "θ = 45°",
+        ),
+    ),
+    "a way to a point that is told in letters": (
+        """
+point N: (c, 12)
+sphere P: mass 1, at (0, 0), velocity w at theta, radius 1
+sphere Q: mass 1, at (6, 7), at rest
+P hits Q: e = 1/2
+Q reaches N
+find theta
+""",
+        ("parallel to (c𝐢 + 12𝐣) − (6𝐢 + 7𝐣)", "tan θ = "),
+    ),
     "a path to a round wall that is to be found": (
         """
 wall R: circle centre (0, 0) radius b

@@ -36,7 +36,7 @@ def struck(scene: Scene, number: int) -> str | None:
         or not is_circle
     ):
         return None
-    if not all(each.is_number for each in scene.model.frames[number].n):
+    if any(scene.unknown(each) for each in scene.model.frames[number].n):
         return None
     for body in (step.second, step.first):
         resting = scene.model.story.latest(body, number - 1) is None and scene.velocity(body, 0)

@@ -38,6 +38,8 @@ from restitution.planning.polynomials import expanded
 from restitution.planning.premises import background
 from restitution.planning.quantities import formula
 from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.turn_lines import Term, by_tangents
+from restitution.planning.turns import Form
 
 
 def is_sum(scene: Scene, each: GivenEquation) -> bool:
@@ -81,7 +83,19 @@ def _quantity(scene: Scene, name: str) -> Quantity | None:
     if fact is None:
         return None
     own = fact.relation.only[0].left
-    return own if isinstance(own, Quantity) and own.kind == "angle" else None
+    return own if isinstance(own, Quantity) and own.kind in ("angle", "direction") else None
+
+
+def stated(scene: Scene, each: GivenEquation) -> int:
+    """A fact about letters as a line; what a letter in it stands for is put in by another one."""
+    line = scene.desk.write(Move("fact"), (each.fact.id,), each.fact.relation)
+    if not each.lets:
+        return line
+    opened = Relation(((each.link,),))
+    put = scene.judge.write((Move("put"), Move("rearrange")), (*each.lets, line), opened)
+    if put is None:
+        raise NotPlannedError("what a letter stands for is not put in")
+    return put
 
 
 def write_sum(scene: Scene, each: GivenEquation) -> int:
@@ -95,6 +109,7 @@ def write_sum(scene: Scene, each: GivenEquation) -> int:
         tree, own = _tangent(scene, Letter(name))
         tangents.append(tree)
         refs += own
+    base: Ref = stated(scene, each) if each.lets else each.fact.id
     ranges = background(scene, names)
     subjects = [Apply("tan", Letter(name)) for name in names]
     if sign == -1 and angle == 0:
@@ -114,7 +129,7 @@ def write_sum(scene: Scene, each: GivenEquation) -> int:
         value = tree_of(tidy(sp.tan(angle)))
         relation = Relation(((Link(Binary("/", above, below), "=", value),),))
         move = Move("identity", "sum-of-angles")
-    own_refs = scene.judge.enough(move, (each.fact.id,), relation, ranges)
+    own_refs = scene.judge.enough(move, (base,), relation, ranges)
     if own_refs is None and move.record == "complement":
         own_refs = _by_the_other(scene, each, names, relation, ranges)
     if own_refs is None:
@@ -127,6 +142,27 @@ def write_sum(scene: Scene, each: GivenEquation) -> int:
     if premises is None:
         raise NotPlannedError("a sum of angles")
     return scene.desk.write(Move("put"), premises, put)
+
+
+def write_tangent_of_sum(scene: Scene, letter: Letter) -> int | None:
+    """The line of the tangent of an angle that the statement makes of two others; None of another.
+
+    Both are letters, for angles of the data or of the motion.
+    """
+    fact = scene.facts.get(f"let {letter.name}")
+    match fact and fact.relation.only[0].left:
+        case Binary("+" | "-" as sign, Letter() as first, Letter() as second):
+            pass
+        case _:
+            return None
+    assert fact is not None
+    mark = scene.desk.mark()
+    terms = [Term(each, *_tangent(scene, each)) for each in (first, second)]
+    form: Form = "sum" if sign == "+" else "difference"
+    line = by_tangents(scene, fact.id, form, terms, Apply("tan", letter))
+    if line is None:
+        scene.desk.back(mark)
+    return line
 
 
 def _write_same(
@@ -189,4 +225,4 @@ def _tangent(scene: Scene, letter: Letter) -> tuple[Expression, tuple[Ref, ...]]
     return final, (number,)
 
 
-__all__ = ["is_sum", "write_sum"]
+__all__ = ["is_sum", "stated", "write_sum", "write_tangent_of_sum"]

@@ -353,10 +353,15 @@ class _Extremum:
             # The answer says it once more, with the place.
             for more in ((), self._times()):
                 # No time is before the clock starts: that tells the sign of a length.
-                pool = [line, *named, *known, *more]
-                there = self.judge.write((Move("put"),), pool, relation, shown="silent")
+                there = self.judge.standing(relation)
                 if there is not None:
                     return there
+                # What introduces the letter is tried first: nothing else may be needed.
+                lines = [ref for ref in named if isinstance(ref, int)]
+                pool = [*named, *known, *more]
+                refs = self.judge.enough(Move("put"), [line, *lines], relation, pool)
+                if refs is not None:
+                    return self.scene.desk.write(Move("put"), refs, relation, "silent")
         return None
 
     def _times(self) -> list[int]:

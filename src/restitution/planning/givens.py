@@ -25,7 +25,7 @@ from restitution.expression.tree import (
 from restitution.oracle import Oracle, compared
 from restitution.oracle.roles import POSITIVE
 from restitution.planning import journeys, place_trees
-from restitution.planning.angle_sums import is_sum, write_sum
+from restitution.planning.angle_sums import is_sum, stated, write_sum
 from restitution.planning.deflections import cosine_of_deflection, write_deflection
 from restitution.planning.desk import NotPlannedError, chain, link, together
 from restitution.planning.equal_angles import write_equal_angles
@@ -275,14 +275,7 @@ def _sides(tree: Expression) -> tuple[Expression, Expression]:
 
 
 def _between_letters(scene: Scene, each: GivenEquation) -> int:
-    line = scene.desk.write(Move("fact"), (each.fact.id,), each.fact.relation)
-    if each.lets:
-        # What a letter of the statement stands for is put in by a line of its own.
-        opened = Relation(((each.link,),))
-        put = scene.judge.write((Move("put"), Move("rearrange")), (*each.lets, line), opened)
-        if put is None:
-            raise NotPlannedError("what a letter stands for is not put in")
-        line = put
+    line = stated(scene, each)
     return _of_named_angle(scene, each, line) or line
 
 

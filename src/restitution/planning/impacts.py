@@ -378,11 +378,12 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
     ]
     refs = together(*(each.whole for each in put), own.unit_free, frame.unit_free)
     quantity = frame.component(kind, body, stage)
-    number = scene.desk.write(
-        Move("define", "component", frame.number, (body,)),
-        refs,
-        chain(quantity, (swept(total(terms)), None), (tree_of(value), "rearrange")),
-    )
+    move = Move("define", "component", frame.number, (body,))
+    first, last = swept(total(terms)), tree_of(value)
+    if any(ratio.args[0].is_Add for ratio in value.atoms(sp.sin, sp.cos)):
+        number = scene.desk.write(move, refs, chain(quantity, (first, None)))
+        refs, move, first = (number,), Move("identity", "sum-of-angles"), last
+    number = scene.desk.write(move, refs, chain(quantity, (first, None), (last, "rearrange")))
     return scene.desk.know(quantity, value, (number,))
 
 

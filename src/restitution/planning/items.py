@@ -25,6 +25,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning import journeys, place_trees
 from restitution.planning.angle_ratios import write_other_ratio
+from restitution.planning.angle_sums import write_tangent_of_sum
 from restitution.planning.axes import write_axis, write_wall
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.either_side import write_sides
@@ -204,6 +205,11 @@ def _expression(scene: Scene, asked: Expression, name: str) -> None:
 def _ratio(scene: Scene, asked: Apply, kind: str, letter: str, name: str) -> None:
     """A ratio of an angle that is a letter."""
     known = scene.desk.known(asked)
+    if known is None and kind == "tan":
+        line_ = write_tangent_of_sum(scene, Letter(letter))
+        if line_ is not None:
+            scene.desk.end(name, line_, chain(asked, (_right(scene, line_), None)))
+            return
     if known is None:
         symbol = scene.model.unknowns.letter(letter)
         if symbol not in scene.model.final:

@@ -23,7 +23,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.desk import NotPlannedError, Source, chain
-from restitution.planning.forms import ZERO, product, square, total, tree_of
+from restitution.planning.forms import ZERO, product, square, swept, total, tree_of
 from restitution.planning.impacts import momentum, residual, restitution
 from restitution.planning.polynomials import expanded, factor_powers, factored
 from restitution.planning.premises import background
@@ -81,10 +81,16 @@ def by_roots(
         number = _in_factors(scene, number, [base for base, _ in factors], generator, subject)
     alternatives = Relation(tuple(option(subject, root) for root in roots))
     names = {each.name for each in above.free_symbols}
-    refs = scene.judge.enough(Move("roots"), (number,), alternatives, background(scene, names))
-    if refs is None:
+    known = background(scene, names)
+    refs = scene.judge.enough(Move("roots"), (number,), alternatives, known)
+    if refs is not None:
+        line: int | None = scene.desk.write(Move("roots"), refs, alternatives)
+    elif len(polynomials) == 1:
+        line = _by_pythagoras(scene, number, polynomials[0], alternatives, known)
+    else:
+        line = None
+    if line is None:
         return None
-    line = scene.desk.write(Move("roots"), refs, alternatives)
     if dropped:
         line = rejected(scene, line, symbol, subject, kept, unsquared)
     if len(kept) > 1:
@@ -93,6 +99,42 @@ def by_roots(
     if generator == symbol:
         return known_as(scene, symbol, value, line)
     return scene.desk.know(subject, value, (line,))
+
+
+def _by_pythagoras(
+    scene: Scene, number: int, polynomial: sp.Poly, roots: Relation, known: Iterable[Ref]
+) -> int | None:
+    """The roots of a quadratic by the formula, of whose root sin² + cos² = 1 makes a number.
+
+    None of another one.
+    """
+    if polynomial.degree() != 2:
+        return None
+    turned = scene.model.sign(polynomial.LC()) < 0
+    a, b, c = (-polynomial.nth(n) if turned else polynomial.nth(n) for n in (2, 1, 0))
+    half = expanded(b / 2)
+    inside = expanded(half**2 - a * c)
+    if not inside.has(sp.sin, sp.cos) or expanded(sp.trigsimp(inside)).has(sp.sin, sp.cos):
+        return None
+    root = Apply("sqrt", tree_of(inside, as_it_is=True))
+    subject = roots.options[0][0].left
+    by_formula: list[tuple[Link, ...]] = []
+    for links in roots.options:
+        plus = scene.model.sign(a * scene.scalar(links[0].right) + half) > 0
+        above = Binary("+" if plus else "-", tree_of(-half), root)
+        by_formula.append((Link(subject, "=", swept(Binary("/", above, tree_of(a)))),))
+    relation = Relation(tuple(by_formula))
+    refs = scene.judge.enough(Move("roots"), (number,), relation, known)
+    if refs is None:
+        return None
+    mark = scene.desk.mark()
+    line = scene.desk.write(Move("roots"), refs, relation)
+    move = Move("identity", "pythagoras")
+    refs = scene.judge.enough(move, (line,), roots, known)
+    if refs is None:
+        scene.desk.back(mark)
+        return None
+    return scene.desk.write(move, refs, roots)
 
 
 def _real_roots(scene: Scene, polynomial: sp.Poly) -> list[sp.Expr]:

@@ -206,13 +206,13 @@ def term_of_data(scene: Scene, angle: Expression) -> Term:
 
 def by_tangents(
     scene: Scene,
-    number: int,
+    base: Ref,
     form: Form,
     terms: Sequence[Term],
     turned: Expression,
     given: tuple[Expression, tuple[Ref, ...]] | None = None,
 ) -> int | None:
-    """The tangent of an angle that a line makes of two others; None where it does not follow.
+    """The tangent of an angle that a line, or a fact, makes of two others; None without one.
 
     ``turned`` is the tangent that is sought, or the value that is given for it; with ``given`` it
     is a tangent of which the value is given, with what gives it.
@@ -222,7 +222,7 @@ def by_tangents(
     known = (*background(scene, names), *meeting(scene))
     asked = isinstance(turned, Apply)
     relation = chain(turned, (own, None)) if asked else chain(own, (turned, None))
-    refs = scene.judge.enough(Move("identity", "sum-of-angles"), (number,), relation, known)
+    refs = scene.judge.enough(Move("identity", "sum-of-angles"), (base,), relation, known)
     if refs is None:
         return None
     number = scene.desk.write(Move("identity", "sum-of-angles"), refs, relation)

@@ -77,7 +77,10 @@ def points_along(step: Step, line: Link, base: Link, rules: Rules) -> bool:
     if not step.world.reduced(own.x * other.y - own.y * other.x).vanishes:
         return False
     pairs = [(a, b) for a, b in ((own.x, other.x), (own.y, other.y)) if not b.vanishes]
-    return bool(pairs) and all(not a.vanishes and step.signs.of(a / b) == 1 for a, b in pairs)
+    # They are parallel: what one component is times the other, the second is too.
+    return all(not a.vanishes for a, _ in pairs) and any(
+        step.signs.of(a / b) == 1 for a, b in pairs
+    )
 
 
 def _is_replaced(step: Step, line: Link, expected: Value) -> bool:
