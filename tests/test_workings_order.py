@@ -37,3 +37,74 @@ find time(2), velocity(P)
     assert words.count(reason) == 1
     assert words.count("A chord makes equal angles with the radii at its ends:") == 1
     assert words.index(reason) < words.index(" P moves through the centre: ")
+
+
+def test_the_side_that_is_worked_out_is_said_before_it_is_taken() -> None:
+    text = """
+sphere A, B: mass m
+sphere A: velocity 8i
+sphere B: at rest
+A hits B: e = 1/2
+given angle(line_of_centres, i) = 30°
+find velocity(A)
+"""
+    words = printed(text)
+    side = "Take the line of centres to be turned anticlockwise from 𝐢."
+    assert words.count(side) == 1
+    assert "Then (√3/2)𝐢 + ½𝐣 is the unit vector along it, and −½𝐢 + (√3/2)𝐣" in words
+    assert words.index(side) < words.index("8 cos 30°")
+
+
+def test_the_side_of_a_wall_is_said_before_it_is_taken() -> None:
+    text = """
+wall W
+sphere P: velocity 6i
+P hits W: e = 1/2
+given angle(i, W) = 30°
+find velocity(P)
+"""
+    words = printed(text)
+    assert "Then ½𝐢 − (√3/2)𝐣 is the unit vector perpendicular to W, towards it" in words
+    assert words.index("Take W to be turned") < words.index("6 sin 30°")
+    assert "and the other figure is the reflection in 𝐢" in words
+
+
+def test_a_place_that_was_worked_out_as_a_vector_stays_one() -> None:
+    text = """
+wall C: circle centre (0, 0) radius a
+sphere P: at (a/2, 0), velocity u at 90°
+P hits C: e = 1/2
+find position(P)
+"""
+    assert "position of P at the impact = (a/2)𝐢 + (√3 a/2)𝐣" in printed(text)
+
+
+def test_what_an_item_has_found_of_two_letters_is_cited_in_that_form() -> None:
+    text = """
+wall W1: along i
+wall W2: along i
+sphere P: velocity u at 60° to W1
+P hits W1: e = e1
+P hits W2: e = e2
+given angle(velocity(P), W2) = 30°
+part a
+find e1 e2
+part b
+unknown e2
+find range of e1
+"""
+    assert "e₁e₂ = ⅓ (1)" in printed(text)
+
+
+def test_where_a_body_is_at_a_wall_is_said_before_a_distance_to_it() -> None:
+    text = """
+wall W: along j, through (6, 0)
+sphere A: mass 1, at (-4, -3), velocity 4i + 3j
+sphere B: mass 3, at (0, 0), at rest
+A hits B: along i, e = 2/3
+B reaches W
+find distance(A, B)
+"""
+    words = printed(text)
+    place = "The position of B when B reaches W is 6𝐢 m."
+    assert words.index(place) < words.index("distance between A and B when B reaches W")

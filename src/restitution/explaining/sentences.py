@@ -412,8 +412,22 @@ SENTENCES: Mapping[SentenceId, str] = {
         "of everything in the known direction keeps all data and moves the line to the other "
         "side. So both are answers, and one of them is worked out."
     ),
-    "either-side.wall": "{wall} may slope to either side of 𝐢",
-    "either-side.title": "The line of centres may be on either side of 𝐢",
+    "either-side.wall": (
+        "{wall} may slope to either side of 𝐢, and the other figure is the reflection in 𝐢"
+    ),
+    "either-side.title": (
+        "The line of centres may be on either side of 𝐢, and the other figure is the reflection "
+        "in 𝐢"
+    ),
+    "sided.wall": "Take {wall} to be turned anticlockwise from 𝐢.",
+    "sided.wall-units": (
+        "Then {along} is the unit vector perpendicular to {wall}, towards it, and {across} the "
+        "one along it."
+    ),
+    "sided.spheres": "Take the line of centres to be turned anticlockwise from 𝐢.",
+    "sided.spheres-units": (
+        "Then {along} is the unit vector along it, and {across} the one perpendicular to it."
+    ),
     "restitution.none": "Newton's experimental law, as the coefficient of restitution is 0",
     "restitution.products": "Newton's experimental law, by scalar products with this vector",
     "moves-along.title": "{body} moves along the line of centres",
@@ -452,6 +466,8 @@ SENTENCES: Mapping[SentenceId, str] = {
         "At the impact the centres of {one} and {other} are {distance} apart, so {other} is then "
         "at {place}."
     ),
+    "touch.at": "The {position} is {place}.",
+    "touch.origin": "The {position} is the origin.",
     "touch.meet": "{one} and {other} meet when their coordinates are equal:",
     "touch.apart": "{one} and {other} touch when their centres are {distance} apart:",
     # --- conditions, ranges, extrema --------------------------------------------------------------

@@ -354,6 +354,7 @@ def _from_its_equation(
     scene.desk.know(asked, value, (line,))
     if name.endswith(str(len(scene.solution.items))):
         solver.reopen()
+        scene.desk.shown.append(line)  # the shortest equation for either letter
         return line
     further = scene.desk.write(own.move, (line,), chain(known.left, (known.right, None)))
     scene.desk.know(known.left, letter.value, (further,))

@@ -132,8 +132,21 @@ class Ties:
         open_ = [scene.put(x)[0] for x in each.residuals]
         if all(x == 0 for x in open_):
             return self._of_fact(each.fact.id)
-        line = self._without_roots(self._neat(write_given(scene, _as_right_angle(each))))
+        given = self._as_found(write_given(scene, _as_right_angle(each)))
+        line = self._without_roots(self._neat(given))
         scene.ties[each.fact.id] = scene.desk.relation(line)
+        return line
+
+    def _as_found(self, line: int) -> int:
+        """An equation as a line below it has it that an item ends with; else as it is."""
+        desk = self.scene.desk
+        for each in desk.shown:
+            if desk.holds(each) and line in desk.under(each):
+                if not (own := residual(self.scene, line)):
+                    continue
+                share = tidy(residual(self.scene, each) / own)
+                if share.is_number and share.is_nonzero:
+                    return each
         return line
 
     def _of_fact(self, ref: Ref) -> int | None:

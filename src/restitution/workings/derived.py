@@ -46,9 +46,11 @@ from restitution.workings.noted import Notes
 from restitution.workings.radii import Radii
 from restitution.workings.reasons import Reasons
 from restitution.workings.rows import Rows
+from restitution.workings.sides import Sides
 from restitution.workings.sources import Sources
 from restitution.workings.staying import Staying
 from restitution.workings.steps import REQUIRED, PartExplanation, Row, Step
+from restitution.workings.touching import Touching
 
 if TYPE_CHECKING:
     from restitution.solving.solution import Solution
@@ -117,6 +119,8 @@ class _Writer:
         self.angles = DataAngles(derivation, self.naming)
         self.rows = Rows(derivation, self.naming, self.measures, self.ends)
         self.radii = Radii(derivation, self.naming)
+        self.sides = Sides(derivation, self.naming)
+        self.touching = Touching(derivation, self.naming)
         self.staying = Staying(derivation, self.naming, self.measures, self.sources, self.ends)
         self.cases = {n: each for each in derivation.cases for n in each.lines}
         self.case: int | None = None
@@ -192,10 +196,14 @@ class _Writer:
                     self.afresh()
                     meeting = (self.meetings[line.number],)
                     yield Step("note", sentences=meeting, item=self.ends.place(line))
-                touching = tuple(self.radii.before(line))
+                touching = (*self.radii.before(line), *self.sides.before(line))
                 if touching:
                     self.afresh()
                     yield Step("setting", sentences=touching)
+                places = tuple(self.touching.before(line))
+                if places:
+                    self.afresh()
+                    yield Step("note", sentences=places, item=self.ends.place(line))
                 given = self.leads.given_before(line)
                 step = self._step(line, waiting)
                 waiting = []

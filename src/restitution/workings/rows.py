@@ -295,7 +295,7 @@ class Rows:
         vector is left as that, and has its coordinates beside it where others have them.
         """
         end, asked = self._ends.of(line), self._ends.asked(line)
-        worked_out = line.move.id == "rearrange"
+        worked_out = self._is_of_a_vector(line)
         if end is None or end.shown or not self._ends.is_place(line):
             return ()
         if worked_out and not self._has_coordinates():
@@ -318,8 +318,21 @@ class Rows:
         """Whether a place that is asked is told by its coordinates alone."""
         ends = (self._derivation.line(end.line) for end in self._derivation.items)
         return any(
-            own is not None and own.move.id != "rearrange" and self._ends.is_place(own)
+            own is not None and not self._is_of_a_vector(own) and self._ends.is_place(own)
             for own in ends
+        )
+
+    def _is_of_a_vector(self, line: Line) -> bool:
+        """Whether a place was worked out as a vector, which the line above it says in letters."""
+        if line.move.id == "rearrange":
+            return True
+        above = (self._derivation.line(ref) for ref in line.premises if isinstance(ref, int))
+        return line.move.id == "put" and any(
+            isinstance(each.relation, Relation)
+            and isinstance(line.relation, Relation)
+            and each.relation.only[0].left == line.relation.only[0].left
+            for each in above
+            if each is not None
         )
 
     def _coordinates(self, line: Line, link: Link) -> tuple[tuple[lay.Layout, str], ...]:
