@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from functools import cache
 
+import pytest
+
 from restitution.explaining.derivation import Derivation, Relation
 from restitution.explaining.follower import follow
 from restitution.explaining.notation import write_relation
@@ -152,3 +154,49 @@ find direction(W), speed(P)
     normals = [each for each in said(text) if each.startswith("line_of_centres(1) parallel to")]
     assert "line_of_centres(1) parallel to -3i + s j" in normals
     assert "line_of_centres(1) parallel to s j - 3i" not in normals
+
+
+def test_the_square_of_a_speed_is_taken_of_the_speed_that_stands() -> None:
+    text = """
+wall L: along i
+wall M: along i
+sphere P: velocity u at alpha to L
+P hits L: e = e1
+P hits M: e = e2
+given e1 > 0, e2 > 0
+find range of speed(P) in terms of u, alpha
+"""
+    lines = [each for each in planned(text).lines if isinstance(each.relation, Relation)]
+    (square,) = (e for e in lines if write_relation(e.relation).startswith("speed(P, 2)^2 ="))
+    assert square.move.id == "rearrange"
+
+
+@pytest.mark.parametrize(
+    ("given", "cosine"), [("cot(alpha) = 4/3", "4/5"), ("sec(alpha) = 5/3", "3/5")]
+)
+def test_a_reciprocal_that_is_given_is_turned_over_before_it_is_used(
+    given: str, cosine: str
+) -> None:
+    text = f"""
+wall W: along i
+sphere P: velocity u at alpha to W
+given {given}
+P hits W: e = 1/2
+find speed(P), tan(angle(velocity(P), W))
+"""
+    lines = planned(text).lines
+    said = [write_relation(e.relation) if isinstance(e.relation, Relation) else "" for e in lines]
+    ratio = next(n for n, each in enumerate(said) if f"cos(alpha) = {cosine}" in each)
+    law = next(n for n, each in enumerate(lines) if each.move.id == "law")
+    assert ratio < law
+
+
+def test_a_letter_by_another_is_asked_in_either_after_a_reciprocal() -> None:
+    text = """
+wall W: along i
+sphere P: velocity u at alpha to W
+given cosec(alpha) = 5/4
+P hits W: e = 1/2
+find deflection(P)
+"""
+    assert "alpha = arcsin(4/5)" in said(text)

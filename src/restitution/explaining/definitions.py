@@ -569,22 +569,22 @@ def _between_directions(step: Step, event: Event | None) -> Iterator[Link]:
 def _by_product_and_speeds(
     step: Step, angle: Expression, one: Expression, other: Expression
 ) -> Iterator[Link]:
-    """The cosine of an angle between velocities, where lines give their product and both sizes."""
+    """The cosine of an angle between velocities, where a line gives their product.
+
+    Lines give their sizes too; one that a line does not give is that of the velocity.
+    """
     wholes = {link.left: link.right for link in _wholes(step) if link.sign == "="}
     product = next(
         (e for e in (Quantity("dot", (one, other)), Quantity("dot", (other, one))) if e in wholes),
         None,
     )
     sizes = [
-        wholes.get(replace(each, kind="speed"))
+        wholes.get(replace(each, kind="speed"), Apply("abs", each))
         for each in (one, other)
         if isinstance(each, Quantity) and each.kind == "velocity"
     ]
-    if product is not None and len(sizes) == 2 and None not in sizes:
-        a, b = sizes
-        assert a is not None
-        assert b is not None
-        yield Link(Apply("cos", angle), "=", Binary("/", wholes[product], Binary("*", a, b)))
+    if product is not None and len(sizes) == 2:
+        yield Link(Apply("cos", angle), "=", Binary("/", wholes[product], Binary("*", *sizes)))
 
 
 def _wholes(step: Step) -> Iterator[Link]:

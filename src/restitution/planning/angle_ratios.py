@@ -9,9 +9,9 @@ import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact import tidy
-from restitution.explaining.derivation import Fact, Link, Move, Relation
+from restitution.explaining.derivation import Fact, Link, Move, Ref, Relation
 from restitution.expression.tree import Apply, Expression, Letter
-from restitution.planning.desk import Desk, NotPlannedError
+from restitution.planning.desk import Desk, NotPlannedError, chain
 from restitution.planning.forms import tree_of
 
 
@@ -60,25 +60,44 @@ def _is_root(power: sp.Pow) -> bool:
     return bool(power.exp.is_Rational and not power.exp.is_Integer)
 
 
-def write_ratios(scene: Angles, symbol: sp.Symbol) -> None:
-    """``cos α = 3/5 and sin α = 4/5`` from the ratio that is given."""
-    fact = scene.ratio_facts[symbol.name]
+RECIPROCALS = {"cot": "tan", "sec": "cos", "cosec": "sin"}
+"""Ratios of angles, each with the one of which it is the reciprocal."""
+
+
+def given_ratio(scene: Angles, name: str) -> tuple[Apply, Expression, Ref]:
+    """The sine, cosine or tangent of an angle that is given, its value, and what says so.
+
+    A reciprocal of one that is given is turned over first.
+    """
+    fact = scene.ratio_facts[name]
     (link,) = fact.relation.only
     assert isinstance(link.left, Apply)
+    plain = RECIPROCALS.get(link.left.function)
+    if plain is None:
+        return link.left, link.right, fact.id
+    own = Apply(plain, Letter(name))
+    right = tree_of(tidy(1 / scene.scalar(link.right)))
+    first = scene.desk.write(Move("fact"), (fact.id,), fact.relation)
+    return own, right, scene.desk.write(Move("rearrange"), (first,), chain(own, (right, None)))
+
+
+def write_ratios(scene: Angles, symbol: sp.Symbol) -> None:
+    """``cos α = 3/5 and sin α = 4/5`` from the ratio that is given."""
+    own, right, ref = given_ratio(scene, symbol.name)
     letter = Letter(symbol.name)
     angle = scene.model.final[symbol]
-    given = link.left.function
-    scene.desk.know(link.left, scene.scalar(link.right), (fact.id,))
+    given = own.function
+    scene.desk.know(own, scene.scalar(right), (ref,))
     others = {each: ratio_of(each, angle) for each in ("sin", "cos", "tan") if each != given}
     shown = [each for each in ("sin", "cos") if each != given]
     links = tuple(Link(Apply(each, letter), "=", tree_of(others[each])) for each in shown)
     number = scene.desk.write(
-        Move("triangle"), (fact.id, range_of(scene, symbol.name)), Relation((links,))
+        Move("triangle"), (ref, range_of(scene, symbol.name)), Relation((links,))
     )
     for each in shown:
         scene.desk.know(Apply(each, letter), others[each], (number,))
     if "tan" in others:
-        scene.desk.know(Apply("tan", letter), others["tan"], (fact.id, number))
+        scene.desk.know(Apply("tan", letter), others["tan"], (ref, number))
 
 
 def write_other_ratio(scene: Angles, symbol: sp.Symbol, kind: str) -> None:

@@ -8,7 +8,16 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Name, Quantity, letters
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Polar,
+    Quantity,
+    letters,
+)
 from restitution.expression.writing import write_expression
 from restitution.planning.desk import Source, chain, together
 from restitution.planning.forms import product, swept, total, tree_of
@@ -52,14 +61,16 @@ def write_cosine(scene: Scene, asked: Quantity) -> int | None:
     sizes = [_speed(scene, each) for each in pair] if number is not None else []
     if number is not None and None not in sizes:
         letter, meaning = letter_of(scene, asked)
-        values = [scene.desk.last_link(ref).right for ref in (number, *sizes) if ref is not None]
+        values = [_value(scene, ref) for ref in (number, *sizes) if ref is not None]
         right = swept(Binary("/", values[0], product(*values[1:])))
         final = tree_of(tidy(scene.scalar(right)))
         relation = chain(Apply("cos", Letter(letter)), (right, None), (final, "rearrange"))
         move = Move("define", "scalar-angle", _event(pair), _bodies(pair))
         refs = [each for each in (meaning, number, *sizes) if each is not None]
         known = background(scene, {name for each in values for name in letters(each)})
-        premises = scene.judge.enough(move, refs, relation, known)
+        # A velocity may be given by its angle to a wall, of which the data tell the direction.
+        walls = (fact.id for fact in scene.desk.facts if fact.id.startswith("wall "))
+        premises = scene.judge.enough(move, refs, relation, (*known, *walls))
         if premises is not None:
             return scene.desk.write(move, premises, relation)
     scene.desk.back(mark)
@@ -119,9 +130,26 @@ def _product(scene: Scene, pair: tuple[Moving, Moving]) -> int | None:
     return None if premises is None else scene.desk.write(move, premises, relation)
 
 
-def _speed(scene: Scene, moving: Moving) -> int | None:
-    """The line of a speed, which may stand already."""
+def _value(scene: Scene, ref: Ref) -> Expression:
+    """What a line comes to, or the size of a velocity that is given by it."""
+    if isinstance(ref, int):
+        return scene.desk.last_link(ref).right
+    size = _given_size(scene, ref)
+    assert size is not None
+    return size
+
+
+def _given_size(scene: Scene, ref: str) -> Expression | None:
+    """The size of a velocity that is given by its size and its direction; None of another."""
+    right = scene.facts[ref].relation.only[0].right if ref in scene.facts else None
+    return right.size if isinstance(right, Polar) else None
+
+
+def _speed(scene: Scene, moving: Moving) -> Ref | None:
+    """The line of a speed, which may stand already, or the fact that gives it."""
     velocity = _velocity(scene, moving)
+    if not velocity.stage and _given_size(scene, f"velocity {moving[0]}") is not None:
+        return f"velocity {moving[0]}"
     speed = Quantity("speed", velocity.arguments, velocity.stage)
     known = scene.desk.known(speed)
     line = known.refs[0] if known is not None and len(known.refs) == 1 else None

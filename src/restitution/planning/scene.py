@@ -25,7 +25,7 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
-from restitution.planning.angle_ratios import write_other_ratio, write_ratios
+from restitution.planning.angle_ratios import RECIPROCALS, write_other_ratio, write_ratios
 from restitution.planning.desk import Desk, NotPlannedError, Source, together
 from restitution.planning.forms import neat, tree_of
 from restitution.planning.frames import Frame, frame_of
@@ -39,6 +39,7 @@ from restitution.vector import Vector
 
 # A letter is put in so often, since what is put in for others may hold it.
 _MOST = 4
+_GIVEN = frozenset(("sin", "cos", "tan", *RECIPROCALS))
 _ANGLES = ("angle", "deflection", "direction")
 _RATIOS = (sp.sin, sp.cos, sp.tan)
 
@@ -368,7 +369,7 @@ class Scene:
             if fact.kind != "given" or not self.desk.holds(fact.id):
                 continue
             match fact.relation.options:
-                case (((Link(Apply("sin" | "cos" | "tan", Letter(name)), "=", right)),),):
+                case (((Link(Apply(kind, Letter(name)), "=", right)),),) if kind in _GIVEN:
                     if not self.scalar(right).free_symbols and f"let {name}" not in self.facts:
                         facts[name] = fact
         return facts

@@ -20,7 +20,7 @@ from restitution.expression.tree import (
     Quantity,
     letters,
 )
-from restitution.planning.angle_ratios import range_of, write_other_ratio
+from restitution.planning.angle_ratios import given_ratio, range_of, write_other_ratio
 from restitution.planning.angles import RIGHT
 from restitution.planning.desk import chain, together
 from restitution.planning.forms import ONE, difference, product, swept, total, tree_of
@@ -124,12 +124,10 @@ def _in_numbers(
 
 def inverse_of_data(scene: Scene, name: str) -> int:
     """The line of an angle of which a ratio is given, by the inverse of that."""
-    fact = scene.ratio_facts[name]
-    (own,) = fact.relation.only
-    assert isinstance(own.left, Apply)
-    right = Apply(f"arc{own.left.function}", own.right)
+    own, value, ref = given_ratio(scene, name)
+    right = Apply(f"arc{own.function}", value)
     return scene.desk.write(
-        Move("inverse"), (fact.id, range_of(scene, name)), chain(Letter(name), (right, None))
+        Move("inverse"), (ref, range_of(scene, name)), chain(Letter(name), (right, None))
     )
 
 

@@ -393,6 +393,13 @@ class Worths:
         left = square(own.left)
         pool = own.refs
         final = tree_of(tidy(own.value**2))
+        standing = self._worked_out(speed)
+        if standing is not None:
+            relation = Relation(((Link(left, "=", final),),))
+            known = self.judge.known(letters(right))
+            line = self.judge.write((Move("rearrange"),), (standing, *known), relation)
+            if line is not None:
+                return line
         first = Link(left, "=", right.argument)
         known = self.judge.known(letters(right))
         for by in ("rearrange", "identity"):
@@ -401,6 +408,15 @@ class Worths:
             if line is not None:
                 return line
         return self.judge.write((own.move,), pool, Relation(((first,),)), pool)
+
+    def _worked_out(self, speed: Quantity) -> int | None:
+        """The line that says a speed and works it out; None without one."""
+        desk = self.scene.desk
+        for line in reversed(desk.lines):
+            match line.relation:
+                case Relation(((Link(left, "=", _), _, *_),)) if left == speed:
+                    return line.number if desk.holds(line.number) else None
+        return None
 
     def quantities(self, tree: Expression) -> Iterator[Quantity]:
         """The outermost quantities of a tree."""

@@ -166,7 +166,8 @@ class _Writer:
             if ratios:
                 self.afresh()
                 yield Step("fact", sentences=ratios)
-            if line.move.event in self.naming.events and not self.stay:
+            here = self.heading in (None, line.move.event)
+            if here and line.move.event in self.naming.events and not self.stay:
                 self.naming.bold.gather(line.move.event or 0)
                 if not lets:
                     yield from self._introduced()
