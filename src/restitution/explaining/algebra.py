@@ -14,7 +14,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import isqrt, lcm, prod
-from typing import Any, Literal
+from typing import Any, Literal, TypeAlias
 
 import sympy as sp
 from sympy.polys.domains import QQ
@@ -71,6 +71,15 @@ def _is_line_of_centres(tree: Expression) -> bool:
 
 Value = Quotient | Plane
 
+Atom: TypeAlias = Expression | tuple[str, PolyElement, PolyElement]
+"""A part of an angle: a letter, an angle of the motion, or an inverse function by its value."""
+
+AngleKey: TypeAlias = tuple[tuple[Any, ...], Fraction]
+"""An angle by its parts with their multiples, and degrees; a plain angle has one empty part."""
+
+Key: TypeAlias = tuple[Any, ...]
+"""A generator: what it is ("letter", "quantity", "cos", "root", …), and of what."""
+
 
 @dataclass(frozen=True)
 class Turn:
@@ -78,7 +87,7 @@ class Turn:
     and a number of degrees.
     """
 
-    terms: tuple[tuple[Any, Fraction], ...] = ()
+    terms: tuple[tuple[Atom, Fraction], ...] = ()
     degrees: Fraction = Fraction(0)
 
     def __add__(self, other: Turn) -> Turn:
@@ -112,7 +121,7 @@ class World:
     vectors: frozenset[str] = frozenset()
     angles: frozenset[str] = frozenset()
     directions: Mapping[Expression, Expression] = field(default_factory=dict)
-    turns: Mapping[Any, Expression] = field(default_factory=dict)
+    turns: Mapping[Expression, Expression] = field(default_factory=dict)
     identities: frozenset[Identity] = frozenset()
     opaque: frozenset[Expression] = frozenset()
     nonnegative: frozenset[str] = frozenset()
@@ -121,13 +130,13 @@ class World:
     squares: dict[int, PolyElement] = field(default_factory=dict)
     denominators: list[PolyElement] = field(default_factory=list)
     tangents: list[PolyElement] = field(default_factory=list)
-    _keys: dict[Any, int] = field(default_factory=dict)
-    _divisors: dict[Any, int] = field(default_factory=dict)
+    _keys: dict[Key, int] = field(default_factory=dict)
+    _divisors: dict[Atom, int] = field(default_factory=dict)
     _values: dict[Expression, Value] = field(default_factory=dict)
 
     # --- generators ------------------------------------------------------------------------------
 
-    def generator(self, key: Any) -> Quotient:
+    def generator(self, key: Key) -> Quotient:
         """The generator of a letter, a quantity, a root or a cosine."""
         if key not in self._keys:
             if len(self._keys) == MOST_GENERATORS:
@@ -135,11 +144,11 @@ class World:
             self._keys[key] = len(self._keys)
         return Quotient(quotient_ring().gens[self._keys[key]], quotient_ring().one)
 
-    def keys_by_number(self) -> dict[int, Any]:
+    def keys_by_number(self) -> dict[int, Key]:
         """All generators, by number."""
         return {number: key for key, number in self._keys.items()}
 
-    def keys(self, *polynomials: PolyElement) -> dict[int, Any]:
+    def keys(self, *polynomials: PolyElement) -> dict[int, Key]:
         """The generators that occur, by number."""
         by_number = self.keys_by_number()
         return {
@@ -576,7 +585,7 @@ class World:
                 return False
         return True
 
-    def _is_positive(self, key: Any) -> bool:
+    def _is_positive(self, key: Key) -> bool:
         if key[0] == "letter":
             known = key[1] in self.nonnegative
             return known or self.roles.get(key[1], REAL).kind == "positive"
@@ -681,7 +690,7 @@ class World:
             total = term if total is None else total + term
         return CONSTANT(0) if total is None else total
 
-    def _atom(self, atom: Any) -> Any:
+    def _atom(self, atom: Atom) -> Atom:
         """An inverse function by the value inside it, so that equal ones are the same."""
         if isinstance(atom, Apply) and atom.function in _INVERSE:
             inside = self.scalar(atom.argument)
@@ -724,13 +733,13 @@ class World:
         key = tuple((self._atom(atom), count) for atom, count in turn.terms), turn.degrees
         return self._pair(key)
 
-    def _pair(self, key: Any) -> tuple[Quotient, Quotient]:
+    def _pair(self, key: AngleKey) -> tuple[Quotient, Quotient]:
         cosine, sine = self.generator(("cos", key)), self.generator(("sin", key))
         if self.identities & {"pythagoras", "double-angle", "half-angle", "sum"}:
             self.squares[self._keys["sin", key]] = 1 - cosine.above**2
         return cosine, sine
 
-    def _multiple(self, atom: Any, count: Fraction) -> tuple[Quotient, Quotient]:
+    def _multiple(self, atom: Atom, count: Fraction) -> tuple[Quotient, Quotient]:
         """The cosine and the sine of a multiple of an angle, in those of its smallest part."""
         divisor = lcm(count.denominator, self._divisors.get(atom, 1))
         times = count * divisor
@@ -762,7 +771,7 @@ class World:
         long = self.root(self.reduced(CONSTANT(1) + x * x))
         return CONSTANT(1) / long, x / long
 
-    def _acute_angle_of(self, x: Quotient) -> Any:
+    def _acute_angle_of(self, x: Quotient) -> AngleKey | None:
         """The angle of which an expression is the sine, where that is acute; None without one."""
         keys = self.keys(x.above)
         if len(keys) != 1:
@@ -823,7 +832,7 @@ class World:
             )
         )
 
-    def symbol(self, key: Any, roles: Mapping[str, Role]) -> sp.Expr:
+    def symbol(self, key: Key, roles: Mapping[str, Role]) -> sp.Expr:
         """What a generator stands for, as an expression for the oracle."""
         match key:
             case ("letter", name):
@@ -842,7 +851,7 @@ class World:
                 return self._atom_in_radians(atom, roles)
         return sp.Symbol(f"q_{self._keys[key]}", real=True)
 
-    def _radians(self, key: Any, roles: Mapping[str, Role]) -> sp.Expr:
+    def _radians(self, key: AngleKey, roles: Mapping[str, Role]) -> sp.Expr:
         terms, degrees = key
         if terms and terms[0] == ():
             terms = ()
@@ -852,7 +861,7 @@ class World:
             total += sp.Rational(count.numerator, count.denominator) * angle
         return total
 
-    def _atom_in_radians(self, atom: Any, roles: Mapping[str, Role]) -> sp.Expr:
+    def _atom_in_radians(self, atom: Atom, roles: Mapping[str, Role]) -> sp.Expr:
         if isinstance(atom, Letter):
             return roles.get(atom.name, REAL).symbol(atom.name)
         if isinstance(atom, tuple):

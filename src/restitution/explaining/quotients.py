@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, lru_cache
 from math import isqrt
-from typing import Any
 
 import sympy as sp
 from sympy.polys.domains import QQ
@@ -187,7 +186,7 @@ def large(used: tuple[int, ...], polynomial: PolyElement) -> PolyElement:
     return quotient_ring().from_dict(result)
 
 
-def factors_of(polynomial: PolyElement) -> tuple[Any, list[tuple[PolyElement, int]]]:
+def factors_of(polynomial: PolyElement) -> tuple[Fraction, list[tuple[PolyElement, int]]]:
     """A number and irreducible factors with their powers."""
     used, (own,) = small(polynomial)
     if not used:
@@ -207,7 +206,7 @@ def without_common(a: PolyElement, b: PolyElement) -> tuple[PolyElement, PolyEle
 
 # The lines of a working are tried one after another, of the same quantities.
 @lru_cache(4096)
-def _factor_list(polynomial: PolyElement) -> tuple[Any, list[tuple[PolyElement, int]]]:
+def _factor_list(polynomial: PolyElement) -> tuple[Fraction, list[tuple[PolyElement, int]]]:
     number, factors = polynomial.factor_list()
     return number, factors
 

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
 
 from sympy.polys.rings import PolyElement
 
-from restitution.explaining.algebra import Value, World
+from restitution.explaining.algebra import Key, Value, World
 from restitution.explaining.quotients import CONSTANT, NotComparableError, Plane, Quotient
 from restitution.expression.tree import Expression, Quantity
 
@@ -159,7 +158,7 @@ class Rules:
         return value
 
 
-def _is_time(key: Any) -> bool:
+def _is_time(key: Key) -> bool:
     """Whether a generator is the time of an event."""
     match key:
         case ("quantity", Quantity("time", (), int())):

@@ -8,9 +8,11 @@ import random
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, islice, product
-from typing import Any, Protocol
+from typing import Protocol
 
-from restitution.explaining.algebra import World
+from sympy.polys.rings import PolyElement
+
+from restitution.explaining.algebra import AngleKey, Atom, Key, World
 from restitution.explaining.derivation import (
     Derivation,
     Link,
@@ -47,6 +49,10 @@ _PIVOTS = 4
 
 NEAREST = 8
 """So many lines above are taken in twos."""
+
+
+Levels = tuple[Quotient | None, Quotient | None]
+"""A line as residuals: with the data put in, and with what is given too."""
 
 
 @dataclass(frozen=True)
@@ -117,7 +123,7 @@ class Numbers:
             value = value.x + value.y * _SKEW
         return None if value.vanishes else value
 
-    def residual(self, link: Link) -> tuple[Quotient | None, Quotient | None] | None:
+    def residual(self, link: Link) -> Levels | None:
         """A line as residuals: with the data put in, and with what is given too."""
         own = self._residual(0, link), self._residual(1, link)
         return None if own == (None, None) else own
@@ -158,22 +164,23 @@ class Numbers:
             if len(numbers) == 1 and monomial[numbers[0]] == 1 and own.above.LC == 1:
                 yield numbers[0], value
 
-    def single(self, own: Any) -> Iterator[_Source]:
+    def single(self, own: Levels) -> Iterator[_Source]:
         """The laws, then the lines, that vanish where the line does: the newest lines first."""
         for values in (False, True):
             for level in (0, 1):
-                if own[level] is None:
+                there = own[level]
+                if there is None:
                     continue
                 sources = self.sources[level]
                 laws = [each for each in sources if each.move is not None]
                 lines = [each for each in reversed(sources) if each.move is None]
                 for source in (*lines, *laws):
-                    if self._agree(level, own[level], [source], values):
+                    if self._agree(level, there, [source], values):
                         yield source
 
-    def pairs(self, own: Any) -> Iterator[tuple[_Source, _Source]]:
+    def pairs(self, own: Levels) -> Iterator[tuple[_Source, _Source]]:
         """Two lines, a line and a law, or two laws: the line vanishes where both of them do."""
-        level = 0 if own[0] is not None else 1
+        level, there = _first(own)
         sources = self.sources[level]
         lines = [source for source in reversed(sources) if source.move is None][:NEAREST]
         # Which sign a ratio of components has, only the follower decides.
@@ -184,23 +191,23 @@ class Numbers:
             *product(lines, laws),
             *combinations(principles, 2),
         ):
-            if self._agree(level, own[level], [first, second], False):
+            if self._agree(level, there, [first, second], False):
                 yield first, second
 
-    def follows_from_both(self, own: Any, first: _Source, second: _Source) -> bool:
+    def follows_from_both(self, own: Levels, first: _Source, second: _Source) -> bool:
         """Whether a line is zero, exactly, where two others are: one put into both."""
-        level = 0 if own[0] is not None else 1
+        level, there = _first(own)
         step = self.steps[level]
-        shared = sorted(
-            _linear(step.world, first.value) & _linear(step.world, own[level])
-        ) or sorted(_linear(step.world, first.value))
+        shared = sorted(_linear(step.world, first.value) & _linear(step.world, there)) or sorted(
+            _linear(step.world, first.value)
+        )
         for number in shared:
             if step.signs.of(_slope(first.value, number), sure=False) is None:
                 continue
             value = _solved_for(first.value, number)
             rules = Rules(step.world, [(number, 1, value)])
             try:
-                line, other = (rules.put_into(each) for each in (own[level], second.value))
+                line, other = (rules.put_into(each) for each in (there, second.value))
             except NotComparableError:
                 continue
             assert isinstance(line, Quotient)
@@ -252,7 +259,7 @@ class Numbers:
         return bool(rest != own.above) or roots
 
     def _pivots(
-        self, world: World, own: Quotient, sources: Sequence[_Source], known: dict[int, Any]
+        self, world: World, own: Quotient, sources: Sequence[_Source], known: dict[int, Quotient]
     ) -> Iterator[tuple[int, ...]]:
         """A generator for each source to be solved for, those of the line first."""
         in_line = set(world.keys(own.above))
@@ -329,8 +336,8 @@ class _Sample:
 
     def __init__(self, random_: random.Random) -> None:
         self.random = random_
-        self.atoms: dict[Any, float] = {}
-        self.values: dict[Any, complex] = {}
+        self.atoms: dict[Atom, float] = {}
+        self.values: dict[Key, complex] = {}
 
     def agrees(
         self,
@@ -375,12 +382,12 @@ class _Sample:
         own = {n: self._known(world, n, known, depth + 1) for n in world.keys(x.above, x.below)}
         return _at(x.above, own)[0] / _at(x.below, own)[0]
 
-    def _value(self, world: World, key: Any) -> complex:
+    def _value(self, world: World, key: Key) -> complex:
         if key not in self.values:
             self.values[key] = self._new(world, key)
         return self.values[key]
 
-    def _new(self, world: World, key: Any) -> complex:
+    def _new(self, world: World, key: Key) -> complex:
         match key:
             case ("cos", turn):
                 return math.cos(self._angle(turn))
@@ -398,7 +405,7 @@ class _Sample:
                 return self._atom(atom)
         return self.random.uniform(0.7, 4)
 
-    def _angle(self, turn: Any) -> float:
+    def _angle(self, turn: AngleKey) -> float:
         terms, degrees = turn
         total = float(degrees) * math.pi / 180
         for term in terms:
@@ -407,13 +414,21 @@ class _Sample:
                 total += float(count) * self._atom(atom)
         return total
 
-    def _atom(self, atom: Any) -> float:
+    def _atom(self, atom: Atom) -> float:
         if atom not in self.atoms:
             self.atoms[atom] = self.random.uniform(0.2, 1.3)
         return self.atoms[atom]
 
 
-def _at(polynomial: Any, point: dict[int, complex]) -> tuple[complex, float]:
+def _first(own: Levels) -> tuple[int, Quotient]:
+    """A line with the data put in, or else with what is given too, and which of these it is."""
+    level = 0 if own[0] is not None else 1
+    there = own[level]
+    assert there is not None
+    return level, there
+
+
+def _at(polynomial: PolyElement, point: dict[int, complex]) -> tuple[complex, float]:
     """The value of a polynomial, and the size of its greatest term."""
     total, size = 0j, 0.0
     for powers, coefficient in polynomial.items():

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Literal
 
 from sympy import Rational, pi
 from sympy.polys.rings import PolyElement
 
-from restitution.explaining.algebra import World
+from restitution.explaining.algebra import AngleKey, Key, World
 from restitution.explaining.quotients import Quotient, factors_of, without_common
 from restitution.oracle import Oracle, Relation, joined, letters_of
 from restitution.oracle.roles import REAL
@@ -97,7 +97,7 @@ class Signs:
             return 1 if total == {1} else -1
         return None
 
-    def _of_key(self, key: Any) -> Literal["+", "0+"] | None:
+    def _of_key(self, key: Key) -> Literal["+", "0+"] | None:
         match key:
             case ("letter", name):
                 role = self.oracle().roles.get(name, REAL)
@@ -112,7 +112,7 @@ class Signs:
                 return "+"
         return None
 
-    def _of_turn(self, turn: Any) -> Literal["+"] | None:
+    def _of_turn(self, turn: AngleKey) -> Literal["+"] | None:
         terms, degrees = turn
         if terms and terms[0] == ():
             return "+"  # a plain angle, below 45°

@@ -10,7 +10,7 @@ from typing import Any, TypeGuard
 
 import sympy as sp
 
-from restitution.explaining.algebra import Value, World
+from restitution.explaining.algebra import Identity, Value, World
 from restitution.explaining.derivation import Event, Link, Meaning, Move, Relation, whole_of
 from restitution.explaining.notation import read_tree
 from restitution.explaining.quotients import CONSTANT, NotComparableError, Plane, Quotient
@@ -229,7 +229,7 @@ class Step:
     cited: tuple[Cited, ...]
     known: tuple[Known, ...]
     opaque: frozenset[Expression] = frozenset()
-    identities: frozenset[Any] = frozenset()
+    identities: frozenset[Identity] = frozenset()
 
     # --- the world of what is cited -------------------------------------------------------------
 

@@ -10,13 +10,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, pairwise, permutations
-from typing import Any, Literal
+from typing import Literal
 
 from restitution.explaining.derivation import (
     Derivation,
     Link,
     Meaning,
     Move,
+    MoveId,
     Ref,
     Relation,
     whole_of,
@@ -27,7 +28,7 @@ from restitution.explaining.principles import RECORDS, Record
 from restitution.explaining.quotients import (
     NotComparableError,
 )
-from restitution.explaining.samples_of_lines import NEAREST, Numbers
+from restitution.explaining.samples_of_lines import NEAREST, Levels, Numbers
 from restitution.explaining.step import Cited, Known, Step, is_direction
 from restitution.explaining.trees import trees_of
 from restitution.explaining.trials import known_of_letters, setting_of
@@ -280,7 +281,7 @@ class Tracer:
             for record in (RECORDS[name] for name in names):
                 if record.kind == "identity" or not record.serves(event):
                     continue
-                kind: Any = "law" if record.kind == "principle" else "define"
+                kind: MoveId = "law" if record.kind == "principle" else "define"
                 for bodies in self._bodies(record, event.bodies):
                     move = Move(kind, record.id, event.number, bodies)
                     step = Step(self.setting, move, tuple(self.facts), ())
@@ -305,7 +306,7 @@ class Tracer:
         return permutations(spheres, 2) if both and len(spheres) > 1 else [(x,) for x in spheres]
 
     def _by_numbers(
-        self, relation: Relation, attempt: Callable[[Numbers, Any, Relation], Trace | None]
+        self, relation: Relation, attempt: Callable[[Numbers, Levels, Relation], Trace | None]
     ) -> Trace | None:
         if len(relation.only) != 1:
             return None
@@ -316,7 +317,7 @@ class Tracer:
                 return traced
         return None
 
-    def _from_single(self, numbers: Numbers, own: Any, relation: Relation) -> Trace | None:
+    def _from_single(self, numbers: Numbers, own: Levels, relation: Relation) -> Trace | None:
         """One law, or one line above."""
         for source in numbers.single(own):
             traced = (
@@ -328,7 +329,7 @@ class Tracer:
                 return traced
         return None
 
-    def _from_several(self, numbers: Numbers, own: Any, relation: Relation) -> Trace | None:
+    def _from_several(self, numbers: Numbers, own: Levels, relation: Relation) -> Trace | None:
         """Two lines above, or a law together with a line: the latter is a composition."""
         for first, second in numbers.pairs(own):
             if first.move is None and second.move is None:

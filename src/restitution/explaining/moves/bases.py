@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Any
 
 import sympy as sp
 
 from restitution.explaining import derivation
-from restitution.explaining.algebra import Value
+from restitution.explaining.algebra import Identity, Value
 from restitution.explaining.derivation import Link, Meaning, Relation, Sign, whole_of
 from restitution.explaining.quotients import CONSTANT, NotComparableError, Plane, Quotient
 from restitution.explaining.rules import Rules
@@ -19,8 +18,8 @@ from restitution.expression.tree import (
 from restitution.oracle import Oracle
 from restitution.oracle import Relation as Claim
 
-FLIPPED: Mapping[str, str] = {**derivation.FLIPPED, "=": "=", "!=": "!="}
-IDENTITIES: Mapping[str, frozenset[Any]] = {
+FLIPPED: Mapping[str, Sign] = {**derivation.FLIPPED, "=": "=", "!=": "!="}
+IDENTITIES: Mapping[str, frozenset[Identity]] = {
     "pythagoras": frozenset({"pythagoras"}),
     "double-angle": frozenset({"double-angle"}),
     "half-angle": frozenset({"half-angle"}),

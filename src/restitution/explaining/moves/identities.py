@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
-
+from restitution.explaining.algebra import Identity
 from restitution.explaining.derivation import Link
 from restitution.explaining.moves.angles import RATIOS
 from restitution.explaining.moves.bases import (
@@ -51,7 +50,7 @@ def is_identity(step: Step, line: Link) -> bool:
     )
 
 
-def _is_instance(step: Step, line: Link, names: frozenset[Any]) -> bool:
+def _is_instance(step: Step, line: Link, names: frozenset[Identity]) -> bool:
     """Whether a line is the identity itself, for its angles, or for what letters stand for."""
     if line.sign != "=":
         return False

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
 
-from restitution.explaining.derivation import Link, Meaning, Relation
+from restitution.explaining.derivation import Link, Meaning, Relation, Sign
 from restitution.explaining.moves.bases import FLIPPED, equal_in
 from restitution.explaining.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.step import Cited, Step
@@ -144,7 +142,7 @@ def between_tangents(step: Step, relation: Relation) -> bool:
 
 def _turned(link: Link) -> Link:
     """A link with its sides exchanged."""
-    sign: Any = FLIPPED.get(link.sign, link.sign)
+    sign: Sign = FLIPPED.get(link.sign, link.sign)
     return Link(link.right, sign, link.left)
 
 
