@@ -6,7 +6,12 @@ from functools import cache
 
 import pytest
 
+from restitution.explaining.derivation import Derivation, Line, Move
+from restitution.explaining.facts import events_of, facts_of
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import read_meaning, read_relation
 from restitution.language import parse
+from restitution.oracle import Oracle
 from restitution.solving import solve
 from restitution.workings import explain, to_text
 
@@ -140,6 +145,33 @@ given time(1) = 2, impulse = 6
 find u, velocity(P)
 """
 
+SAME_TO_THE_WALL = """
+wall W: along i
+sphere P: mass 0.5, velocity 6i - 8j
+P hits W: e = 1/2
+find direction(P), angle(velocity(P), W)
+"""
+SAME_TO_THE_AXIS = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass M, at rest
+A hits B: along i
+find tan(direction(A))
+find tan(deflection(A))
+"""
+SAME_TO_THE_LINE = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, at rest
+A hits B: along i, e = 1/3
+find range of angle(velocity(A), velocity(B)) in terms of u
+find maximum of deflection(A) over alpha
+"""
+FROM_BELOW = """
+wall W: along i
+sphere P: mass 1, velocity {}6i + 8j
+P hits W: e = 1/2
+find direction(P), angle(velocity(P), W)
+"""
+
 
 @cache
 def working(text: str) -> str:
@@ -188,6 +220,51 @@ def test_angles_of_one_tangent_are_one_angle() -> None:
     for each in ("β = α", "θ = α", "φ = α", "α + α = 90° − α", "α = 30°"):
         assert each in text
     assert "tan²α" not in text
+
+
+def test_an_angle_that_is_known_by_another_name_is_that() -> None:
+    text = working(SAME_TO_THE_WALL)
+    assert "W is along 𝐢, so it is the same angle: β = θ" in text
+    assert text.count("4/6") == 1
+    text = working(SAME_TO_THE_AXIS)
+    assert "along 𝐣 is not negative, so it is the same angle: β = θ" in text
+    assert text.count("u sin α/(") == 1
+    text = working(SAME_TO_THE_LINE)
+    assert "B moves along the line of centres: θ = β" in text
+    assert text.count("u sin α/(") == 1
+
+
+@pytest.mark.parametrize(
+    ("sign", "right"), [("", "-theta"), ("-", "180° + theta"), ("", None), ("-", None)]
+)
+def test_an_angle_to_a_wall_by_a_direction_has_its_sign(sign: str, right: str | None) -> None:
+    """Below **i** the angle to a wall along **i** is not the direction, but what goes with it."""
+    problem = parse(FROM_BELOW.format(sign))
+    facts, events = facts_of(problem), events_of(problem)
+    names = {"P": "sphere", "W": "wall"}
+    x = "-6" if sign else "6"
+    below = [
+        ("law", "unchanged", f"along(velocity(P, 1), i) = {x}", ("velocity P", "axis 1")),
+        (
+            "law",
+            "restitution-wall",
+            "along(velocity(P, 1), j) = -4",
+            ("velocity P", "axis 1", "e 1"),
+        ),
+    ]
+    lines = [
+        Line(1, "1", Move("let"), (), read_meaning("let theta = direction(P, 1)", names)),
+        Line(2, "1", Move("let"), (), read_meaning("let beta = angle(velocity(P, 1), W)", names)),
+    ]
+    for number, (move, record, relation, refs) in enumerate(below, 3):
+        own = Move(move, record, 1, ("P",))  # type: ignore[arg-type]
+        lines.append(Line(number, "1", own, refs, read_relation(relation, names)))
+    claim = read_relation(f"beta = {right or 'theta'}", names)
+    move = Move("define", "difference", 1, ("P",))
+    lines.append(Line(5, "1", move, ("wall W", 1, 2, 3, 4), claim))
+    whole = Derivation(facts, tuple(lines), (), events)
+    refused = {e.line for e in follow(whole, Oracle({})) if e.reason == "does-not-follow"}
+    assert refused == (set() if right else {5})
 
 
 # --- unit vectors --------------------------------------------------------------------------------

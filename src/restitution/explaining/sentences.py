@@ -268,6 +268,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{body} turns through the difference of the angles that its velocities make with {axis}:"
     ),
     "between.line": "{body} moves along the line of centres:",
+    "same.angle": (
+        "The component of {velocity} along {axis} is not negative, so it is the same angle:"
+    ),
+    "same.wall": "{wall} is along {axis}, so it is the same angle:",
     "between.opposite-sides": (
         "{bodies:and} move to opposite sides of the line of centres, the same way along it:"
     ),

@@ -36,6 +36,7 @@ def turnings(step: Step, event: Event | None) -> Iterator[Link]:
             pairs = [((first, each), (second, each)) for each in (before, after)]
         case _:
             return
+    yield from _by_directions(step, event)
     for one, other in pairs:
         velocities = [Quantity("velocity", (Name(body),), stage) for body, stage in (one, other)]
         subjects = [Quantity("angle", tuple(pair)) for pair in (velocities, velocities[::-1])]
@@ -100,6 +101,49 @@ def _from_a_unit(step: Step, event: Event, one: Moving, other: Moving) -> Expres
         for body, stage in (one, other)
     )
     return Binary("-", late, early) if falls == sense else Binary("-", early, late)
+
+
+def _by_directions(step: Step, event: Event) -> Iterator[Link]:
+    """The angle of a velocity to **i**, or to a wall along **i**, by its direction from **i**.
+
+    On which side of **i** it lies tells the sign, and which way it goes along a wall whether the
+    angle is taken from 180°.
+    """
+    for let in step.lets:
+        match let.quantity:
+            case Quantity("angle", (Quantity("velocity", (Name() as body,), stage), line)):
+                pass
+            case _:
+                continue
+        if stage not in (event.number - 1, event.number) or body.name not in step.move.bodies:
+            continue
+        x, y = (_in_the_plane(step, body, stage, axis) for axis in "ij")
+        up = None if y is None else _sign(step, y)
+        if up is None:
+            continue
+        direction: Expression = Quantity("direction", (body,), stage)
+        size = direction if up == 1 else Negate(direction)
+        if line == Unit("i"):
+            yield Link(let.quantity, "=", size)
+        elif isinstance(line, Name) and _is_along_i(step, line):
+            onward = None if x is None else _sign(step, x)
+            if onward is not None:
+                angle = size if onward == 1 else Binary("-", _STRAIGHT, size)
+                yield Link(let.quantity, "=", angle)
+
+
+def _in_the_plane(step: Step, body: Name, stage: int, axis: str) -> Quotient | None:
+    """A component along **i** or **j**, with what is cited put in."""
+    tree = Quantity("along", (Quantity("velocity", (body,), stage), Unit(axis)))  # type: ignore[arg-type]
+    value = step.world.value(settled(tree, step.setting.events))
+    known = step.rules().put_into(value)
+    return None if isinstance(known, Plane) or known == value else step.world.reduced(known)
+
+
+def _is_along_i(step: Step, wall: Name) -> bool:
+    """Whether a wall that is cited is along **i**."""
+    own = step.world.directions.get(Quantity("direction", (wall,)))
+    return (own.operand if isinstance(own, Negate) else own) == Unit("i")
 
 
 def _axis(event: Event) -> Quantity:

@@ -21,6 +21,7 @@ from restitution.planning.desk import chain, together
 from restitution.planning.forms import in_tangents, swept, tree_of
 from restitution.planning.formulas import Formula
 from restitution.planning.premises import background
+from restitution.planning.same_angles import tangent_by_the_same, write_same_angle
 from restitution.planning.scene import Scene
 
 ANGLES = {
@@ -109,6 +110,10 @@ def tangent_line(scene: Scene, asked: Quantity, own: Formula, move: Move) -> tup
     standing = _tangent_with_values(scene, subject, own)
     if standing is not None:
         return standing, letter
+    same = write_same_angle(scene, asked, letter, meaning)
+    known = None if same is None else tangent_by_the_same(scene, letter, same)
+    if known is not None:
+        return known, letter
     return ratio_line(scene, move, refs, subject, own.right, own.value), letter
 
 

@@ -49,6 +49,7 @@ from restitution.planning.named_angles import (
 from restitution.planning.polynomials import expanded
 from restitution.planning.premises import background, nonzero, sign_known
 from restitution.planning.quantities import formula
+from restitution.planning.same_angles import angle_by_the_same, write_same_angle
 from restitution.planning.scalar_angles import is_long, write_cosine, write_right_angle
 from restitution.planning.scene import Scene
 from restitution.planning.turn_lines import inverse_of_data, write_turn, write_turn_tangent
@@ -118,10 +119,23 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
     if asked.kind == "direction":
         line = _along_the_centres(scene, asked) or _along_an_axis(scene, asked)
     if line is None:
+        line = _same_angle(scene, asked)
+    if line is None:
         own = _by_a_known_ratio(scene, asked) or _ratio(scene, asked)
         line = own if isinstance(own, int) else _by_inverse(scene, own)
     scene.desk.know(asked, scene.scalar(scene.desk.last_link(line).right), (line,))
     return line
+
+
+def _same_angle(scene: Scene, asked: Quantity) -> int | None:
+    """The line that an angle is one that is known already; None where it is none."""
+    mark = scene.desk.mark()
+    letter, meaning = letter_of(scene, asked)
+    line = write_same_angle(scene, asked, letter, meaning)
+    value = None if line is None else angle_by_the_same(scene, line)
+    if line is None or value is None:
+        scene.desk.back(mark)
+    return value
 
 
 def _by_its_letter(scene: Scene, asked: Quantity) -> Source | None:

@@ -521,6 +521,9 @@ class Leads:
         if isinstance(first.left, Quantity) and first.left.kind == "energy_lost":
             return None
         body = line.move.bodies[0]
+        same = self._same(first)
+        if same is not None:
+            return same
         if event.wall:
             name = "turned-wall.sum"
             if line.move.record == "difference":
@@ -546,6 +549,39 @@ class Leads:
             name = "turned.square" if self._ends_square(line) else "turned.from-square"
             return say(name, body=body)
         return say(_TURNED[form], body=body) if form in _TURNED else None
+
+    def _same(self, link: Link) -> Sentence | None:
+        """That an angle to a wall, or to an axis, is the one from **i** that has a letter."""
+        angles = [
+            meaning.quantity
+            for side in (link.left, link.right)
+            for each in walk(side)
+            if isinstance(each, Letter) and (meaning := self._naming.meanings.get(each.name))
+        ]
+        match angles:
+            case [one, other] if "direction" in (_kind_of(one), _kind_of(other)):
+                pass
+            case _:
+                return None
+        walls = [
+            side
+            for each in angles
+            if isinstance(each, Quantity) and each.kind == "angle"
+            for side in each.arguments
+            if isinstance(side, Name)
+        ]
+        moving = [
+            side
+            for each in angles
+            for side in (each.arguments if isinstance(each, Quantity) else ())
+            if isinstance(side, Quantity)
+        ]
+        if not walls and moving:
+            velocity, axis = (self._naming.layout(e) for e in (moving[0], Unit("j")))
+            return say("same.angle", velocity=velocity, axis=axis)
+        if not walls:
+            return None
+        return say("same.wall", wall=walls[0].name, axis=self._naming.layout(Unit("i")))
 
     def _form_of(self, link: Link) -> str:
         """How an angle is made of two to the line of centres, of which a line may give one."""
@@ -958,6 +994,10 @@ def _is_rest(fact: Fact) -> bool:
         case Pair(x, y):
             return is_zero(x) and is_zero(y)
     return False
+
+
+def _kind_of(angle: Expression) -> str:
+    return angle.kind if isinstance(angle, Quantity) else ""
 
 
 def _form_of(angle: Expression) -> str:
