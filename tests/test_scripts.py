@@ -66,7 +66,14 @@ VERDICTS = {"true", "follows", "false", "asks", "unread", "remark", "unsupported
 
 @pytest.mark.parametrize(
     ("folder", "number", "correct"),
-    [("fourth", 30, 14), ("fourth-sealed", 30, 14), ("fifth", 23, 12), ("fifth-sealed", 24, 12)],
+    [
+        ("fourth", 30, 14),
+        ("fourth-sealed", 30, 14),
+        ("fifth", 23, 12),
+        ("fifth-sealed", 24, 12),
+        ("sixth", 30, 15),
+        ("sixth-sealed", 30, 15),
+    ],
 )
 def test_the_scripts_of_a_set_are_well_formed(folder: str, number: int, correct: int) -> None:
     scripts = scripts_of(SCRIPTS / folder)
