@@ -100,3 +100,35 @@ def test_most_mistakes_have_their_name() -> None:
         if name is not None
     ]
     assert sum(name == judged for name, judged in pairs) >= 0.9 * len(pairs)
+
+
+UNLIKE = """
+wall W: along i
+sphere P: mass 1/2, velocity 3i - 4j
+P hits W: e = 1/2
+find impulse
+"""
+
+
+@pytest.mark.parametrize("middle", ["0.5(v - u)", "0.5((3i + 2j) - (3i - 4j))", "3j"])
+@pytest.mark.parametrize("size", ["0.5(4 + 2)", "0.5 x 6 = 3", "0.5(2 - -4) = 3 N s"])
+def test_a_number_behind_a_vector_is_that_of_the_start_of_their_chain(
+    middle: str, size: str
+) -> None:
+    assert of_chain(middle, size) == "true"
+
+
+@pytest.mark.parametrize("size", ["0.5(4 - 2)", "0.5 x 4 = 2", "3.5"])
+def test_a_number_behind_a_vector_is_no_mistake_by_the_start_of_their_chain(size: str) -> None:
+    """What is neither the size nor anything else that can be compared is not judged."""
+    assert of_chain("0.5((3i + 2j) - (3i - 4j))", size) == "unread"
+    assert of_chain("3j", size) == "unread"
+    # Speeds may be meant by v and u: that is compared, and is not so.
+    assert of_chain("0.5(v - u)", size) == "false"
+
+
+def of_chain(middle: str, size: str) -> str:
+    """The verdict on an impulse that is worked out by a vector, and then given its size."""
+    letters = {"v": "velocity(P)", "u": "velocity(P, 0)", "I": "impulse"}
+    (line,) = Trial(UNLIKE, size, letters, ((f"I = {middle} = {size}", "", None),)).judged().lines
+    return line.verdict

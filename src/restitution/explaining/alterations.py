@@ -572,6 +572,17 @@ def _square_not_taken() -> Iterator[_Plain]:
             )
 
 
+def _relative_speeds() -> Iterator[_Plain]:
+    """The size of the relative velocity, in both directions: lines, of which no world is made."""
+    before = f"sqrt(({_p('F')} - {_p('S')})^2 + ({_s('F')} - {_s('S')})^2)"
+    after = f"sqrt(({_q('F')} - {_q('S')})^2 + ({_r('F')} - {_r('S')})^2)"
+    yield _world(
+        "spheres",
+        AlteredLaw("restitution", f"{after} = restitution(1) {before}"),
+        words="the relative speed after = e × the relative speed before",
+    )
+
+
 _MAKERS: Mapping[str, Callable[[], Iterator[_Plain]]] = {
     "deflection-is-after": _deflection_is_after,
     "deflection-difference": _deflection_difference,
@@ -601,7 +612,10 @@ _MAKERS: Mapping[str, Callable[[], Iterator[_Plain]]] = {
     "second-wall-angle": _second_wall_angle,
 }
 # Lines of these are known, and no world.
-_OF_LINES: Mapping[str, Callable[[], Iterator[_Plain]]] = {"speed-for-component": _speeds_after}
+_OF_LINES: Mapping[str, Callable[[], Iterator[_Plain]]] = {
+    "speed-for-component": _speeds_after,
+    "restitution-whole-speed": _relative_speeds,
+}
 
 
 def alterations_of(mistake: str) -> tuple[Alteration, ...]:

@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Name,
     Negate,
     Number,
     Quantity,
@@ -38,8 +39,9 @@ from restitution.practice.letters.candidates import Candidate, candidates
 from restitution.practice.reading.lines import text_of
 from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees, difference, numbers_of
+from restitution.practice.worlds.arrays import Array
 from restitution.practice.worlds.world import World
-from restitution.problem import Compare, Given, Problem
+from restitution.problem import Compare, Given, Impact, Problem
 from restitution.vector import Vector
 
 # A sign that is turned undoes these, and so is no slip beside them.
@@ -72,6 +74,7 @@ _BEFORE_AT_A_WALL: Mapping[str, set[str]] = {
 }
 _BEFORE_OF_SPHERES: Mapping[str, set[str]] = {"restitution-parallel": {"across-changed"}}
 _TRIED = 6
+_TWO = Number(Fraction(2))
 _CLOSE, _TINY = 0.03, 1e-6
 NO_NAME = Mistake(None)
 Stated = frozenset[tuple[str, int | None]]
@@ -125,6 +128,7 @@ class Names:
         events = events_of(problem)
         self.variants = tuple(each for event in events for each in variants_at(event, events))
         self._familiar: dict[int, tuple[float, ...]] = {}
+        self._varying: dict[int, tuple[Array, ...]] = {}
 
     def explained(self, entry: Entry, judge: JudgedSoFar) -> Explained:
         """What explains a claim that is false."""
@@ -186,6 +190,8 @@ class Names:
         if self._is_of_impulse(entry):
             # 3 = 0.5(4 - 4e): the sign is lost in the change of momentum, not in a law.
             by_states = [each for each in by_states if "impulse" in _kinds(each)]
+        if _is_coefficient(entry):
+            by_states = [each for each in by_states if _replaces(each, "restitution")]
         if _is_of_energy(entry):
             # The values of two mistakes may be one: a line of energy has a mistake of energy.
             by_states = [each for each in by_states if _kinds(each) & _OF_ENERGY - {"speed"}]
@@ -196,6 +202,8 @@ class Names:
             return ()
         blocking = [each for each in mended if not self._is_familiar(each, entry, judge)]
         variants = list(self._results(entry, judge)) or list(self._worlds(entry, judge))
+        if _is_coefficient(entry):
+            variants = [each for each in variants if _replaces(each, "restitution")]
         return tuple(dict.fromkeys(each for each in variants if _stands(each, blocking)))
 
     def _is_of_impulse(self, entry: Entry) -> bool:
@@ -263,10 +271,35 @@ class Names:
         part = correction.part
         if not isinstance(part, Number | Degrees):
             return correction.change == "factor"
+        if self._is_in_a_quantity(part, entry, judge):
+            return True
         value = float(part.value)
         if _in_datum(part, entry, numbers_of(self.problem)):
             return True
         return any(abs(value - each) <= 0.005 * abs(each) for each in self._values(judge))
+
+    def _is_in_a_quantity(self, part: Expression, entry: Entry, judge: JudgedSoFar) -> bool:
+        """Whether a number stands in a term, with letters, that a quantity of the story is worth.
+
+        What is right in a line is not where its slip is.
+        """
+        terms = [
+            each
+            for side in (entry.claim.left, entry.claim.right)
+            for each in walk(side)
+            if each != side and isinstance(each, Binary) and part in walk(each)
+        ]
+        worth = self._sizes(judge.base) if terms else ()
+        return any(_is_worth(each, entry, judge.base, worth) for each in terms)
+
+    def _sizes(self, world: World) -> tuple[Array, ...]:
+        """The sizes of the components and speeds of the story that differ between samples."""
+        if world.solution not in self._varying:
+            kinds = ("along", "across", "speed")
+            trees = (each.quantity for each in candidates(self.problem, world.part))
+            found = [_spread(x, world) for x in trees if getattr(x, "kind", "") in kinds]
+            self._varying[world.solution] = tuple(x for x in found if x is not None)
+        return self._varying[world.solution]
 
     def _values(self, judge: JudgedSoFar) -> tuple[float, ...]:
         """The numbers of the story: those of the statement, and its quantities."""
@@ -291,6 +324,24 @@ def _numbers_in(world: World, tree: Expression) -> Iterator[float]:
     numbers = np.abs(world.spread(value.measure() if isinstance(value, Angle) else value))
     if np.ptp(numbers) < 1e-9 * (1 + numbers[0]):
         yield float(np.degrees(numbers[0]) if angular else numbers[0])
+
+
+def _spread(tree: Expression, world: World) -> Array | None:
+    """The size of a component in every sample, where these differ and none is zero."""
+    try:
+        size = np.abs(world.spread(world.scalar(tree)))
+    except RestitutionError:
+        return None
+    return size if size.min() > 0 and np.ptp(size) > _TINY * size.max() else None
+
+
+def _is_worth(tree: Expression, entry: Entry, world: World, sizes: Iterable[Array]) -> bool:
+    """Whether a term has the size of one of some quantities, to three figures."""
+    try:
+        size = np.abs(world.spread(world.scalar(tree, entry.meanings, scope=entry.scope)))
+    except RestitutionError:
+        return False
+    return any(bool(np.all(np.abs(size - each) <= 0.005 * each)) for each in sizes)
 
 
 def _in_datum(part: Expression, entry: Entry, data: Collection[Fraction]) -> bool:
@@ -328,6 +379,10 @@ def _plainly(entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction]) -> 
         return None
     if _is_other_component(entry, judge.base):
         return "sine-cosine"
+    if _is_speed_by_energies(entry, judge.base):
+        return "energy-ratio-as-speed"
+    if _is_ratio_of_relative_speeds(entry, judge.base):
+        return "restitution-whole-speed"
     changes = {each.change for each in mended}
     squares = "square" in changes and changes <= {"square", "power", "figure", "factor"}
     above = (each for each in judge.entries if each.claim.left == entry.claim.left)
@@ -352,6 +407,39 @@ def _is_other_component(entry: Entry, world: World) -> bool:
     size = Apply("abs", replace(meant, kind=other))
     claim = replace(entry.claim, left=size, right=Apply("abs", entry.claim.right))
     return _holds(replace(entry, claim=claim), world)
+
+
+def _is_speed_by_energies(entry: Entry, world: World) -> bool:
+    """Whether a speed is that before in the ratio of the energies: V = kU where V² = kU²."""
+    left = entry.claim.left
+    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+    if not isinstance(meant, Quantity) or meant.kind != "speed":
+        return False
+    number = len(world.events) if meant.stage is None else meant.stage
+    for stage in range(number) if isinstance(number, int) else ():
+        square, before = Binary("^", meant, _TWO), replace(meant, stage=stage)
+        claim = replace(entry.claim, left=square, right=Binary("*", entry.claim.right, before))
+        if _holds(replace(entry, claim=claim), world):
+            return True
+    return False
+
+
+def _is_ratio_of_relative_speeds(entry: Entry, world: World) -> bool:
+    """Whether a coefficient of restitution is that of the sizes of the relative velocities."""
+    if not _is_coefficient(entry):
+        return False
+    for number, step in enumerate(world.events, 1):
+        if not isinstance(step, Impact) or step.second in world.walls:
+            continue
+        after, before = (
+            Apply("abs", Binary("-", *(Quantity("velocity", (Name(x),), stage) for x in pair)))
+            for pair in ((step.first, step.second),)
+            for stage in (number, number - 1)
+        )
+        claim = replace(entry.claim, left=Binary("/", after, before))
+        if _holds(replace(entry, claim=claim), world):
+            return True
+    return False
 
 
 def _near(
@@ -421,6 +509,24 @@ def _is_of_energy(entry: Entry) -> bool:
             if any(isinstance(part, Quantity) and "energy" in part.kind for part in walk(meant)):
                 return True
     return False
+
+
+def _is_coefficient(entry: Entry) -> bool:
+    """Whether a claim gives a coefficient of restitution a number: e = 3/4."""
+    left = entry.claim.left
+    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+    named = isinstance(left, Letter) and left.name == "e" and meant == left
+    named = named or (isinstance(meant, Quantity) and meant.kind == "restitution")
+    numbers = {Letter, Quantity}.isdisjoint(map(type, walk(entry.claim.right)))
+    trigonometric = any(
+        isinstance(x, Apply) and x.function != "sqrt" for x in walk(entry.claim.right)
+    )
+    return named and numbers and not trigonometric
+
+
+def _replaces(variant: VariantAt, law: str) -> bool:
+    """Whether a variant has another law in place of one."""
+    return any(each.law == law for each in variant.laws)
 
 
 def _is_sum_of_angles(entry: Entry) -> bool:

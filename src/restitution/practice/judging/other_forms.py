@@ -92,7 +92,7 @@ def _of_other_nature(tree: Expression) -> Expression | None:
 
 def is_signed(tree: Expression) -> bool:
     """Whether a quantity has a sense that may be turned."""
-    return isinstance(tree, Quantity) and tree.kind in ("along", "across")
+    return isinstance(tree, Quantity) and tree.kind in ("along", "across", "direction")
 
 
 def times_sizes(senses: Sequence[Expression], side: Expression) -> Iterator[Expression]:

@@ -1,6 +1,6 @@
-"""Numbers that a student worked out wrongly and goes on with.
+"""Numbers, and terms with letters, that a student worked out wrongly and goes on with.
 
-A line with such a number in it follows where it is true with what the number was worked out from.
+A line with one of these in it follows where it is true with what stands for it rightly.
 """
 
 from __future__ import annotations
@@ -44,9 +44,10 @@ class OwnNumbers:
 
     def __init__(self) -> None:
         self._known: dict[Fraction, tuple[tuple[Expression, ...], int]] = {}
+        self._terms: dict[Expression, tuple[tuple[Expression, ...], int]] = {}
 
     def __bool__(self) -> bool:
-        return bool(self._known)
+        return bool(self._known or self._terms)
 
     def note(
         self,
@@ -56,26 +57,25 @@ class OwnNumbers:
         line: int,
         others: Sequence[Expression] = (),
     ) -> None:
-        """Note that ``value``, a number, stands where ``meant`` would be right.
+        """Note that ``value``, a number or a product, stands where ``meant`` would be right.
 
         ``others`` are what a phrase that was meant may mean as well.
         """
+        if isinstance(value, Binary) and value.op in ("*", "/") and _letters_in(value) > 1:
+            own = _in_meanings(meant, meanings)
+            self._terms[value] = tuple(dict.fromkeys((own, *others)))[:_MEANT], line
         value, meant = _without_letters(*_without_root(value, meant))
         size = _size(value)
         if size is None or size in _SMALL:
             return
-        names: dict[Expression, Expression] = {
-            each: meanings[each.name]
-            for each in walk(meant)
-            if isinstance(each, Letter) and each.name in meanings
-        }
-        trees = dict.fromkeys((exchanged(meant, names), *others))
+        trees = dict.fromkeys((_in_meanings(meant, meanings), *others))
         negative = _is_negative(value)
         known = tuple(Negate(tree) if negative else tree for tree in trees)
         self._known[size] = known[:_MEANT], line
 
     def put_back(self, claim: Claim) -> Iterator[Put]:
         """A claim with what its wrong numbers stand for, and the lines that these are from."""
+        yield from self._with_terms(claim)
         sizes = {size for side in (claim.left, claim.right) for size in _sizes(side)}
         if claim.others:
             return
@@ -85,6 +85,18 @@ class OwnNumbers:
         if made:
             known = {size: (self._known[size][0], (size,)) for size in own}
             yield from self._put(claim, dict(islice({**made, **known}.items(), _MOST)))
+
+    def _with_terms(self, claim: Claim) -> Iterator[Put]:
+        """A claim with what its wrong terms with letters stand for."""
+        parts = {part for side in (claim.left, claim.right) for part in walk(side)}
+        own = [term for term in self._terms if term in parts][-_MOST:]
+        if not own or claim.others:
+            return
+        lines = tuple(dict.fromkeys(self._terms[term][1] for term in own))
+        for trees in islice(product(*(self._terms[term][0] for term in own)), _TRIED):
+            put = dict(zip(own, trees, strict=True))
+            left, right = (exchanged(side, put) for side in (claim.left, claim.right))
+            yield replace(claim, left=left, right=right), lines
 
     def _put(self, claim: Claim, meant: Mapping[Fraction, Meant]) -> Iterator[Put]:
         if not meant:
@@ -110,6 +122,21 @@ class OwnNumbers:
                 if _is_near(number, factor * size):
                     return tuple(Binary("*", Number(factor), tree) for tree in trees), (size,)
         return None
+
+
+def _in_meanings(tree: Expression, meanings: Meanings) -> Expression:
+    """A tree with what its letters mean in their places."""
+    names: dict[Expression, Expression] = {
+        each: meanings[each.name]
+        for each in walk(tree)
+        if isinstance(each, Letter) and each.name in meanings
+    }
+    return exchanged(tree, names)
+
+
+def _letters_in(tree: Expression) -> int:
+    """How many letters stand in a tree."""
+    return sum(isinstance(each, Letter) for each in walk(tree))
 
 
 def _without_root(value: Expression, meant: Expression) -> tuple[Expression, Expression]:

@@ -74,6 +74,7 @@ from restitution.practice.reading.lines import read_as
 from restitution.practice.reading.phrases import (
     is_phrase,
     is_relative,
+    is_vague,
     names_axis,
     read_phrase,
 )
@@ -580,7 +581,7 @@ class Judge:
             meanings = [
                 staged(tree, world.problem, world.part, now)
                 for tree in trees
-                if are_alike(tree, trees[0])
+                if is_vague(phrase) or are_alike(tree, trees[0])
                 for now in stages
             ]
             self._phrases[key] = tuple(dict.fromkeys(meanings))

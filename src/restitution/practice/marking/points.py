@@ -103,6 +103,7 @@ class _Examiner:
             self.states[point.id] = self._first(point)
         self._solve()
         self._imply()
+        self._imply_methods()
 
     # --- each point by itself -------------------------------------------------------------------
 
@@ -533,6 +534,25 @@ class _Examiner:
                     state, state="earned", line=own.line, why=why, implied=True
                 )
 
+    def _imply_methods(self) -> None:
+        """A value that follows earns the methods by which it was found, and that it left out.
+
+        Not those of laws: in place of one of these there may be what is wrong above.
+        """
+        for point in reversed(self.scheme.points):
+            own = self.states[point.id]
+            line = self._line(own.line)
+            if line is None or line.verdict != "follows" or point.shown:
+                continue
+            for name in point.above:
+                state = self.states[name]
+                found = state.point.letter == "M" and state.point.principle in _OF_STEPS
+                if found and state.state == "lost" and state.line is None:
+                    why = f"line {own.line} cannot be had without it"
+                    self.states[name] = replace(
+                        state, state="earned", line=own.line, why=why, implied=True
+                    )
+
     def _keep(self) -> None:
         """A slip in the line of an answer keeps the method that this line alone shows."""
         for point in self.scheme.points:
@@ -717,6 +737,9 @@ _OF_FACTS = ("angle", "deflection", "component", "speed", "fact")
 
 # What an equation of a law has in it, so that it cannot be had without them.
 _IN_EQUATIONS = ("component", "unchanged", "angle", "condition", "direction", "fact")
+
+# Methods with values that laws have given.
+_OF_STEPS = ("solve", "velocity", "speed", "angle", "direction", "component", "condition")
 
 # What a component is found by.
 _RESOLVING = ("component", "angle", "direction")

@@ -38,6 +38,7 @@ __all__ = [
     "UNNAMED_DIRECTION",
     "is_phrase",
     "is_relative",
+    "is_vague",
     "names_axis",
     "names_quantity",
     "read_phrase",
@@ -47,6 +48,7 @@ __all__ = [
 MAX_CANDIDATES = 40
 # What people compare with the start under any heading.
 _OF_THE_WHOLE = frozenset(("energy", "loss", "gain", "ratio"))
+_VAGUE = frozenset(("magnitude", "angle", "ratio"))
 _DIRECTION = re.compile(
     r"\b(along|of|to|direction)\s+((?:\(?\s*-?\s*[\d√./()\s]*[ij][\s)/\d√.+-]*){2,})", re.IGNORECASE
 )
@@ -76,6 +78,12 @@ def is_phrase(name: str) -> bool:
 def is_relative(name: str) -> bool:
     """Whether a phrase names a speed of approach or of separation, and so its moment."""
     return any(HEADS.get(word) in ("approach", "separation") for word in name.casefold().split())
+
+
+def is_vague(name: str) -> bool:
+    """Whether a phrase says what kind of value it is, and not of what: *size*, *the angle*."""
+    words = [each for each in name.casefold().split() if each != "the"]
+    return all(HEADS.get(each) in _VAGUE for each in words)
 
 
 def names_axis(name: str) -> bool:
@@ -168,6 +176,7 @@ class _Reader:
             elif "angle" in heads:
                 yield from self.angle(event)
                 yield from self.asked("angle")
+                yield from self.asked("direction")
             elif heads & {"energy", "loss", "gain"}:
                 yield from self.energy(event)
             elif "impulse" in heads:
@@ -192,6 +201,7 @@ class _Reader:
             elif heads == {"magnitude"} and not self.features.names:
                 yield from self.impulse(event)
                 yield from self.velocity(event)
+                yield from self.relative_size(event)
             elif heads & {"velocity", "magnitude"} or self.features.sense:
                 yield from self.velocity(event)
             elif "direction" in heads:
@@ -208,11 +218,16 @@ class _Reader:
 
     def asked(self, kind: str) -> Iterator[Expression]:
         """The quantities of a kind for which the question asks."""
+        for tree in self.values_asked():
+            if isinstance(tree, Quantity) and tree.kind == kind:
+                yield tree
+
+    def values_asked(self) -> Iterator[Expression]:
+        """The values for which the question asks."""
         for _, step in self.problem.steps():
             for item in step.items if isinstance(step, Find) else ():
-                tree = item.expression if isinstance(item, Value) else None
-                if isinstance(tree, Quantity) and tree.kind == kind:
-                    yield tree
+                if isinstance(item, Value):
+                    yield item.expression
 
     # -- events, bodies, stages ---------------------------------------------------------------
 
@@ -403,6 +418,12 @@ class _Reader:
         yield velocity
         yield Apply("abs", velocity)
 
+    def relative_size(self, event: int) -> Iterator[Expression]:
+        """The size of the relative velocity of two spheres."""
+        velocities = [self.of("velocity", each, event) for each in self.bodies_met(event)]
+        if len(velocities) == 2:
+            yield Apply("abs", Binary("-", *velocities))
+
     def after(self, event: int) -> Stage:
         """The stage just after an event."""
         return None if event == len(self.events) else event
@@ -554,3 +575,7 @@ class _Reader:
             first, second = (Quantity("mass", (Name(each),)) for each in met)
             yield Binary("/", first, second)
             yield Binary("/", second, first)
+        if heads == {"ratio"}:
+            for tree in self.values_asked():
+                if isinstance(tree, Binary) and tree.op == "/":
+                    yield tree

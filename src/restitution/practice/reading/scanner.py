@@ -79,6 +79,10 @@ _THAT_IS = re.compile(r"\bi\.\s?e\.?(?=\s)", re.IGNORECASE)
 _POSSESSIVE = re.compile(r"\b([A-Z])'s\b(?=\s+[A-Za-z]{2})")
 _DOTTED = re.compile(r"\b([Kk])\.\s?([Ee])\b\.?")
 _AMOUNTS = {"half": Fraction(1, 2), "twice": Fraction(2), "quarter": Fraction(1, 4)}
+_FROM_AN_AXIS = re.compile(
+    r"\b(?:below|above|under)\s+(?:the\s+)?(?:[+-]\s?)?"
+    r"(?:[ij]\b(?:\s*-?\s*(?:axis|dir(?:ectio)?n?))?|[xy]\s*-?\s*axis|(?:horizontal|vertical)\b)"
+)
 _ORDINAL = re.compile(r"(\d)(?:st|nd|rd|th)\b", re.IGNORECASE)
 
 _SIGNS = {
@@ -107,12 +111,16 @@ _CLOSING = frozenset(
 
 
 def blanked(text: str) -> str:
-    """A plain line with K.E., i.e., A's plainly and no remarks on accuracy, at the same offsets."""
+    """A plain line with K.E., i.e., A's plainly, at the same offsets.
+
+    Without remarks on accuracy, and on the side of an axis on which an angle lies: *below i*.
+    """
     text = _BRACKETED_UNIT.sub(lambda match: " " * len(match[0]), text)
     text = _OF_BODY.sub(lambda match: f"{match[1]} {match[2]}".ljust(len(match[0])), text)
     text = _CENTRES.sub(lambda match: "loc".ljust(len(match[0])), text)
     text = _THAT_IS.sub(lambda match: "so".ljust(len(match[0])), text)
     text = _POSSESSIVE.sub(lambda match: match[1].ljust(len(match[0])), text)
+    text = _FROM_AN_AXIS.sub(lambda match: " " * len(match[0]), text)
     text = _DOTTED.sub(lambda match: (match[1] + match[2]).ljust(len(match[0])), text)
     return _FIGURES.sub(lambda match: " " * len(match[0]), text)
 
@@ -508,7 +516,7 @@ class _Scanner:
 
 
 _SIDE_END = re.compile(
-    r"\s*(?:$|[=<>,;:.)\]!~|(\[+\-*/]|so\b|as\b|if\b|is\b|and\b|or\b|after\b|before\b|to\b|hence\b|=>|[a-zA-Z]{3,})"
+    r"\s*(?:$|[=<>,;:.)\]!~|(\[+\-*/]|so\b|as\b|if\b|is\b|and\b|or\b|after\b|before\b|to\b|in\b|on\b|at\b|by\b|hence\b|=>|[a-zA-Z]{3,})"
 )
 
 

@@ -553,11 +553,15 @@ class _Reader:
         first = read[0][0].tree
         if label.kind == "name" or isinstance(first, Letter | Apply):
             self.declared.body = self.statements.body = self.body_of(label)
-            if label.kind == "name":
-                return
         known = frozenset[str]().union(*(letters(each.tree) for each in read[0]))
         evaluates = all(letters(each[0].tree) <= known for each in read[1:])
         evaluates = evaluates and set(signs) == {"="} and not is_law(read)
+        if label.kind == "name":
+            if evaluates and self._is_moving(first) and label.name in self.usage.spheres:
+                of = (f"velocity of {label.name}", f"momentum of {label.name}")
+                whole = tuple(Side(Letter(each)) for each in (*of, f"impulse on {label.name}"))
+                self.link(whole, "=", read[0], sides[0], label)
+            return
         evaluates = evaluates and not (_is_way(label) and self._is_sum_of_letters(first))
         if label.name == _LAW:
             return
