@@ -29,6 +29,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine, Judgement, Meaning, Mistake
 from restitution.practice.judging.bounds import bounds_of
+from restitution.practice.judging.judged_link import Question
 from restitution.practice.judging.misreading import (
     left_for_lost,
     misread_problems,
@@ -37,7 +38,7 @@ from restitution.practice.judging.misreading import (
 from restitution.practice.judging.naming import Names
 from restitution.practice.judging.slips import misreadings, read_as_datum
 from restitution.practice.judging.support import Wanted, wanted_of
-from restitution.practice.judging.verdicts import Judge, Question
+from restitution.practice.judging.verdicts import Judge
 from restitution.practice.letters.candidates import is_odd
 from restitution.practice.letters.interpretation import Interpretation, Interpretations
 from restitution.practice.letters.letters import meanings_of

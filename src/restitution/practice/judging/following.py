@@ -1,0 +1,330 @@
+"""Whether a relation that is not true follows: from own values, roots or equations."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from restitution.errors import RestitutionError
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    letters,
+)
+from restitution.practice.judgement import Verdict
+from restitution.practice.judging.angles import unnamed_in, with_angles
+from restitution.practice.judging.bounds import bounded_by, conditions_of
+from restitution.practice.judging.deduction import deduced_from
+from restitution.practice.judging.entries import (
+    Entry,
+    Meanings,
+    is_numeric,
+    is_root_of,
+    sources_of,
+)
+from restitution.practice.judging.holding import OWN_ROUNDING
+from restitution.practice.judging.judged_link import (
+    COARSE,
+    OTHER_ROOT,
+    JudgedLink,
+    Question,
+)
+from restitution.practice.judging.other_forms import (
+    energies_between,
+    same_left,
+)
+from restitution.practice.judging.own_values import ALTERED, Naming, OwnValues
+from restitution.practice.letters.options import Usage, options
+from restitution.practice.letters.trial import inside_angles
+from restitution.practice.reading.phrases import (
+    is_phrase,
+)
+from restitution.practice.script import Claim, Link, ScriptLine
+from restitution.practice.worlds.agreement import agrees
+from restitution.practice.worlds.arrays import UnvaluedError
+from restitution.practice.worlds.student import student_world
+from restitution.practice.worlds.world import World
+
+_USUAL = 0.3
+"""A letter takes a meaning of at most this cost from lines below a mistake."""
+NAMED = 10
+"""So many mistakes are looked into; of more the first tell enough."""
+IMPOSSIBLE_ANGLE = "A sine or a cosine is at most 1, so this cannot be."
+IMPOSSIBLE_COEFFICIENT = "A coefficient of restitution lies between 0 and 1, so this cannot be."
+COEFFICIENT = re.compile(r"e(_\w+)?'*")
+
+
+class Following(OwnValues):
+    """What follows from the lines above, where it does not hold."""
+
+    def __init__(
+        self,
+        worlds: Sequence[World],
+        meanings: Mapping[int, Meanings],
+        naming: Naming,
+        question: Question,
+        *,
+        names: bool = True,
+    ) -> None:
+        super().__init__(worlds, meanings, naming, question, names=names)
+        self._confirmed: dict[int, set[str]] = {}
+        self._roots: list[Entry] = []
+        self._rooted: tuple[tuple[int, int], list[World]] = ((-1, -1), [])
+
+    def _following(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        if not self.wrong and not any(entry.coarse for entry in self.entries):
+            return None
+        for claim in link.readings:
+            for world in self.students():
+                grade = self.accuracy(claim, world, line, link) or self._loosely(
+                    claim, world, line, link
+                )
+                if grade is not None:
+                    sources = sources_of(claim, self.entries)
+                    return JudgedLink("follows", claim, grade, sources, self._impossible(claim))
+        relabelled = (
+            self._relabelled(line, link, self.students(), "follows")
+            or self._of_unnamed_angle(line, link, self.students(), "follows")
+            or self._with_own_numbers(line, link)
+            or self._with_own_energies(line, link)
+            or self._adopted(line, link)
+            or self._consistent(line, link)
+        )
+        if relabelled is not None:
+            return relabelled
+        for claim in link.readings:
+            entry = self._entry_of(line, link, claim)
+            if (number := self._own_root(entry)) is not None:
+                return JudgedLink("follows", claim, "exact", (number,), self._impossible(claim))
+            if sum(each.wrong for each in self.entries) > NAMED:
+                break
+            places = deduced_from(entry, self.entries, self._base, self.question.given)
+            if places:
+                numbers = tuple(self.entries[place].number for place in places)
+                return JudgedLink("follows", claim, "exact", numbers, self._impossible(claim))
+        return self._bounded(line, link)
+
+    def _of_unnamed_angle(
+        self, line: ScriptLine, link: Link, worlds: Sequence[World], verdict: Verdict
+    ) -> JudgedLink | None:
+        """A sine, cosine or tangent without its angle, as that of one angle of the story."""
+        for claim in filter(unnamed_in, link.readings):
+            for world in worlds:
+                known = iter(self.naming.candidates(self._base))
+                for angle, each in with_angles(claim, world, known):
+                    grade = self.accuracy(each, world, line, link)
+                    if grade is not None:
+                        sources = sources_of(claim, self.entries) if verdict == "follows" else ()
+                        meant = tuple((name, angle) for name in unnamed_in(claim))
+                        return JudgedLink(verdict, each, grade, sources, meant=meant)
+        return None
+
+    def _with_own_numbers(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A line that is true with what the student's wrong numbers stand for."""
+        for claim in self._in_all_meanings(link, line):
+            for each, numbers in self._own_numbers.put_back(claim):
+                grade = next(
+                    (g for w in self.worlds if (g := self.accuracy(each, w, line, link))), None
+                )
+                if grade is not None:
+                    return JudgedLink("follows", claim, grade, numbers, right=each)
+        return None
+
+    def _with_own_energies(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """An energy lost that is the difference of the energies which the student has."""
+        meanings = self.meanings(line.number)
+        for claim in link.readings:
+            pair = energies_between(claim.left, meanings)
+            own = [self._own_value(each) for each in pair or ()]
+            if len(own) != 2 or None in own:
+                continue
+            before, after = (each for each in own if each is not None)
+            lost = Binary("-", before.claim.right, after.claim.right)
+            other = replace(claim, left=lost)
+            for world in self.worlds:
+                grade = self.accuracy(other, world, line, link)
+                if grade is not None:
+                    return JudgedLink("follows", claim, grade, (before.number, after.number))
+        return None
+
+    def _adopted(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A line with a letter that has no meaning yet, and holds with one in his own world.
+
+        A letter whose lines are all below a mistake cannot be known from true values.
+        """
+        claim = link.readings[0]
+        names_in_claim = letters(claim.left) | letters(claim.right)
+        known = self.meanings(line.number).keys() | self._base.letters.keys()
+        names = [name for name in names_in_claim if name not in known]
+        if len(names) != 1 or claim.sign != "=" or not self.wrong or is_phrase(names[0]):
+            return None
+        (name,) = names
+        usage = Usage(name, name in inside_angles(claim.left) | inside_angles(claim.right))
+        usual = sorted(
+            options(usage, self.naming.candidates(self._base), self._base.problem),
+            key=lambda each: each.cost,
+        )
+        for each in usual:
+            if each.start or each.cost > _USUAL or each.nature == "vector":
+                continue
+            self._meant[name] = each.quantity
+            for reading in link.readings:
+                for world in self.students():
+                    grade = self.accuracy(reading, world, line, link) or self._loosely(
+                        reading, world, line, link
+                    )
+                    if grade is not None:
+                        sources = sources_of(reading, self.entries)
+                        return JudgedLink("follows", reading, grade, sources)
+            del self._meant[name]
+        return None
+
+    def _consistent(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A line that holds where the altered law of a mistake above stands, and all else is true.
+
+        One that is an instance of an altered law itself is no consequence.
+        """
+        if not self._names or not self._explained:
+            return None
+        entry = replace(self._entry_of(line, link, link.readings[0]), right=False, wrong=True)
+        again = {_family(use.altered) for use in self.uses_of_entry(entry) if use.altered}
+        for number, mistake in self._explained.items():
+            if again & {_family(each.id) for each in mistake.variants}:
+                continue
+            for variant in mistake.variants[:ALTERED]:
+                world = self.altered(variant)
+                if world is None:
+                    continue
+                for claim in link.readings:
+                    grade = self.accuracy(claim, world, line, link)
+                    if grade is not None:
+                        self._confirmed.setdefault(number, set()).add(variant.id)
+                        return JudgedLink("follows", claim, grade, (number,))
+        return None
+
+    def _impossible(self, claim: Claim) -> str | None:
+        """The remark on a coefficient, a sine or a cosine that cannot have its value."""
+        left = claim.left
+        if claim.sign != "=" or not is_numeric(claim.right):
+            return None
+        try:
+            value = self._base.scalar(claim.right)
+        except UnvaluedError:
+            return None
+        if isinstance(left, Apply) and left.function in ("sin", "cos"):
+            return IMPOSSIBLE_ANGLE if np.any(np.abs(value) > 1 + OWN_ROUNDING) else None
+        if isinstance(left, Letter) and COEFFICIENT.fullmatch(left.name):
+            outside = (value > 1 + OWN_ROUNDING) | (value < -OWN_ROUNDING)
+            return IMPOSSIBLE_COEFFICIENT if np.any(outside) else None
+        return None
+
+    # --- inequalities -------------------------------------------------------------------------
+
+    def _bounded(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """An inequality that comes from his own value and a condition on it."""
+        bounds = self.question.bounds
+        for claim in link.readings:
+            if claim.sign == "=":
+                continue
+            entry = self._entry_of(line, link, claim)
+            conditions = list(conditions_of(bounds.given, self._letters_worth(line)))
+            known = {name: float(x.flat[0]) for name, x in self._base.letters.items()}
+            entries = [each for each in self.entries if each.number <= line.number]
+            source = bounded_by(entry, entries, conditions, known, bounds.coefficients)
+            if source is not None:
+                return JudgedLink("follows", claim, "exact", (source,))
+        return None
+
+    def _letters_worth(self, line: ScriptLine) -> Callable[[Expression], Iterator[tuple[str, int]]]:
+        """The letters of a line that are worth a quantity, or its opposite."""
+
+        def worth(tree: Expression) -> Iterator[tuple[str, int]]:
+            for name, meant in self.meanings(line.number).items():
+                for sense, claim in (
+                    (1, Claim(meant, "=", tree)),
+                    (-1, Claim(meant, "=", Negate(tree))),
+                ):
+                    try:
+                        if agrees(claim, self._base, {}, (), line.scope):
+                            yield name, sense
+                            break
+                    except RestitutionError:
+                        continue
+
+        return worth
+
+    # --- roots, and rounding ------------------------------------------------------------------
+
+    def _root(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A value that is another root of the student's own equation, beside the right one."""
+        for claim in link.readings:
+            single = [
+                replace(claim, right=right, others=()) for right in (claim.right, *claim.others)
+            ]
+            entries = [e for e in reversed(self.entries) if e.right]
+            for entry in entries:
+                roots = [is_root_of(each, entry) for each in single]
+                if all(r is not None and self._valid(r, entry) for r in roots):
+                    right = any(
+                        self.accuracy(each, w, line, link) for each in single for w in self.worlds
+                    )
+                    if right or any(
+                        same_left(e.claim, claim) and e.right and e.is_value for e in entries
+                    ):
+                        for each in single:
+                            other = replace(self._entry_of(line, link, each), right=False)
+                            if not any(self.accuracy(each, w, line, link) for w in self.worlds):
+                                self._roots.append(other)
+                        return JudgedLink("true", claim, "exact", remark=OTHER_ROOT)
+        return None
+
+    def _of_other_root(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """What another root of the student's own equation leads to: it is tried, and rejected."""
+        if not self._roots:
+            return None
+        known = len(self.entries), len(self._roots)
+        if self._rooted[0] != known:
+            tried = [
+                student_world(self._base, [*self.entries, root], self.question.unknown)
+                for root in self._roots
+            ]
+            self._rooted = known, [world for world in tried if world is not None]
+        for claim in link.readings:
+            for world in self._rooted[1]:
+                grade = self.accuracy(claim, world, line, link)
+                if grade is not None:
+                    return JudgedLink("true", claim, grade, remark=OTHER_ROOT)
+        return None
+
+    def _own_root(self, entry: Entry) -> int | None:
+        """The line that is not true and of which a value is a root."""
+        for other in reversed(self.entries):
+            root = None if other.right else is_root_of(entry.claim, other)
+            if root is not None and self._valid(root, other):
+                return other.number
+        return None
+
+    def _nearly(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A line that is true but for what the student's own rounding may have moved."""
+        above = any(entry.decimals for entry in self.entries)
+        beside = any(each.decimals for each in line.links if each is not link)
+        if self.wrong or not link.decimals or not (above or beside):
+            return None
+        for claim in link.readings:
+            if is_numeric(claim.left):
+                continue
+            for world in self.worlds:
+                if self._loosely(claim, world, line, link) is not None:
+                    return JudgedLink("true", claim, "coarse", remark=COARSE)
+        return None
+
+
+def _family(variant: str) -> str:
+    """The misconception of which an altered law is a variant."""
+    return variant.partition("/")[0]

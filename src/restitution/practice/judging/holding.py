@@ -1,0 +1,318 @@
+"""Whether a relation holds in a world: in one of its forms, in one meaning of its phrases."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from restitution.errors import RestitutionError
+from restitution.explaining.trees import exchanged
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    Negate,
+    Pair,
+    Quantity,
+)
+from restitution.practice.judgement import Accuracy, Verdict
+from restitution.practice.judging.entries import (
+    Entry,
+    Meanings,
+    sources_of,
+)
+from restitution.practice.judging.judged_link import (
+    GRADES,
+    JudgedLink,
+    Question,
+)
+from restitution.practice.judging.other_forms import (
+    are_alike,
+    is_oblique,
+    is_signed,
+    label_in,
+    lines_of,
+    of_components,
+    of_natures,
+    of_sizes,
+    of_vectors,
+    shares_of_energy,
+    times_sizes,
+)
+from restitution.practice.letters.options import staged
+from restitution.practice.reading.phrases import (
+    is_phrase,
+    is_relative,
+    is_vague,
+    names_axis,
+    read_phrase,
+)
+from restitution.practice.script import Claim, Link, ScriptLine
+from restitution.practice.worlds.agreement import agrees, difference
+from restitution.practice.worlds.world import World
+
+# How far a student's own rounding to three figures may move his values.
+OWN_ROUNDING = 0.006
+_PHRASED = 6
+
+
+class Holding:
+    """How the relations of a script hold, under one meaning of its letters.
+
+    ``worlds`` are those of the admissible solutions, ``meanings`` those of the letters in each
+    line, by its number; ``entries`` what the lines so far state.
+    """
+
+    def __init__(
+        self, worlds: Sequence[World], meanings: Mapping[int, Meanings], question: Question
+    ) -> None:
+        self.worlds = tuple(worlds)
+        self.question = question
+        self.entries: list[Entry] = []
+        self._meanings = meanings
+        self._base = self.worlds[0]
+        self._meant: dict[str, Expression] = {}
+        self._phrases: dict[tuple[str, int | None], tuple[Expression, ...]] = {}
+        self._event_above: int | None = None
+
+    def meanings(self, number: int) -> Meanings:
+        """What letters and phrases mean in a line."""
+        known = self._meanings.get(number, {})
+        return {**self._meant, **known} if self._meant else known
+
+    @property
+    def base(self) -> World:
+        """The solution in which most lines are true."""
+        return self._base
+
+    # --- in a world ---------------------------------------------------------------------------
+
+    def _holds(
+        self, link: Link, line: ScriptLine, worlds: Iterable[World]
+    ) -> tuple[Accuracy, Claim] | None:
+        """How exactly the best reading of a link holds in one of some worlds, and that reading."""
+        best: tuple[Accuracy, Claim] | None = None
+        for world in worlds:
+            for claim in link.readings:
+                grade = self.accuracy(claim, world, line, link)
+                if grade == "exact":
+                    return grade, claim
+                if grade is not None and (best is None or best[0] == "coarse"):
+                    best = grade, claim
+        return best
+
+    def accuracy(self, claim: Claim, world: World, line: ScriptLine, link: Link) -> Accuracy | None:
+        """How exactly a claim holds in a world; None where it does not, or has no value there."""
+        if not self.question.bounds.allows(claim):
+            return None
+        meanings = self.meanings(line.number)
+        forms = (
+            claim,
+            *of_sizes(claim, meanings),
+            *of_vectors(claim, meanings, world),
+            *of_components(claim),
+        )
+        unlike = False
+        for place, each in enumerate(forms):
+            try:
+                grade = agrees(each, world, meanings, link.decimals, line.scope)
+            except RestitutionError:
+                unlike = unlike or not place
+                continue
+            if grade is not None:
+                return grade
+        for each in of_natures(claim, meanings) if unlike else ():
+            try:
+                grade = agrees(each, world, meanings, link.decimals, line.scope)
+            except RestitutionError:
+                continue
+            if grade is not None:
+                return grade
+        return self._in_turned_axes(claim, world, line, link)
+
+    def _best_accuracy(
+        self, claim: Claim, worlds: Iterable[World], line: ScriptLine, link: Link
+    ) -> Accuracy | None:
+        """How exactly a claim holds in that of several worlds in which it holds best."""
+        grades = [self.accuracy(claim, world, line, link) for world in worlds]
+        return next((each for each in reversed(GRADES) if each in grades), None)
+
+    def _in_turned_axes(
+        self, claim: Claim, world: World, line: ScriptLine, link: Link
+    ) -> Accuracy | None:
+        """How exactly a pair holds as components along a wall or line of centres, and across it.
+
+        Only where these are along neither i nor j: else a wrong sign would pass for a sense.
+        """
+        pair = claim.right
+        if claim.sign != "=" or claim.others or not isinstance(pair, Pair):
+            return None
+        meanings = self.meanings(line.number)
+        for axis in lines_of(world):
+            if not is_oblique(axis, world):
+                continue
+            for along, across in ((pair.x, pair.y), (pair.y, pair.x)):
+                grades = [
+                    self._of_component(kind, claim.left, axis, value, world, meanings, line, link)
+                    for kind, value in (("along", along), ("across", across))
+                ]
+                if None not in grades:
+                    return next(each for each in GRADES if each in grades)
+        return None
+
+    def _of_component(
+        self,
+        kind: str,
+        whole: Expression,
+        axis: Expression,
+        value: Expression,
+        world: World,
+        meanings: Meanings,
+        line: ScriptLine,
+        link: Link,
+    ) -> Accuracy | None:
+        """How exactly the component of a vector is a value, in either sense of its axis."""
+        if isinstance(whole, Letter):
+            whole = meanings.get(whole.name, whole)
+        for side in (value, Negate(value)):
+            claim = Claim(Quantity(kind, (whole, axis)), "=", side)
+            try:
+                grade = agrees(claim, world, meanings, link.decimals, line.scope)
+            except RestitutionError:
+                return None
+            if grade is not None:
+                return grade
+        return None
+
+    def _loosely(self, claim: Claim, world: World, line: ScriptLine, link: Link) -> Accuracy | None:
+        """Whether a claim holds within what the student's own rounding may have moved."""
+        rounded = any(entry.decimals for entry in self.entries)
+        if claim.sign != "=" or not (link.decimals or rounded):
+            return None
+        try:
+            apart, size = difference(claim, world, self.meanings(line.number), line.scope)
+        except RestitutionError:
+            return None
+        close = np.all(np.abs(apart) <= OWN_ROUNDING * size)
+        return "rounded" if close and np.all(size > 0) else None
+
+    def _valid(self, claim: Claim, entry: Entry) -> bool:
+        try:
+            return any(
+                agrees(claim, world, entry.meanings, entry.decimals, entry.scope)
+                for world in self.worlds
+            )
+        except RestitutionError:
+            return False
+
+    # --- phrases ------------------------------------------------------------------------------
+
+    def _with_axes(self, line: ScriptLine) -> ScriptLine:
+        """A line in which a negative component by its axis, *the j component*, has that sense.
+
+        A positive one may be a size, whatever its sense.
+        """
+        known = self.meanings(line.number)
+
+        def put(claim: Claim) -> Claim:
+            if not isinstance(claim.left, Letter) or not names_axis(claim.left.name):
+                return claim
+            meant = known.get(claim.left.name)
+            if not isinstance(meant, Negate):
+                return claim
+            try:
+                negative = bool(np.all(self._base.scalar(claim.right) < 0))
+            except RestitutionError:
+                return claim
+            return replace(claim, left=meant.operand) if negative else claim
+
+        if not any(map(names_axis, known)):
+            return line
+        links = (replace(each, readings=tuple(map(put, each.readings))) for each in line.links)
+        return replace(line, links=tuple(links))
+
+    def _relabelled(
+        self, line: ScriptLine, link: Link, worlds: Sequence[World], verdict: Verdict
+    ) -> JudgedLink | None:
+        """A label that names its quantity at another moment, or in the other sense.
+
+        A meaning that fits to a figure or two only is taken where none fits better.
+        """
+        best: JudgedLink | None = None
+        for claim in link.readings:
+            label = label_in(claim.left)
+            if label is None:
+                continue
+            for meant in self._meanings_under(label.name, line):
+                senses = (meant, Negate(meant)) if is_signed(meant) else (meant,)
+                alone = claim.left == label
+                further = (
+                    (*times_sizes(senses, claim.right), *shares_of_energy(meant, claim.right))
+                    if alone
+                    else ()
+                )
+                for each in (*senses, *further):
+                    other = replace(claim, left=exchanged(claim.left, {label: each}))
+                    grade = self._best_accuracy(other, worlds, line, link)
+                    if grade is None or (grade == "coarse" and best is not None):
+                        continue
+                    sources = sources_of(claim, self.entries) if verdict == "follows" else ()
+                    meant_here = ((label.name, each),)
+                    best = JudgedLink(verdict, other, grade, sources, meant=meant_here)
+                    if grade != "coarse":
+                        return best
+        return best
+
+    def _meanings_under(self, phrase: str, line: ScriptLine) -> Iterator[Expression]:
+        """The quantities that a phrase may name: of the body that labels its line as well.
+
+        A line below the heading of one event may have come to another.
+        """
+        event, body = line.scope.event, line.scope.body
+        yield from self._meanings_of(phrase, event)
+        if body is not None and body not in phrase.split():
+            yield from self._meanings_of(f"{phrase} of {body}", event)
+        if event is not None and event == self._event_above:
+            yield from self._meanings_of(phrase, None)
+
+    def _meanings_of(self, phrase: str, event: int | None) -> tuple[Expression, ...]:
+        """The quantities that a phrase may name, at every stage where it tells none."""
+        key = phrase, event
+        if key not in self._phrases:
+            world = self._base
+            first = 1 if is_relative(phrase) else 0
+            every = range(first, len(world.events) + 1)
+            stages = list(every) if event is None else [event, event - 1][: 2 - first]
+            trees = read_phrase(phrase, world.problem, event, world.now())
+            meanings = [
+                staged(tree, world.problem, world.part, now)
+                for tree in trees
+                if is_vague(phrase) or are_alike(tree, trees[0])
+                for now in stages
+            ]
+            self._phrases[key] = tuple(dict.fromkeys(meanings))
+        return self._phrases[key]
+
+    def _in_all_meanings(self, link: Link, line: ScriptLine) -> Iterator[Claim]:
+        """The readings of a link; one that begins with a phrase in each of its meanings as well."""
+        yield from link.readings
+        first = link.readings[0]
+        if isinstance(first.left, Letter) and is_phrase(first.left.name):
+            for meant in self._meanings_of(first.left.name, line.scope.event)[:_PHRASED]:
+                yield replace(first, left=meant)
+
+    # --- entries ------------------------------------------------------------------------------
+
+    def _entry(self, line: ScriptLine, link: Link, judged: JudgedLink) -> Entry:
+        entry = self._entry_of(line, link, judged.claim)
+        return replace(
+            entry,
+            right=judged.verdict in ("true", "unsupported"),
+            wrong=judged.verdict == "false",
+            coarse=judged.accuracy == "coarse",
+        )
+
+    def _entry_of(self, line: ScriptLine, link: Link, claim: Claim) -> Entry:
+        meanings = self.meanings(line.number)
+        return Entry(line.number, claim, meanings, line.scope, link.decimals)

@@ -1,0 +1,50 @@
+"""A relation of a line with its verdict, and what a part asks, as a judge knows them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from restitution.expression.tree import (
+    Expression,
+)
+from restitution.practice.judgement import Accuracy, Verdict
+from restitution.practice.judging.bounds import Bounds
+from restitution.practice.judging.support import Wanted
+from restitution.practice.script import Claim
+
+COARSE = "coarse"
+OTHER_ROOT = "other-root"
+GRADES: tuple[Accuracy, ...] = ("coarse", "rounded", "exact")
+
+
+@dataclass(frozen=True)
+class Question:
+    """What a part prints and asks, the letters that it has to find, and those that it gives.
+
+    ``bounds`` are what it says of sizes; ``extreme`` tells that it asks for a greatest or least
+    value.
+    """
+
+    wanted: Wanted
+    unknown: frozenset[str] = frozenset()
+    given: frozenset[str] = frozenset()
+    bounds: Bounds = field(default_factory=Bounds)
+    extreme: bool = False
+
+
+@dataclass(frozen=True)
+class JudgedLink:
+    """A link with its verdict: the reading that decided, and what is said of it.
+
+    ``right`` is a claim that follows, as it would be without the wrong numbers above it.
+    """
+
+    verdict: Verdict
+    claim: Claim
+    accuracy: Accuracy | None = None
+    sources: tuple[int, ...] = ()
+    remark: str | None = None
+    letters: frozenset[str] = frozenset()
+    right: Claim | None = None
+    meant: tuple[tuple[str, Expression], ...] = ()
+    grounded: bool = True

@@ -1,0 +1,226 @@
+"""The values that a student goes on with, right or wrong, and the worlds in which they hold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Protocol
+
+from restitution.errors import RestitutionError
+from restitution.explaining.misconceptions import VariantAt
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Letter,
+    Quantity,
+)
+from restitution.practice.judgement import Mistake, Use
+from restitution.practice.judging.entries import (
+    Entry,
+    Meanings,
+    is_numeric,
+)
+from restitution.practice.judging.holding import Holding
+from restitution.practice.judging.judged_link import (
+    JudgedLink,
+    Question,
+)
+from restitution.practice.judging.naming import Explained, Stated
+from restitution.practice.judging.other_forms import (
+    label_in,
+)
+from restitution.practice.judging.own_numbers import OwnNumbers
+from restitution.practice.letters.candidates import Candidate
+from restitution.practice.reading.phrases import (
+    is_phrase,
+)
+from restitution.practice.script import Claim, ScriptLine
+from restitution.practice.worlds.principles import uses_of
+from restitution.practice.worlds.student import altered_world, facts_of, student_world
+from restitution.practice.worlds.world import World
+
+ALTERED = 3
+"""So many of the altered laws that explain a mistake are looked into."""
+
+
+class Naming(Protocol):
+    """The interface of what names mistakes."""
+
+    worlds: dict[tuple[str, int, int], World | None]
+
+    def explained(self, entry: Entry, judge: OwnValues) -> Explained:
+        """What explains a claim that is false."""
+
+    def candidates(self, world: World) -> Sequence[Candidate]:
+        """The quantities that a letter may mean."""
+
+    def named(self, explained: Explained, stated: Stated, confirmed: frozenset[str]) -> Mistake:
+        """The mistake by its name."""
+
+
+class OwnValues(Holding):
+    """What the lines of a script so far state, and the student's own values by them.
+
+    Without ``names`` nothing is asked of mistakes but that they are some.
+    """
+
+    def __init__(
+        self,
+        worlds: Sequence[World],
+        meanings: Mapping[int, Meanings],
+        naming: Naming,
+        question: Question,
+        *,
+        names: bool = True,
+    ) -> None:
+        super().__init__(worlds, meanings, question)
+        self.naming = naming
+        self._names = names
+        self._explained: dict[int, Explained] = {}
+        self._stated: set[tuple[str, int | None]] = set()
+        self._own: tuple[int, tuple[World, ...]] = (-1, ())
+        self._own_numbers = OwnNumbers()
+        self._known_uses: dict[tuple[Claim, int, bool], tuple[Use, ...]] = {}
+
+    @property
+    def wrong(self) -> bool:
+        """Whether a line so far is false."""
+        return bool(self._own_numbers) or any(entry.wrong for entry in self.entries)
+
+    def stated(self) -> frozenset[tuple[str, int | None]]:
+        """The laws that a line above states rightly, each with its event."""
+        return frozenset(self._stated)
+
+    # --- worlds -------------------------------------------------------------------------------
+
+    def students(self) -> tuple[World, ...]:
+        """The worlds in which the lines so far hold, as far as they can hold together."""
+        if self._own[0] != len(self.entries):
+            self._own = len(self.entries), tuple(self._worlds_of_student())
+        return self._own[1]
+
+    def _worlds_of_student(self) -> Iterator[World]:
+        broken = self._broken()
+        facts = any(fact.law for fact in facts_of(self._base))
+        for latest, laws_first in ((True, False), (False, False), (True, True)):
+            if laws_first and not facts:
+                continue
+            world = student_world(
+                self._base,
+                self.entries,
+                self.question.unknown,
+                latest=latest,
+                broken=() if laws_first else broken,
+                laws_first=laws_first,
+            )
+            if world is not None:
+                yield world
+        # A quantity wrongly worked out need not be what its components make of it.
+        own = [each for each in self.entries if not (each.wrong and label_in(each.claim.left))]
+        if own and len(own) < len(self.entries):
+            world = student_world(self._base, own, self.question.unknown, laws_first=facts)
+            if world is not None:
+                yield world
+
+    def _broken(self) -> frozenset[tuple[str, int | None]]:
+        """The laws in whose place the student has an altered one."""
+        return frozenset(
+            (use.principle, use.event)
+            for entry in self.entries
+            if entry.wrong
+            for use in self.uses_of_entry(entry)
+            if use.altered is not None
+        )
+
+    def _forgone(self) -> frozenset[tuple[str, int | None]]:
+        """The laws that a mistake above stands in place of, as far as mistakes have names."""
+        if not self._names or not self.wrong:
+            return frozenset()
+        named = (
+            (law.law, variant.event.number)
+            for mistake in self._explained.values()
+            for variant in mistake.variants[:ALTERED]
+            for law in variant.laws
+        )
+        return self._broken().union(named)
+
+    def altered(self, variant: VariantAt) -> World | None:
+        """The world of an altered law, all else being right."""
+        key = variant.id, variant.event.number, self._base.solution
+        if key not in self.naming.worlds:
+            self.naming.worlds[key] = altered_world(self._base, variant, self.question.unknown)
+        return self.naming.worlds[key]
+
+    # --- what lines state ---------------------------------------------------------------------
+
+    def _remember(self, line: ScriptLine, links: Sequence[JudgedLink]) -> None:
+        start: Expression | None = None
+        last: Expression | None = None
+        first, untrue = len(self.entries), False
+        for link, judged in zip(line.links, links, strict=True):
+            claim = judged.claim
+            if start is None or claim.left != last:
+                start, first, untrue = claim.left, len(self.entries), False
+            last = claim.right
+            if untrue and judged.verdict == "true":
+                self._note_number(line, judged, start)  # β = 60 - 10.9 = 49.1
+            untrue = untrue or judged.verdict in ("false", "follows")
+            if judged.verdict not in ("true", "follows", "false", "unsupported"):
+                continue
+            if judged.verdict in ("false", "follows"):
+                self._note_number(line, judged, start)
+            if not is_numeric(claim.left) or not is_numeric(claim.right):
+                self.entries.append(self._entry(line, link, judged))
+            elif judged.verdict == "false" and not is_numeric(start):
+                # A chain that ends in another number gives that number to what it begins with.
+                del self.entries[first:]
+                whole = replace(judged, claim=replace(claim, left=start))
+                self.entries.append(self._entry(line, link, whole))
+
+    def _note_number(self, line: ScriptLine, judged: JudgedLink, start: Expression) -> None:
+        """Keep a number that is wrong, with what is right in its place."""
+        claim = judged.right or judged.claim
+        named = isinstance(start, Letter | Quantity | Apply)
+        if claim.sign == "=" and (named or is_numeric(start)):
+            meant = start if named else claim.left
+            meanings = self.meanings(line.number)
+            others: tuple[Expression, ...] = ()
+            if isinstance(meant, Letter) and is_phrase(meant.name):
+                others = self._meanings_of(meant.name, line.scope.event)
+            self._own_numbers.note(judged.claim.right, meant, meanings, line.number, others)
+
+    def _own_value(self, quantity: Expression) -> Entry | None:
+        """The last line that gives a quantity a value."""
+        for entry in reversed(self.entries):
+            left = entry.claim.left
+            meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+            if meant == quantity and entry.claim.sign == "=":
+                return entry
+        return None
+
+    # --- laws ---------------------------------------------------------------------------------
+
+    def uses_of_entry(self, entry: Entry) -> tuple[Use, ...]:
+        """The laws of which an entry is an instance; altered ones where it is false."""
+        key = entry.claim, entry.number, entry.wrong
+        if key not in self._known_uses:
+            self._known_uses[key] = self._first_uses(entry)
+        return self._known_uses[key]
+
+    def _first_uses(self, entry: Entry) -> tuple[Use, ...]:
+        students = () if entry.right or entry.wrong else self.students()
+        for world in (self._base, *students):
+            try:
+                uses = uses_of(
+                    entry.claim,
+                    world,
+                    entry.meanings,
+                    entry.decimals,
+                    entry.scope,
+                    altered=not entry.right,
+                )
+            except RestitutionError:
+                continue
+            if uses:
+                return uses
+        return ()
