@@ -14,6 +14,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Negate,
     Number,
     Quantity,
     Unit,
@@ -141,6 +142,14 @@ def _without_numbers(tree: Expression) -> Expression | None:
         case Binary("/", left, Number()):
             return _without_numbers(left)
     return None
+
+
+def _vectors_of(body: str) -> tuple[Side, ...]:
+    """What a vector behind the name of a sphere may be: its velocity, momentum or impulse."""
+    phrases = (f"velocity of {body}", f"momentum of {body}", f"impulse on {body}")
+    momentum, impulse = (Quantity(kind, (Name(body),)) for kind in ("momentum", "impulse"))
+    trees: tuple[Expression, ...] = (*map(Letter, phrases), momentum, impulse, Negate(impulse))
+    return tuple(map(Side, trees))
 
 
 class _Reader:
@@ -557,10 +566,9 @@ class _Reader:
         evaluates = all(letters(each[0].tree) <= known for each in read[1:])
         evaluates = evaluates and set(signs) == {"="} and not is_law(read)
         if label.kind == "name":
-            if evaluates and self._is_moving(first) and label.name in self.usage.spheres:
-                of = (f"velocity of {label.name}", f"momentum of {label.name}")
-                whole = tuple(Side(Letter(each)) for each in (*of, f"impulse on {label.name}"))
-                self.link(whole, "=", read[0], sides[0], label)
+            product = isinstance(first, Binary) and first.op == "*"  # as mass × velocity is
+            if evaluates and not product and self._is_moving(first) and self.body_of(label):
+                self.link(_vectors_of(label.name), "=", read[0], sides[0], label)
             return
         evaluates = evaluates and not (_is_way(label) and self._is_sum_of_letters(first))
         if label.name == _LAW:
