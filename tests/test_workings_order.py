@@ -108,3 +108,30 @@ find distance(A, B)
     words = printed(text)
     place = "The position of B when B reaches W is 6𝐢 m."
     assert words.index(place) < words.index("distance between A and B when B reaches W")
+
+
+def test_a_component_that_has_a_letter_is_not_said_once_more() -> None:
+    text = """
+sphere A: mass m, velocity u i + j
+sphere B: mass m, velocity 2i - j
+A hits B: along i, e = 1/2
+given u > 0
+show along(velocity(B), i) > along(velocity(A), i)
+"""
+    words = printed(text)
+    assert words.count("w = (3u + 2)/4") == 1
+    assert "Components along the axes" not in words
+    assert "From (3), (4) and (5): w > v" in words
+
+
+def test_what_is_given_of_a_difference_of_angles_is_opened_by_its_formula() -> None:
+    text = """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W
+given speed(P) = 3/4 u, deflection(P) = 60°
+find alpha, e
+"""
+    words = printed(text)
+    assert "by the formulae for a difference of angles" in words
+    assert "by the formulae for a sum of angles" not in words

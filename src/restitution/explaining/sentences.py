@@ -712,6 +712,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.tangent-of-sum": "by the formula for the tangent of a sum",
     "derived.tangent-of-difference": "by the formula for the tangent of a difference",
     "derived.sum-of-angles": "by the formulae for a sum of angles",
+    "derived.difference-of-angles": "by the formulae for a difference of angles",
     "derived.complement": "by the complement of the angle",
     "derived.called": "the {quantity}",
     "derived.is": "the {quantity} is {value}",

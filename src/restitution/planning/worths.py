@@ -32,6 +32,7 @@ from restitution.planning.forms import square, swept, tree_of
 from restitution.planning.formulas import Formula
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import in_direction, scene_value
+from restitution.planning.items import in_a_frame, is_named
 from restitution.planning.named_angles import letter_of
 from restitution.planning.order import Solver, Standing
 from restitution.planning.quantities import formula
@@ -322,14 +323,24 @@ class Worths:
         plain = together(own.refs, extra)
         wider = together(own.refs, extra, self.axes(quantity))
         pools = (plain, (*plain, *known_), wider, (*wider, *known_))
+        shown: Any = "silent" if self._is_its_letter(quantity, own) else "line"
         for relation in chains:
             for pool in dict.fromkeys(pools):
-                number_ = self.judge.write((own.move,), pool, relation, plain)
+                number_ = self.judge.write((own.move,), pool, relation, plain, shown)
                 if number_ is not None:
                     if own.left == quantity:
                         scene.desk.know(quantity, own.value, (number_,))
                     return number_
         raise NotPlannedError(f"a line for {quantity.kind}")
+
+    def _is_its_letter(self, quantity: Quantity, own: Formula) -> bool:
+        """Whether a component is what the working has a letter for, with the value of that."""
+        named = in_a_frame(self.scene, quantity)
+        if not isinstance(named, Quantity) or not is_named(self.scene, named):
+            return False
+        known = self.scene.desk.known(named)
+        letter = None if known is None else self.scene.desk.known(tree_of(known.value))
+        return letter is not None and letter.value == own.value
 
     def worth(self, tree: Expression) -> int | None:
         """The line that says what an expression of quantities is worth; None without one."""

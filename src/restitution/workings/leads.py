@@ -483,7 +483,7 @@ class Leads:
         nodes = (*walk(link.left), *walk(link.right))
         ratios = {e.function for e in nodes if isinstance(e, Apply)} - {"sqrt"}
         if ratios != {"tan"}:
-            return name
+            return _of_differences(base, name)
         sides: tuple[Expression, ...]
         if isinstance(base.relation, Relation):
             whole = base.relation.options[0][0]
@@ -959,6 +959,20 @@ class Leads:
         fact = self._derivation.fact(name)
         assert fact is not None
         return self._naming.fact(fact)
+
+
+def _of_differences(base: Line | Fact, name: str) -> str:
+    """The name of the identity of a sum of angles; of a difference, where all in it are that."""
+    if not isinstance(base.relation, Relation):
+        return name
+    signs = {
+        each.argument.op
+        for tree in trees_of(base.relation)
+        for each in walk(tree)
+        if isinstance(each, Apply) and isinstance(each.argument, Binary)
+        if each.function in ("sin", "cos", "tan") and each.argument.op in ("+", "-")
+    }
+    return "derived.difference-of-angles" if signs == {"-"} else name
 
 
 def _under(tree: Expression) -> tuple[Expression, ...]:

@@ -187,9 +187,23 @@ class Sources:
                 continue
             if line.shown != "silent":
                 numbers.append(line.number)
-            elif line.move.id == "rearrange":
+            elif line.move.id == "rearrange" or self._is_its_letter(line):
                 numbers += self._equations(line.premises)
         return list(dict.fromkeys(numbers))
+
+    def _is_its_letter(self, line: Line) -> bool:
+        """Whether a line says of a component what one above it says of the letter for it."""
+        if line.move.record != "component" or not isinstance(line.relation, Relation):
+            return False
+        value = line.relation.only[-1].right
+        above = (self._derivation.line(ref) for ref in line.premises if isinstance(ref, int))
+        links = (each.relation for each in above if each is not None)
+        return any(
+            isinstance(own, Relation)
+            and isinstance(own.options[0][0].left, Letter)
+            and own.options[0][-1].right == value
+            for own in links
+        )
 
     def _source(self, line: Line) -> Source | None:
         move, cited = line.move.id, self._equations(line.premises)
