@@ -6,7 +6,8 @@ import sympy as sp
 
 from restitution.explaining.derivation import Link, Meaning, Note, Relation
 from restitution.explaining.quotients import NotComparableError, Plane
-from restitution.explaining.step import Cited, Step
+from restitution.explaining.setting import Cited
+from restitution.explaining.step import Step
 from restitution.explaining.trees import of_relation
 from restitution.expression.tree import Quantity, walk
 from restitution.oracle import BeyondError, Oracle, compared, negation

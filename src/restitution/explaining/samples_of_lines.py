@@ -29,7 +29,8 @@ from restitution.explaining.quotients import (
     without_common,
 )
 from restitution.explaining.rules import Rules
-from restitution.explaining.step import Cited, Setting, Step
+from restitution.explaining.setting import Cited, Setting
+from restitution.explaining.step import Step
 from restitution.expression.tree import (
     Apply,
     Letter,

@@ -29,7 +29,8 @@ from restitution.explaining.quotients import (
     NotComparableError,
 )
 from restitution.explaining.samples_of_lines import NEAREST, Levels, Numbers
-from restitution.explaining.step import Cited, Known, Step, is_direction
+from restitution.explaining.setting import Cited, Known, is_direction
+from restitution.explaining.step import Step
 from restitution.explaining.trees import trees_of
 from restitution.explaining.trials import known_of_letters, setting_of
 from restitution.expression.tree import (

@@ -23,7 +23,8 @@ from restitution.explaining.derivation import (
 from restitution.explaining.moves import follows, is_certain
 from restitution.explaining.notation import read_relation, read_tree
 from restitution.explaining.quotients import NotComparableError
-from restitution.explaining.step import Cited, Known, Setting, Step
+from restitution.explaining.setting import Cited, Known, Setting
+from restitution.explaining.step import Step
 from restitution.explaining.trees import trees_of
 from restitution.expression.tree import (
     Degrees,

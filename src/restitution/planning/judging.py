@@ -20,7 +20,7 @@ from restitution.explaining.derivation import (
 from restitution.explaining.excluding import excludes
 from restitution.explaining.moves import MOST_COMPARED
 from restitution.explaining.quotients import NotComparableError
-from restitution.explaining.step import Known
+from restitution.explaining.setting import Known
 from restitution.explaining.trials import Trial, known_of_letters, setting_of
 from restitution.expression.tree import letters
 from restitution.oracle import BeyondError, Oracle

@@ -22,7 +22,7 @@ from restitution.explaining.derivation import (
     equation,
 )
 from restitution.explaining.facts import events_of, facts_of, staged
-from restitution.explaining.follower import (
+from restitution.explaining.premises import (
     with_identities,
     with_ranges,
     without_idle_ratios,

@@ -12,7 +12,8 @@ from restitution.explaining.derivation import Derivation, Line, Link, Move, Ref,
 from restitution.explaining.notation import read_relation, read_tree
 from restitution.explaining.quotients import NotComparableError, Quotient
 from restitution.explaining.saying import Sentence, say
-from restitution.explaining.step import Setting, Step
+from restitution.explaining.setting import Setting
+from restitution.explaining.step import Step
 from restitution.explaining.trees import rebuilt
 from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import (

@@ -11,7 +11,8 @@ from restitution.explaining.algebra import Identity, Value
 from restitution.explaining.derivation import Link, Meaning, Relation, Sign, whole_of
 from restitution.explaining.quotients import CONSTANT, NotComparableError, Plane, Quotient
 from restitution.explaining.rules import Rules
-from restitution.explaining.step import Cited, Step
+from restitution.explaining.setting import Cited
+from restitution.explaining.step import Step
 from restitution.expression.tree import (
     Expression,
 )

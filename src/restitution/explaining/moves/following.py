@@ -20,8 +20,9 @@ from restitution.explaining.moves.putting import is_put, is_rearrangement
 from restitution.explaining.moves.roots import are_roots, is_rejection
 from restitution.explaining.moves.values import is_attained, is_decimal
 from restitution.explaining.quotients import NotComparableError, Plane, Quotient
+from restitution.explaining.setting import Cited
 from restitution.explaining.solving import solves
-from restitution.explaining.step import Cited, Step
+from restitution.explaining.step import Step
 from restitution.expression.tree import (
     Binary,
     Expression,

@@ -7,7 +7,8 @@ import sympy as sp
 from restitution.explaining.derivation import Link, Meaning, Relation, Sign
 from restitution.explaining.moves.bases import FLIPPED, equal_in
 from restitution.explaining.quotients import NotComparableError, Plane, Quotient
-from restitution.explaining.step import Cited, Step
+from restitution.explaining.setting import Cited
+from restitution.explaining.step import Step
 from restitution.expression.tree import (
     Apply,
     Expression,
