@@ -19,6 +19,7 @@ from typing import Any
 
 from answers import _differs
 
+from restitution.explaining.arrangement import events_of
 from restitution.explaining.derivation import (
     Case,
     Derivation,
@@ -27,7 +28,7 @@ from restitution.explaining.derivation import (
     Link,
     Move,
 )
-from restitution.explaining.facts import events_of, facts_of
+from restitution.explaining.facts import facts_of
 from restitution.explaining.marks import Mark
 from restitution.explaining.notation import read_meaning, read_relation
 from restitution.expression.evaluate import evaluate

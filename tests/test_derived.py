@@ -14,8 +14,9 @@ from playwright.sync_api import Page
 
 import restitution.examples
 from restitution.errors import StatementError
+from restitution.explaining.arrangement import events_of
 from restitution.explaining.derivation import Derivation
-from restitution.explaining.facts import events_of, facts_of
+from restitution.explaining.facts import facts_of
 from restitution.explaining.layouts import Forms, of_tree
 from restitution.explaining.saying import Sentence, Slot
 from restitution.explaining.sentences import SENTENCES

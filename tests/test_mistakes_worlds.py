@@ -13,8 +13,8 @@ import sympy as sp
 import restitution as r
 from restitution.errors import StatementError, UnsupportedError
 from restitution.explaining.altered import altered
+from restitution.explaining.arrangement import events_of
 from restitution.explaining.consequences import altered_world, altered_worlds, applying
-from restitution.explaining.facts import events_of
 from restitution.explaining.misconceptions import (
     MISCONCEPTIONS,
     alteration,

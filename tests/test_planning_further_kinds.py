@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 from laws_of_workings import answers, complaints, printed_results
 
+from restitution.explaining.arrangement import events_of
 from restitution.explaining.derivation import Derivation, Line, Move, Relation
-from restitution.explaining.facts import events_of, facts_of
+from restitution.explaining.facts import facts_of
 from restitution.explaining.follower import follow
 from restitution.explaining.notation import read_relation
 from restitution.explaining.trees import trees_of

@@ -10,9 +10,10 @@ from dataclasses import replace
 import pytest
 from workings import planned
 
+from restitution.explaining.arrangement import events_of
 from restitution.explaining.awarding import awarded
 from restitution.explaining.derivation import Derivation, Link, Relation
-from restitution.explaining.facts import events_of, facts_of
+from restitution.explaining.facts import facts_of
 from restitution.explaining.follower import follow
 from restitution.explaining.trials import on_either_side
 from restitution.expression.tree import Negate

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import restitution
-from restitution.explaining.facts import events_of
+from restitution.explaining.arrangement import events_of
 from restitution.explaining.misconceptions import variants_at
 from restitution.expression import read_expression
 from restitution.practice.judging.deduction import deduced_from

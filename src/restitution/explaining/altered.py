@@ -12,8 +12,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from restitution.explaining.alteration import Alteration
+from restitution.explaining.arrangement import events_of
 from restitution.explaining.derivation import Event
-from restitution.explaining.facts import events_of, staged
+from restitution.explaining.facts import staged
 from restitution.explaining.misconceptions import VariantAt, variant_at
 from restitution.explaining.trees import exchanged, rebuilt, settled
 from restitution.expression.tree import Binary, Expression, Letter, Quantity, walk

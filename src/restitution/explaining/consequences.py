@@ -15,7 +15,7 @@ from restitution.errors import (
 from restitution.exact import same
 from restitution.explaining.alteration import Alteration
 from restitution.explaining.altered import AlteredProblem, altered
-from restitution.explaining.facts import events_of
+from restitution.explaining.arrangement import events_of
 from restitution.explaining.misconceptions import MISCONCEPTIONS, VariantAt, misconception
 from restitution.expression.enclosed import UndefinedError
 from restitution.problem import Problem

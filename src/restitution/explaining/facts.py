@@ -6,14 +6,21 @@ Ids are short and say what they are: ``mass A``, ``velocity A``, ``wall W``, ``a
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from functools import cached_property
-from typing import Any
 
-from restitution.explaining.derivation import Event, Fact, Link, Relation, Sign
+from restitution.explaining.arrangement import (
+    Arrangement,
+    difference,
+    dot,
+    is_rest,
+    turned,
+    world_of,
+)
+from restitution.explaining.derivation import Fact, FactKind, Link, Relation, Sign
 from restitution.explaining.first_hits import hits
+from restitution.explaining.quotients import Plane
 from restitution.explaining.trees import rebuilt, settled
 from restitution.expression.quantities import KINDS
 from restitution.expression.tree import (
@@ -26,6 +33,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Pair,
+    Place,
     Polar,
     Quantity,
     Unit,
@@ -45,6 +53,7 @@ from restitution.problem import (
     Let,
     Meets,
     Problem,
+    Wall,
 )
 from restitution.problem import (
     Relation as Said,
@@ -54,30 +63,7 @@ from restitution.shapes import Circle, Segment
 
 # Of these, a stage left out is the one reached where the quantity stands.
 _STAGED = frozenset(word for word, kind in KINDS.items() if kind.staged and not kind.stage_needed)
-_PLAIN = 12
-"""So many events may come before a velocity of which the direction is plain."""
-
 _OF_AN_EVENT = frozenset(word for word in _STAGED if KINDS[word].of_an_event)
-_AXES: Mapping[Expression, Expression] = {
-    Unit("i"): Unit("j"),
-    Unit("j"): Negate(Unit("i")),
-}
-
-
-def events_of(problem: Problem) -> tuple[Event, ...]:
-    """The events of a problem, in the order told."""
-    walls = {each.name for each in problem.walls}
-    events: list[Event] = []
-    for number, step in enumerate(problem.events, 1):
-        match step:
-            case Impact():
-                wall = step.second in walls
-                events.append(Event(number, "impact", (step.first, step.second), wall))
-            case Kick():
-                events.append(Event(number, "kick", (step.body,)))
-            case Arrival():
-                events.append(Event(number, "arrival", (step.body,)))
-    return tuple(events)
 
 
 def facts_of(problem: Problem) -> tuple[Fact, ...]:
@@ -110,14 +96,8 @@ def _is_about_the_sense(tree: Expression) -> bool:
     )
 
 
-class FactsOf:
+class FactsOf(Arrangement):
     """The facts of one problem."""
-
-    def __init__(self, problem: Problem) -> None:
-        self.problem = problem
-        self.events = events_of(problem)
-        self.walls = {wall.name: wall for wall in problem.walls}
-        self._normals: dict[int, Expression | None] = {}
 
     def facts(self) -> Iterator[Fact]:
         """All facts: of bodies, of events, then what is given."""
@@ -148,24 +128,9 @@ class FactsOf:
                 direction = Quantity("direction", (Name(wall.name),))
                 yield self._fact(f"wall {wall.name}", direction, along, wall.place, "parallel to")
 
-    def along_of(self, wall: Any) -> Expression | None:
-        """The direction of a straight wall: as told, or from one end of it to the other."""
-        if isinstance(wall.along, Expression):
-            return wall.along
-        ends = [self.place_of(each) for each in (wall.start, wall.end)]
-        match ends:
-            case [Pair(a, b), Pair(c, d)]:
-                return Pair(_difference(c, a), _difference(d, b))
-        return None
-
-    def place_of(self, tree: Any) -> Expression | None:
-        """The coordinates of a point that is named or given."""
-        if isinstance(tree, Name):
-            points = {point.name: point.position for point in self.problem.points}
-            return self.place_of(points.get(tree.name))
-        return tree if isinstance(tree, Expression) else None
-
-    def _contact(self, step: Impact | Arrival, number: int) -> Iterator[tuple[Expression, Any]]:
+    def _contact(
+        self, step: Impact | Arrival, number: int
+    ) -> Iterator[tuple[Expression, Expression]]:
         """Where the bodies of an event are: on the line of the wall, or in one place.
 
         The centre of a sphere with a radius is that far from a wall, and two radii from another
@@ -199,7 +164,7 @@ class FactsOf:
         along = self.along_of(wall)
         if not isinstance(place, Pair) or along is None:
             return
-        axis = _turned(along)
+        axis = turned(along)
         if along == Unit("i") or (isinstance(along, Pair) and is_zero(along.y)):
             centre = self._off_the_wall(first, "y", place.y)
             if centre is not None:
@@ -212,76 +177,22 @@ class FactsOf:
             yield Quantity("dot", (Binary("-", own, place), axis)), Number(Fraction(0))
 
     def _on_the_circle(
-        self, body: str, wall: Any, number: int
+        self, body: str, wall: Wall, number: int
     ) -> Iterator[tuple[Expression, Expression]]:
         """That a centre is at the distance of the radius from that of a circular wall."""
-        size, side = self._radius(body, wall), self._side(body, wall)
-        radius_vector = self._from_centre(body, wall, number)
+        size, side = self.distance_to_centre(body, wall), self.side_of_circle(body, wall)
+        radius_vector = self.from_centre(body, wall, number)
         if size is not None and side is not None and radius_vector is not None:
             yield (
                 Quantity("dot", (radius_vector, radius_vector)),
                 Binary("^", size, Number(Fraction(2))),
             )
 
-    def _from_centre(self, body: str, wall: Any, number: int) -> Expression | None:
-        """The way from the centre of a circular wall to a body, at an event."""
-        centre = self.place_of(wall.centre)
-        if not isinstance(centre, Pair):
-            return None
-        own = Quantity("position", (Name(body),), number)
-        at_origin = is_zero(centre.x) and is_zero(centre.y)
-        return own if at_origin else Binary("-", own, centre)
-
-    def _radius(self, body: str, wall: Any) -> Expression | None:
-        """How far from the centre of a circular wall a body is when it touches it."""
-        radius = self.radius
-        if radius is None:
-            return wall.radius if isinstance(wall.radius, Expression) else None
-        side = self._side(body, wall)
-        if side is None or not isinstance(radius, Expression):
-            return None
-        whole = Binary("+" if side > 0 else "-", wall.radius, radius)
-        if isinstance(wall.radius, Number) and isinstance(radius, Number):
-            return rational(wall.radius.value + side * radius.value)
-        return whole
-
-    def _side(self, body: str, wall: Any) -> int | None:
-        """1 where a body begins outside a circular wall, −1 inside, or on it; None if open."""
-        place, centre = self.place_of(self.sphere(body).position), self.place_of(wall.centre)
-        if not isinstance(place, Pair) or not isinstance(centre, Pair):
-            return None
-        radius_vector = Binary("-", place, centre)
-        gap = Binary(
-            "-",
-            Quantity("dot", (radius_vector, radius_vector)),
-            Binary("^", wall.radius, Number(Fraction(2))),
-        )
-        side = self._sign(gap)
-        if side is None:
-            world = world_of(self.problem)
-            inside = world.scalar(gap).vanishes or self._goes_outward(body, wall, radius_vector)
-            return -1 if inside else None
-        return side
-
-    def _goes_outward(self, body: str, wall: Any, radius_vector: Expression) -> bool:
-        """Whether a body that strikes a circular wall first of all comes no nearer to its centre.
-
-        So it begins inside.
-        """
-        own = next((event for event in self.events if body in event.bodies), None)
-        velocity = self.sphere(body).velocity
-        if own is None or not own.wall or wall.name not in own.bodies:
-            return False
-        if not isinstance(velocity, Expression):
-            return False
-        outward = Quantity("dot", (radius_vector, velocity))
-        return world_of(self.problem).scalar(outward).vanishes or self._sign(outward) == 1
-
     def _of_the_story(self, step: Impact, number: int) -> Iterator[Fact]:
         """What has to be, or there is no such impact: of its coefficient, and of the approach."""
         if isinstance(step.e, Expression) and not isinstance(step.e, Letter | Number):
             one = Number(Fraction(1))
-            if letters(step.e) and self._sign(Binary("-", one, step.e)) is None:
+            if letters(step.e) and self.sign(Binary("-", one, step.e)) is None:
                 most = Relation(((Link(step.e, "<=", one),),))
                 yield Fact(f"most {number}", "geometry", most, None, step.place)
         if number > 1 or step.second in self.walls:
@@ -311,27 +222,18 @@ class FactsOf:
         if not isinstance(self.sphere(step.first).position, Expression):
             return None
         match self.place_of(wall.start), self.place_of(wall.end):
-            case Pair(a, b), Pair(c, d) if is_zero(_difference(d, b)):
+            case Pair(a, b), Pair(c, d) if is_zero(difference(d, b)):
                 ends, unit = (a, c), Unit("i")
-            case Pair(a, b), Pair(c, d) if is_zero(_difference(c, a)):
+            case Pair(a, b), Pair(c, d) if is_zero(difference(c, a)):
                 ends, unit = (b, d), Unit("j")
             case _:
                 return None
-        side = self._sign(Binary("-", ends[1], ends[0]))
+        side = self.sign(Binary("-", ends[1], ends[0]))
         if side is None:
             return None
         low, high = ends if side > 0 else ends[::-1]
         place = Quantity("along", (Quantity("position", (Name(step.first),), number), unit))
         return Relation(((Link(low, "<", place), Link(place, "<", high)),))
-
-    @cached_property
-    def radius(self) -> Expression | None:
-        """The radius of all spheres; None where they are small."""
-        radii = (sphere.radius for sphere in self.problem.spheres)
-        return next((each for each in radii if isinstance(each, Expression)), None)
-
-    def sphere(self, name: str) -> Any:
-        return next(sphere for sphere in self.problem.spheres if sphere.name == name)
 
     def _off_the_wall(self, body: str, part: str, wall: Expression) -> Expression | None:
         """The coordinate of a centre at a wall: its radius away on the side where it begins."""
@@ -340,7 +242,7 @@ class FactsOf:
             return wall
         if not isinstance(sphere.position, Pair) or not isinstance(self.radius, Expression):
             return None
-        side = self._sign(Binary("-", getattr(sphere.position, part), wall))
+        side = self.sign(Binary("-", getattr(sphere.position, part), wall))
         if side is None:
             return None
         if is_zero(wall):
@@ -361,18 +263,18 @@ class FactsOf:
             return self._beside_on_a_slant(step, theirs, places)
         if all(isinstance(place, Pair) for place in places):
             part = "x" if step.along == Unit("i") else "y"
-            side = self._sign(Binary("-", *(getattr(place, part) for place in reversed(places))))
+            side = self.sign(Binary("-", *(getattr(place, part) for place in reversed(places))))
         elif any(isinstance(place, Pair) for place in places):
             return None
         else:
-            side = self._approach(first, second, step.along)
+            side = self.approach(first, second, step.along)
         if side is None:
             return None
         apart = Binary("*", Binary("*", Number(Fraction(2)), self.radius), step.along)
         return Binary("-" if side > 0 else "+", theirs, apart)
 
     def _beside_on_a_slant(
-        self, step: Impact, theirs: Expression, places: list[Any]
+        self, step: Impact, theirs: Expression, places: Sequence[object]
     ) -> Expression | None:
         """Where the first centre is by the second, on a line at an angle or along a vector.
 
@@ -385,57 +287,17 @@ class FactsOf:
                 unit = Binary("/", vector, Apply("abs", vector))
             case _:
                 return None
-        if not all(isinstance(place, Pair) for place in places) or self.radius is None:
-            return None
-        first, second = places
-        displacement = Pair(_difference(second.x, first.x), _difference(second.y, first.y))
-        side = self._sign(Quantity("dot", (displacement, unit)))
+        match places:
+            case [Pair() as first, Pair() as second] if self.radius is not None:
+                pass
+            case _:
+                return None
+        displacement = Pair(difference(second.x, first.x), difference(second.y, first.y))
+        side = self.sign(Quantity("dot", (displacement, unit)))
         if side is None:
             return None
         apart = Binary("*", Binary("*", Number(Fraction(2)), self.radius), unit)
         return Binary("-" if side > 0 else "+", theirs, apart)
-
-    def _approach(self, first: Any, second: Any, axis: Expression) -> int | None:
-        """In which sense of an axis the first sphere comes nearer to the second at the start."""
-        paces = [
-            Number(Fraction(0)) if _at_rest(each.velocity) else each.velocity
-            for each in (first, second)
-        ]
-        if not all(isinstance(pace, Expression) for pace in paces):
-            return None
-        a, b = (Quantity("dot", (pace, axis)) if not is_zero(pace) else pace for pace in paces)
-        return self._sign(Binary("-", a, b))
-
-    def _sign(self, tree: Expression) -> int | None:
-        """The sign of an expression in letters, where it is plain."""
-        from restitution.explaining.quotients import NotComparableError
-
-        world = world_of(self.problem)
-        try:
-            return self.sign_in(world, world.scalar(tree))
-        except NotComparableError:
-            return None
-
-    @staticmethod
-    def sign_in(world: Any, value: Any) -> int | None:
-        """The sign of a quotient of a world, where it is plain."""
-        from restitution.oracle import Oracle, compared
-
-        own = world.expression(value, world.roles)
-        oracle = Oracle(world.roles)
-        for sign in (1, -1):
-            if oracle.proves(compared(sign * own, ">", 0)):
-                return sign
-        return None
-
-    def world(self) -> Any:
-        """The letters of the statement, and the directions of its walls."""
-        world = world_of(self.problem)
-        for wall in self.problem.walls:
-            along = self.along_of(wall)
-            if along is not None:
-                world.directions[Quantity("direction", (Name(wall.name),))] = along
-        return world
 
     def _start(self) -> Iterator[Fact]:
         """When the clock starts: with places at time 0, without them with the first impact.
@@ -458,7 +320,7 @@ class FactsOf:
             return False
         (name,) = self.events[0].bodies
         return any(
-            sphere.name == name and _at_rest(sphere.velocity) for sphere in self.problem.spheres
+            sphere.name == name and is_rest(sphere.velocity) for sphere in self.problem.spheres
         )
 
     def _of_events(self) -> Iterator[Fact]:
@@ -494,7 +356,7 @@ class FactsOf:
             elif step.second not in self.walls and self._touching(step) is not None:
                 yield from self._of_touching(step, number)
             elif step.second in self.walls:
-                normal = self._into_the_wall(step, number)
+                normal = self.into_the_wall(step, number)
                 if normal is not None:
                     sign = "=" if _is_unit(normal) else "parallel to"
                     yield self._fact(f"axis {number}", axis, normal, step.place, sign, "geometry")
@@ -514,11 +376,11 @@ class FactsOf:
             return False
         world = world_of(self.problem)
         centres, *both = (world.value(each) for each in directions)
-        if not hasattr(centres, "x") or not any(hasattr(each, "x") for each in both):
+        if not isinstance(centres, Plane) or not any(isinstance(each, Plane) for each in both):
             return False
         # Who is at rest has 0 for its velocity.
         first, second = (
-            _dot(world, centres, each) if hasattr(each, "x") else each for each in both
+            dot(world, centres, each) if isinstance(each, Plane) else each for each in both
         )
         approach = first - second
         if not (approach.above.is_ground and approach.below.is_ground) or approach.vanishes:
@@ -562,8 +424,8 @@ class FactsOf:
         """
         wall = self.walls[step.second]
         side, radius_vector = (
-            self._side(step.first, wall),
-            self._from_centre(step.first, wall, number),
+            self.side_of_circle(step.first, wall),
+            self.from_centre(step.first, wall, number),
         )
         if side is None or radius_vector is None:
             return
@@ -602,91 +464,13 @@ class FactsOf:
         if not isinstance(first.velocity, Expression):
             return None
         path = first.velocity
-        if not _at_rest(second.velocity):
+        if not is_rest(second.velocity):
             if not isinstance(second.velocity, Expression):
                 return None
             path = Binary("-", path, second.velocity)
         both = Binary("*", Number(Fraction(2)), self.radius)
         angle = Apply("arcsin", Binary("/", step.offset, both))
         return Polar(Number(Fraction(1)), angle, path)
-
-    def _into_the_wall(self, step: Impact, number: int) -> Expression | None:
-        """A direction perpendicular to a straight wall: towards it, as far as that is plain."""
-        # A velocity rests on all walls on the way, and each of them on the velocity before it.
-        if number not in self._normals:
-            self._normals[number] = self._normal_into(step, number)
-        return self._normals[number]
-
-    def _normal_into(self, step: Impact, number: int) -> Expression | None:
-        along = self.along_of(self.walls[step.second])
-        if along is None:
-            return None
-        left = _turned(along)
-        if left is None:
-            left = self._turned_angle(along)
-        if left is None:
-            return None
-        return _opposite(left) if self._leads_away(step.first, number, left) else left
-
-    def _turned_angle(self, along: Expression) -> Expression | None:
-        """A direction that is told by its angle, turned by +90°."""
-        if not world_of(self.problem).is_angle(along):
-            return None
-        right = Degrees(Fraction(90))
-        if isinstance(along, Degrees):
-            return Degrees(along.value + right.value)
-        return Binary("+", along, right)
-
-    def _leads_away(self, body: str, number: int, normal: Expression) -> bool:
-        """Whether a velocity before an event, where it is plain, is against a direction."""
-        from restitution.explaining.quotients import NotComparableError
-        from restitution.oracle import Oracle, compared
-
-        if number > _PLAIN:
-            return False
-        world = self.world()
-        try:
-            velocity, axis = self.velocity_before(body, number, world), world.direction(normal)
-            if velocity is None or axis is None:
-                return False
-            value = world.expression(_dot(world, velocity, axis), world.roles)
-        except NotComparableError:
-            return False
-        oracle = Oracle(world.roles)
-        return oracle.proves(compared(value, "<=", 0)) and (
-            oracle.decide(compared(value, ">=", 0)).answer != "proved"
-        )
-
-    def velocity_before(self, body: str, number: int, world: Any) -> Any:
-        """The velocity before an event: the one given, turned back by walls on the way.
-
-        None where another sphere, or a blow, comes in between.
-        """
-        from restitution.explaining.quotients import CONSTANT, Plane
-
-        given = next(sphere.velocity for sphere in self.problem.spheres if sphere.name == body)
-        value = world.value(given) if isinstance(given, Expression) else None
-        for event, step in enumerate(self.problem.events, 1):
-            if event == number or not isinstance(value, Plane):
-                break
-            if body not in self.events[event - 1].bodies or isinstance(step, Arrival):
-                continue
-            if isinstance(step, Kick):
-                push = world.value(step.impulse)
-                mass = next(sphere.mass for sphere in self.problem.spheres if sphere.name == body)
-                if not isinstance(push, Plane) or not isinstance(mass, Expression):
-                    return None
-                share = world.scalar(mass)
-                value = Plane(value.x + push.x / share, value.y + push.y / share)
-                continue
-            normal = self._into_the_wall(step, event) if self.events[event - 1].wall else None
-            axis = None if normal is None else world.direction(normal)
-            if axis is None:
-                return None
-            e = world.scalar(Letter("e") if step.e is None else step.e)
-            factor = (CONSTANT(1) + e) * _dot(world, value, axis) / _dot(world, axis, axis)
-            value = Plane(value.x - factor * axis.x, value.y - factor * axis.y)
-        return value if isinstance(value, Plane) else None
 
     def _given(self) -> Iterator[Fact]:
         number = 0
@@ -699,7 +483,7 @@ class FactsOf:
             for relation in step.relations:
                 for own in self._relations(relation, events):
                     number += 1
-                    kind: Any = "range" if _is_range(own) else "given"
+                    kind: FactKind = "range" if _is_range(own) else "given"
                     yield Fact(f"given {number}", kind, own, part.label, step.place)
                 sense = self._sense(relation, events)
                 if sense is not None:
@@ -811,23 +595,14 @@ class FactsOf:
     def _is_wall(self, tree: Quantity) -> bool:
         return any(isinstance(a, Name) and a.name in self.walls for a in tree.arguments)
 
-    def latest(self, bodies: list[str], events: int) -> int:
-        """The last event so far in which one of some bodies took part; of all, if there is none."""
-        own = [
-            e.number
-            for e in self.events[:events]
-            if not bodies or any(body in e.bodies for body in bodies)
-        ]
-        return max(own, default=0)
-
     def _fact(
         self,
         name: str,
         left: Expression,
         right: Expression,
-        place: Any,
+        place: Place | None,
         sign: Sign = "=",
-        kind: Any = "data",
+        kind: FactKind = "data",
     ) -> Fact:
         relation = Relation(((Link(left, sign, settled(right, self.events)),),))
         return Fact(name, kind, relation, None, place)
@@ -850,69 +625,5 @@ def _is_range(relation: Relation) -> bool:
     )
 
 
-def _difference(a: Expression, b: Expression) -> Expression:
-    if a == b:
-        return Number(Fraction(0))
-    if isinstance(a, Number) and isinstance(b, Number):
-        return rational(a.value - b.value)
-    return a if is_zero(b) else Negate(b) if is_zero(a) else Binary("-", a, b)
-
-
 def _is_unit(tree: Expression) -> bool:
     return isinstance(tree, Unit) or (isinstance(tree, Negate) and isinstance(tree.operand, Unit))
-
-
-def _turned(along: Expression) -> Expression | None:
-    """A direction turned by +90°."""
-    if along in _AXES:
-        return _AXES[along]
-    match along:
-        case Negate(operand):
-            turned = _turned(operand)
-            return None if turned is None else _opposite(turned)
-        case Pair(x, y):
-            return Pair(_opposite(y), x)
-        case Binary("+" | "-", left, right):
-            a, b = _turned(left), _turned(right)
-            if a is None or b is None:
-                return None
-            if isinstance(b, Negate):
-                return Binary("-" if along.op == "+" else "+", a, b.operand)
-            return Binary(along.op, a, b)
-        case Binary("*", left, right):
-            b = _turned(right)
-            if b is None:
-                return None
-            if isinstance(b, Negate):
-                return Negate(Binary("*", left, b.operand))
-            return Binary("*", left, b)
-    return None
-
-
-def world_of(problem: Problem) -> Any:
-    """The letters of a statement, to compare trees in."""
-    from restitution.explaining.algebra import World
-    from restitution.solving.letters import roles
-
-    known = roles(problem)
-    angles = frozenset(name for name, role in known.items() if role.kind == "angle")
-    return World(known, frozenset(), angles, {})
-
-
-def _dot(world: Any, a: Any, b: Any) -> Any:
-    """The scalar product of two vectors of a world."""
-    return world.reduced(a.x * b.x + a.y * b.y)
-
-
-def _at_rest(velocity: Any) -> bool:
-    return isinstance(velocity, Pair) and is_zero(velocity.x) and is_zero(velocity.y)
-
-
-def _opposite(tree: Expression) -> Expression:
-    if isinstance(tree, Degrees):
-        return Degrees((tree.value + 180) % 360)
-    if isinstance(tree, Binary) and tree.right == Degrees(Fraction(90)):
-        return Binary("-" if tree.op == "+" else "+", tree.left, tree.right)
-    if isinstance(tree, Binary) and tree.op == "-":
-        return Binary("-", tree.right, tree.left)
-    return tree.operand if isinstance(tree, Negate) else Negate(tree)

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Any
 
+from restitution.explaining.algebra import World
+from restitution.explaining.arrangement import Arrangement, is_rest
 from restitution.explaining.derivation import Link, Relation
+from restitution.explaining.quotients import Plane
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -16,21 +18,20 @@ from restitution.expression.tree import (
     Unit,
     is_zero,
 )
-from restitution.problem import Arrival, Impact, Meets
+from restitution.problem import Arrival, Event, Impact, Meets, Wall
 from restitution.shapes import Circle, Segment
 
 _ZERO = Number(Fraction(0))
 
 
-def hits(facts: Any, relation: Meets, events: int) -> Relation | None:
+def hits(arrangement: Arrangement, relation: Meets, events: int) -> Relation | None:
     """What it says of a sphere that it will hit a wall along **i** or **j**, or that it will not.
 
-    ``facts`` is the maker of all facts, which knows the places and walls of the statement.
     It moves towards the wall; and between two ends its path comes to the line of the wall between
     them. None where the places do not make plain on which side it is, or where a wall with ends is
     concerned and it is open whether it moves towards that.
     """
-    ahead = _Ahead.of(facts, relation, events)
+    ahead = _Ahead.of(arrangement, relation, events)
     if ahead is None:
         return None
     if not isinstance(ahead.wall.shape, Segment):
@@ -42,40 +43,45 @@ class _Ahead:
     """A sphere and a wall that it may come to next."""
 
     def __init__(
-        self, facts: Any, body: str, wall: Any, events: int, place: tuple[Any, Any]
+        self,
+        arrangement: Arrangement,
+        body: str,
+        wall: Wall,
+        events: int,
+        place: tuple[World, Plane],
     ) -> None:
-        self.facts, self.body, self.wall, self.events = facts, body, wall, events
-        self.stage = facts.latest([body], events)
-        self.horizontal = _is_level(facts.along_of(wall))
+        self.arrangement, self.body, self.wall, self.events = arrangement, body, wall, events
+        self.stage = arrangement.latest([body], events)
+        self.horizontal = _is_level(arrangement.along_of(wall))
         self.world, self.place = place
 
     @classmethod
-    def of(cls, facts: Any, relation: Meets, events: int) -> _Ahead | None:
+    def of(cls, arrangement: Arrangement, relation: Meets, events: int) -> _Ahead | None:
         """The pair of which a relation speaks; None where no place tells how they lie."""
         names = [relation.first.name, relation.second.name]
-        walls = [each for each in names if each in facts.walls]
-        if relation.again or len(walls) != 1 or facts.radius is not None:
+        walls = [each for each in names if each in arrangement.walls]
+        if relation.again or len(walls) != 1 or arrangement.radius is not None:
             return None
         (body,) = (each for each in names if each not in walls)
-        wall = facts.walls[walls[0]]
-        along = facts.along_of(wall)
+        wall = arrangement.walls[walls[0]]
+        along = arrangement.along_of(wall)
         if isinstance(wall.shape, Circle) or along is None:
             return None
         if not (_is_level(along) or _is_upright(along)):
             return None
-        if any({body, wall.name} == set(each.bodies) for each in facts.events[:events]):
+        if any({body, wall.name} == set(each.bodies) for each in arrangement.events[:events]):
             return None
-        world = facts.world()
-        place = _Path(facts, body, events, world).place()
-        through = facts.place_of(wall.shape.point)
+        world = arrangement.world()
+        place = _Path(arrangement, body, events, world).place()
+        through = arrangement.place_of(wall.shape.point)
         if place is None or not isinstance(through, Pair):
             return None
-        return cls(facts, body, wall, events, (world, place))
+        return cls(arrangement, body, wall, events, (world, place))
 
     @property
     def _level(self) -> Expression:
         """The coordinate that all points of the wall have."""
-        point = self.facts.place_of(self.wall.shape.point)
+        point = self.arrangement.place_of(self.wall.shape.point)
         assert isinstance(point, Pair)
         return point.y if self.horizontal else point.x
 
@@ -88,18 +94,18 @@ class _Ahead:
         """1 where the wall lies ahead in the direction of **i** or **j**, −1 behind."""
         own = self.place.y if self.horizontal else self.place.x
         gap = self.world.scalar(self._level) - own
-        side: int | None = self.facts.sign_in(self.world, gap)
+        side: int | None = self.arrangement.sign_in(self.world, gap)
         return side
 
     @property
     def is_nearing(self) -> bool:
         """Whether it is plain that the sphere moves towards the wall."""
-        velocity = self.facts.velocity_before(self.body, self.events + 1, self.world)
+        velocity = self.arrangement.velocity_before(self.body, self.events + 1, self.world)
         side = self.side
         if velocity is None or side is None:
             return False
         pace = velocity.y if self.horizontal else velocity.x
-        return bool(self.facts.sign_in(self.world, pace) == side)
+        return bool(self.arrangement.sign_in(self.world, pace) == side)
 
     def _component(self, unit: Unit) -> Quantity:
         velocity = Quantity("velocity", (Name(self.body),), self.stage)
@@ -109,7 +115,7 @@ class _Ahead:
         """A coordinate at the last event of the sphere, or where it begins."""
         if self.stage:
             return Quantity("along", (Quantity("position", (Name(self.body),), self.stage), unit))
-        start = self.facts.place_of(self.facts.sphere(self.body).position)
+        start = self.arrangement.place_of(self.arrangement.sphere(self.body).position)
         assert isinstance(start, Pair)
         return start.x if unit.axis == "i" else start.y
 
@@ -123,11 +129,13 @@ class _Ahead:
 
     def between(self, happens: bool) -> Relation | None:
         """That its path comes to the line of the wall between both ends, or does not."""
-        first, last = (self.facts.place_of(each) for each in (self.wall.start, self.wall.end))
+        first, last = (self.arrangement.place_of(each) for each in (self.wall.start, self.wall.end))
         assert isinstance(first, Pair)
         assert isinstance(last, Pair)
         ends = (first.x, last.x) if self.horizontal else (first.y, last.y)
-        order = self.facts.sign_in(self.world, self.world.scalar(Binary("-", ends[1], ends[0])))
+        order = self.arrangement.sign_in(
+            self.world, self.world.scalar(Binary("-", ends[1], ends[0]))
+        )
         if order is None:
             return None
         low, high = ends if order > 0 else ends[::-1]
@@ -143,62 +151,57 @@ class _Ahead:
 class _Path:
     """Where a sphere is after some events, as far as walls and points tell."""
 
-    def __init__(self, facts: Any, body: str, events: int, world: Any) -> None:
-        self.facts, self.body, self.events, self.world = facts, body, events, world
+    def __init__(self, arrangement: Arrangement, body: str, events: int, world: World) -> None:
+        self.arrangement, self.body, self.events, self.world = arrangement, body, events, world
 
-    def place(self) -> Any:
+    def place(self) -> Plane | None:
         """Its place at its last event; None where that is not told."""
-        start = self.facts.place_of(self.facts.sphere(self.body).position)
-        if start is None:
-            return None
-        place = self.world.value(start)
-        for number, step in enumerate(self.facts.problem.events[: self.events], 1):
-            if self.body in self.facts.events[number - 1].bodies:
+        place = self._point(self.arrangement.sphere(self.body).position)
+        for number, step in enumerate(self.arrangement.problem.events[: self.events], 1):
+            if place is not None and self.body in self.arrangement.events[number - 1].bodies:
                 place = self._after(number, step, place)
-            if place is None:
-                return None
         return place
 
-    def _after(self, number: int, step: Any, place: Any) -> Any:
+    def _point(self, tree: object) -> Plane | None:
+        return self.arrangement.point(tree, self.world)
+
+    def _after(self, number: int, step: Event, place: Plane) -> Plane | None:
         match step:
             case Arrival(target=target) if not self._is_wall(target):
-                there = self.facts.place_of(target)
-                return None if there is None else self.world.value(there)
+                return self._point(target)
             case Arrival(target=Name(name)):
-                return self._at(number, self.facts.walls[name], place)
-            case Impact(second=second) if second in self.facts.walls:
-                return self._at(number, self.facts.walls[second], place)
+                return self._at(number, self.arrangement.walls[name], place)
+            case Impact(second=second) if second in self.arrangement.walls:
+                return self._at(number, self.arrangement.walls[second], place)
             case Impact(first=first, second=second) if first == self.body:
-                return _Path(self.facts, second, number, self.world).resting()
-            case Impact() if _Path(self.facts, self.body, number, self.world).resting():
+                return _Path(self.arrangement, second, number, self.world).resting()
+            case Impact() if _Path(self.arrangement, self.body, number, self.world).resting():
                 return place
         return None
 
-    def resting(self) -> Any:
+    def resting(self) -> Plane | None:
         """The place of a sphere that is at rest there until its first event."""
-        sphere = self.facts.sphere(self.body)
-        start, velocity = self.facts.place_of(sphere.position), sphere.velocity
-        met = any(self.body in each.bodies for each in self.facts.events[: self.events - 1])
-        rests = isinstance(velocity, Pair) and is_zero(velocity.x) and is_zero(velocity.y)
-        return self.world.value(start) if rests and start is not None and not met else None
+        sphere = self.arrangement.sphere(self.body)
+        met = any(self.body in each.bodies for each in self.arrangement.events[: self.events - 1])
+        return self._point(sphere.position) if is_rest(sphere.velocity) and not met else None
 
-    def _is_wall(self, target: Any) -> bool:
-        return isinstance(target, Name) and target.name in self.facts.walls
+    def _is_wall(self, target: object) -> bool:
+        return isinstance(target, Name) and target.name in self.arrangement.walls
 
-    def _at(self, number: int, wall: Any, place: Any) -> Any:
+    def _at(self, number: int, wall: Wall, place: Plane) -> Plane | None:
         """The place where the path comes to the line of a wall along **i** or **j**."""
-        through, along = self.facts.place_of(wall.shape.point), self.facts.along_of(wall)
-        velocity = self.facts.velocity_before(self.body, number, self.world)
-        if not isinstance(through, Pair) or along is None or velocity is None:
+        point = self._point(wall.shape.point)
+        along = self.arrangement.along_of(wall)
+        velocity = self.arrangement.velocity_before(self.body, number, self.world)
+        if point is None or along is None or velocity is None:
             return None
-        point = self.world.value(through)
         if _is_level(along) and not velocity.y.vanishes:
             shift = (point.y - place.y) / velocity.y
         elif _is_upright(along) and not velocity.x.vanishes:
             shift = (point.x - place.x) / velocity.x
         else:
             return None
-        return type(place)(place.x + shift * velocity.x, place.y + shift * velocity.y)
+        return Plane(place.x + shift * velocity.x, place.y + shift * velocity.y)
 
 
 def _is_level(along: Expression | None) -> bool:

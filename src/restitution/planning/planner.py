@@ -12,6 +12,7 @@ import sympy as sp
 from restitution.components.letters import protected_letters
 from restitution.components.telling import model
 from restitution.errors import MissingError
+from restitution.explaining.arrangement import events_of
 from restitution.explaining.derivation import (
     Derivation,
     ItemEnd,
@@ -21,7 +22,7 @@ from restitution.explaining.derivation import (
     Relation,
     equation,
 )
-from restitution.explaining.facts import events_of, facts_of, staged
+from restitution.explaining.facts import facts_of, staged
 from restitution.explaining.premises import (
     with_identities,
     with_ranges,

@@ -17,7 +17,7 @@ from typing import Protocol
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.explaining.facts import events_of
+from restitution.explaining.arrangement import events_of
 from restitution.explaining.misconceptions import MISCONCEPTIONS, ResultAt, VariantAt, variants_at
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (

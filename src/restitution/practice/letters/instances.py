@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from restitution.explaining.facts import events_of
+from restitution.explaining.arrangement import events_of
 from restitution.explaining.misconceptions import variants_at
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.quantities import Nature

@@ -7,7 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from restitution.explaining.facts import events_of, staged
+from restitution.explaining.arrangement import events_of
+from restitution.explaining.facts import staged
 from restitution.explaining.misconceptions import ResultAt, VariantAt, variants_at
 from restitution.explaining.trees import exchanged, rebuilt
 from restitution.expression.tree import Expression, Letter, Quantity, walk

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from restitution.explaining.facts import events_of
+from restitution.explaining.arrangement import events_of
 from restitution.explaining.misconceptions import LawAt, VariantAt, variants_at
 from restitution.expression.tree import Number, Quantity
 from restitution.practice.script import Claim, Scope
