@@ -199,7 +199,7 @@ class FactsOf(Arrangement):
             return
         if isinstance(step.offset, Expression) and self.radius is not None:
             both = self._doubled(self.radius)
-            if letters(step.offset) and self._sign(step.offset) == 1:
+            if letters(step.offset) and self.sign(step.offset) == 1:
                 near = Relation(((Link(step.offset, "<", both),),))
                 yield Fact(f"offset {number}", "geometry", near, None, step.place)
         if step.along is None:
