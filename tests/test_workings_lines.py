@@ -6,8 +6,9 @@ from functools import cache
 
 import pytest
 
+from restitution.explaining.arrangement import events_of
 from restitution.explaining.derivation import Derivation, Line, Move
-from restitution.explaining.facts import events_of, facts_of
+from restitution.explaining.facts import facts_of
 from restitution.explaining.follower import follow
 from restitution.explaining.notation import read_meaning, read_relation
 from restitution.language import parse
