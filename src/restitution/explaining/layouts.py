@@ -188,6 +188,14 @@ class Forms:
         )
 
 
+class AsTyped(Forms):
+    """The form in which a tree was typed, whatever form its numbers have elsewhere."""
+
+    def printed(self, tree: Expression) -> Expression:
+        """The tree itself."""
+        return tree
+
+
 _Parts = tuple[Ratio, int, tuple[Expression, ...]]
 
 

@@ -752,6 +752,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.fact": "{fact}",
     "derived.items": "{items:and}",
     "derived.increases": "{quantity} increases with {letter}",
+    "derived.slope": "the derivative of {quantity} with respect to {letter} is {slope}",
+    "derived.tends-to": "tends to {value} as {letter} → {end}",
     "derived.tends": "tends to {value} as {letter} grows",
     "derived.decreases": "{quantity} decreases as {letter} increases",
     "derived.number": "({number})",

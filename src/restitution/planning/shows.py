@@ -192,7 +192,7 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
                 return line, scene.desk.relation(line)
             if (turned := _turned_by(claims, link)) is not None:
                 return turned, scene.desk.relation(turned)
-            for shown in (_component_shown, _letter_shown, _inverse_shown):
+            for shown in (_again, _component_shown, _letter_shown, _inverse_shown):
                 if (known := shown(claims, link)) is not None:
                     return known
             return Equation(claims, link).write(), Relation(((link,),))
@@ -226,6 +226,19 @@ def _is_of_components(link: Link) -> bool:
         case Quantity("along", (_, one)), Quantity("along", (_, other)):
             return one == other
     return False
+
+
+def _again(claims: Claims, link: Link) -> tuple[int, Relation] | None:
+    """What the end of an item says already, in another form."""
+    desk, relation = claims.scene.desk, Relation(((link,),))
+    for number in sorted({end.line for end in desk.ends}, reverse=True):
+        if desk.holds(number) and len(desk.relation(number).options) == 1:
+            first, last = desk.relation(number).only[0], desk.last_link(number)
+            if (first.left, first.sign) == (link.left, "=") and last.right != link.right:
+                line = claims.judge.write((Move("rearrange"),), [number], relation)
+                if line is not None:
+                    return line, relation
+    return None
 
 
 def _component_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:

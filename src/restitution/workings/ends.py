@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from restitution.explaining.derivation import Derivation, ItemEnd, Line, Relation
+from restitution.explaining.derivation import Derivation, ItemEnd, Line, Link, Relation
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Expression, Quantity, walk
+from restitution.expression.tree import Expression, Number, Quantity, walk
 from restitution.problem import (
     Aligned,
     Arrival,
@@ -84,6 +84,18 @@ class Ends:
         """What was asked, in the line that ends it."""
         end = self.of(line)
         return None if end is None else self._asked.get(end.item)
+
+    def typed(self, line: Line, link: Link) -> lay.Layout | None:
+        """The right side of what was to be shown as it was typed, in the line that says it."""
+        for end in self._at(line):
+            match end.answer.options:
+                case ((own,),) if end.shown and (own.left, own.sign) == (link.left, link.sign):
+                    asked = self._asked.get(end.item)
+                    text = "" if asked is None else asked.text.rstrip()
+                    if isinstance(own.right, Number) and text.endswith("%"):
+                        return lay.Percent(self._naming.as_typed(Number(100 * own.right.value)))
+                    return self._naming.as_typed(own.right)
+        return None
 
     def item(self, name: str) -> Item | Show | None:
         """An item by its name in the working."""

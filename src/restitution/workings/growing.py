@@ -96,6 +96,23 @@ def _agrees(tree: Expression, name: str, end: Any, side: Expression) -> bool:
         return False
 
 
+def limit_at_an_end(
+    tree: Expression, bound: Relation, name: str, ends: Sequence[Link]
+) -> tuple[Expression, Expression] | None:
+    """The strict bound that a tree approaches at an end that does not belong to its letter."""
+    for each in bound.only:
+        for side in (each.left, each.right):
+            if len(each.sign) == 2 or has_quantity(side) or name in letters(side):
+                continue
+            for end in ends:
+                at = end.left if end.right == Letter(name) else end.right
+                if Letter(name) not in (end.left, end.right) or len(end.sign) == 2:
+                    continue
+                if _agrees(tree, name, worth(at, name, sp.Integer(0)), side):
+                    return side, at
+    return None
+
+
 def way_of(tree: Expression, name: str, ends: Sequence[Link], bound: Relation) -> int:
     """The sign of the change from the lower to the upper end, all other letters at one point.
 

@@ -12,7 +12,7 @@ import sympy as sp
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explaining.derivation import Meaning
-from restitution.expression.dimensions import Dimension
+from restitution.expression.dimensions import NONE, Dimension
 from restitution.expression.evaluate import in_letters
 from restitution.expression.quantities import dimension_of
 from restitution.expression.tree import (
@@ -24,6 +24,7 @@ from restitution.expression.tree import (
     Number,
     Unit,
     has_quantity,
+    letters,
     walk,
 )
 from restitution.language.measuring import dimensions_of_letters
@@ -58,6 +59,10 @@ class Measures:
         """The unit of a quantity, with blanks that hold; nothing where letters give the scale."""
         dimension = dimension_of(tree, self._letters)
         return self._style.unit(dimension).lstrip()
+
+    def has_units_of_its_own(self, value: Expression) -> bool:
+        """Whether letters in a value stand for what has a unit: then none stands behind it."""
+        return any(self._letters.get(name, NONE) != NONE for name in letters(value))
 
 
 def _quantities(problem: Problem) -> Iterator[Expression]:

@@ -20,7 +20,7 @@ from restitution.explaining.derivation import (
     Meaning,
     Relation,
 )
-from restitution.explaining.layouts import Forms, of_relation, of_tree
+from restitution.explaining.layouts import AsTyped, Forms, of_relation, of_tree
 from restitution.explaining.saying import Sentence, operand, say
 from restitution.explaining.sentences import SENTENCES
 from restitution.explaining.trees import rebuilt, settled, trees_of
@@ -134,6 +134,10 @@ class Naming:
                 case Binary("-", Quantity("time", (), int()), Quantity("time", (), int()) as early):
                     self.name(early)  # it is introduced before the later one
         return of_tree(tree, self.vectors, self.name, self.forms)
+
+    def as_typed(self, tree: Expression) -> lay.Layout:
+        """A tree of the statement in the form in which it stands there."""
+        return of_tree(tree, self.vectors, self.name, AsTyped())
 
     def relation(self, relation: Relation) -> lay.Layout:
         """A whole relation in one line."""

@@ -8,7 +8,15 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.derivation import Derivation, Line, Link, Move, Ref, Relation
+from restitution.explaining.derivation import (
+    FLIPPED,
+    Derivation,
+    Line,
+    Link,
+    Move,
+    Ref,
+    Relation,
+)
 from restitution.explaining.notation import read_relation, read_tree
 from restitution.explaining.quotients import NotComparableError, Quotient
 from restitution.explaining.saying import Sentence, say
@@ -37,9 +45,10 @@ from restitution.solving.letters import roles
 from restitution.solving.signs import sign
 from restitution.workings.factors import factor_cancelled
 from restitution.workings.grounds import grounds_of, motion_of
-from restitution.workings.growing import growth, way_of
+from restitution.workings.growing import growth, limit_at_an_end, way_of
 from restitution.workings.naming import Naming
 from restitution.workings.right_angles import RightAngles
+from restitution.workings.seen import growth_said
 from restitution.workings.sources import Sources, bound_broken, root_of_a_square
 
 _REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
@@ -404,18 +413,49 @@ class Reasons:
                 part = _part_with(whole, name)
                 turn = 0 if part is None else way_of(part, name, ends, line.relation)
                 whole, sense = (above[0].left, sense) if part is None or not turn else (part, turn)
-            id_ = "derived.increases" if sense > 0 else "derived.decreases"
-            quantity = self._naming.layout(whole)
             letter = self._naming.layout(Letter(name))
-            yield say(id_, quantity=quantity, letter=letter)
+            yield growth_said(whole, name, sense, ends, self._roles, self._naming.layout)
             far = _far_end(line.relation, above[0].left, name, sense, ends)
             if name in positive and far is not None:
                 yield say("derived.tends", value=self._naming.layout(far), letter=letter)
+            elif any(end.line == line.number and end.shown for end in self._derivation.items):
+                limit = limit_at_an_end(above[0].right, line.relation, name, ends)
+                if limit is not None:
+                    value, end = map(self._naming.layout, limit)
+                    yield say("derived.tends-to", value=value, letter=letter, end=end)
 
     def _shape(self, line: Line) -> tuple[Sentence, ...]:
         """What bounds a value by its form, the plainest that fits."""
-        ways = (self._square, self._positive_square, self._factor, self._wave, self._share)
-        return next((reasons for reason in ways if (reasons := tuple(reason(line)))), ())
+        for way in (
+            *(self._ratio, self._square, self._positive_square),
+            *(self._factor, self._wave, self._share),
+        ):
+            if reasons := tuple(way(line)):
+                return reasons
+        return ()
+
+    def _ratio(self, line: Line) -> Iterator[Sentence]:
+        """How the ratio of an angle, which is cited, compares with that of a given angle."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.options:
+            case ((Link(Letter() as angle, sign_, bound),),) if line.move.id in ("sign", "compare"):
+                pass
+            case _:
+                return
+        cited = [own for ref in line.premises if (own := self._relation_of(ref)) is not None]
+        acute = any(str(ref).startswith("acute:") for ref in line.premises)
+        for own in cited if acute and sign_ in (*_UP, *_DOWN) and not letters(bound) else ():
+            for link in own.options[0] if len(own.options) == 1 else ():
+                match link:
+                    case Link(Apply("sin" | "cos" | "tan" as ratio, inside), "=", value) if (
+                        inside == angle and not letters(value)
+                    ):
+                        other = in_letters(Apply(ratio, bound))
+                        way = FLIPPED[sign_] if ratio == "cos" else sign_
+                        chain_ = (link, Link(value, way, tree_of(other)))
+                        last = Link(tree_of(other), "=", Apply(ratio, bound))
+                        yield say("derived.fact", fact=self._laid(Relation(((*chain_, last),))))
+                        return
 
     def _square(self, line: Line) -> Iterator[Sentence]:
         """That a square is not negative, where a bound is what is left without it."""

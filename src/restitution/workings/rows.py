@@ -218,6 +218,9 @@ class Rows:
             sides = [
                 lay.ZERO_VECTOR if is_zero(t) else s for t, s in zip(trees, sides, strict=True)
             ]
+        typed = self._ends.typed(line, replace(links[0], sign=links[-1].sign)) if last else None
+        if typed is not None and not is_vector(links[0].left):
+            sides[-1] = typed
         for n, each in enumerate(links, 1):
             if each.sign == "≈":
                 sides[n] = to_three_figures(trees[n]) or sides[n]
@@ -231,7 +234,7 @@ class Rows:
         for n in range(len(sides) - 1, 1, -1):
             if sides[n] == sides[n - 1] and signs[n - 1] == "=":
                 del sides[n], signs[n - 1]
-        quotient = _quotient(line, links[0])
+        quotient = self._quotient(line, links[0])
         if quotient is not None and isinstance(sides[1], lay.Number) and not self._by_axis(line):
             sides[1:1], signs[:0] = [quotient], ["="]
         if self._towards(line, links, sides):
@@ -257,6 +260,16 @@ class Rows:
                 quotient = lay.Fraction(self._naming.layout(above), self._naming.layout(below))
                 return quotient if own is ratio else lay.negative(quotient)
         return whole
+
+    def _quotient(self, line: Line, link: Link) -> lay.Layout | None:
+        """The quotient of two numbers, a decimal next: of components, or of a flight."""
+        flight = line.move.record == "straight-line" and is_time(link.left)
+        match link.right:
+            case Binary("/", above, below) if flight or line.move.record in _TANGENTS:
+                sides = [self._naming.layout(each) for each in (above, below)]
+                if all(isinstance(each, lay.Number) for each in sides):
+                    return lay.Fraction(*sides)
+        return None
 
     def _by_axis(self, line: Line) -> bool:
         """Whether a ratio is that of a line of centres which a line tells, and of no components."""
@@ -387,6 +400,7 @@ class Rows:
         left, right = links[0].left, links[-1].right
         end = self._ends.of(line)
         worth = not has_quantity(right) and (_is_value(left) or end is not None)
+        worth = worth and not self._measures.has_units_of_its_own(right)
         unit = self._measures.unit(left) if worth else ""
         asked = self._ends.asked(line)
         if end is not None and not end.shown:
@@ -505,15 +519,6 @@ class Rows:
         if _is_value(trees[0]) and is_plain(sides[-1]) and signs[-1] in ("=", "≈"):
             sides[-1] = with_unit(sides[-1], self._measures.unit(trees[0]))
         return lay.Relation(tuple(sides), tuple(signs))
-
-
-def _quotient(line: Line, link: Link) -> lay.Layout | None:
-    """The quotient of two numbers, which is a decimal next: of components, or of a flight."""
-    flight = line.move.record == "straight-line" and is_time(link.left)
-    match link.right:
-        case Binary("/", Number(above), Number(below)) if flight or line.move.record in _TANGENTS:
-            return lay.Fraction(lay.Number(str(above)), lay.Number(str(below)))
-    return None
 
 
 def _has_function(tree: Expression) -> bool:

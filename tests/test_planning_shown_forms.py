@@ -1,0 +1,146 @@
+"""What is to be shown ends in the form in which it is asked, and bounds have reasons to be seen.
+
+Each working is followed line by line, its answers are those of the solver, and it says what a
+teacher says; what a teacher does not say is not in it.
+"""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+from laws_of_workings import answers, complaints
+
+from restitution.explaining.derivation import Link
+from restitution.explaining.notation import read_relation
+from restitution.language import parse
+from restitution.oracle import Role
+from restitution.oracle.roles import ACUTE, COEFFICIENT, POSITIVE
+from restitution.planning.planner import plan
+from restitution.solving import solve
+from restitution.workings import to_text
+from restitution.workings.derived import explanation_of
+from restitution.workings.seen import shown
+
+# A statement, what its working says, and what it does not say: lines, or parts of them.
+CASES = {
+    "roots below a line, as they were typed": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+given e < 1
+show tan(deflection(A)) <= (1+e)/(2sqrt(2)sqrt(1-e))
+show speed(A) < u
+""",
+        (
+            "tan δ ≤ (1 + e)/(2√2√(1 − e))",
+            "(1 − e)² cos²α + 4 sin²α = (1 − e)² + (1 + e)(3 − e) sin²α increases",
+            "tends to u as α → 90°",
+        ),
+        ("√2(1 + e)/(4√(1 − e))",),
+    ),
+    "a percentage": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 3m, at rest
+given tan(alpha) = 3/4
+A hits B: along i
+show energy_lost/energy(0) <= 48%
+""",
+        ("≤ 48%",),
+        ("≤ 0.48",),
+    ),
+    "a fraction, and then the decimal": (
+        """
+wall W: along i
+sphere P: mass 0.5, velocity 5i - 4j
+P hits W: e = 0.6
+show speed(P)^2 = 769/25
+show speed(P)^2 = 30.76
+show tan(direction(P)) = 0.48
+""",
+        ("= 2.4² + 5² = 769/25 m² s⁻²", "= 30.76 m² s⁻²", "2.4/5 = 0.48"),
+        ("2.4² + 5² = 30.76",),
+    ),
+    "an angle by its tangent, no unit behind letters": (
+        """
+wall W: along i
+sphere P: mass 2, velocity 3i - j
+sphere Q: velocity w at beta to W
+given tan(beta) = 3/4
+P hits W: e = 1/2
+find impulse
+Q hits W: e = 1/3
+find speed(Q)^2
+show beta < pi/4
+""",
+        ("3 N s", "< 1 = tan(π/4) and β is acute"),
+        ("w² m² s⁻²",),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_what_is_shown_ends_as_it_is_asked(name: str) -> None:
+    statement, said, unsaid = CASES[name]
+    solution = solve(parse(statement))
+    derivation = plan(solution)
+    assert complaints(solution, derivation) == []
+    assert answers(solution, derivation) == []
+    text = to_text(explanation_of(derivation, solution.problem))
+    for each in said:
+        assert each in text, text
+    for each in unsaid:
+        assert each not in text, text
+
+
+ROLES: dict[str, Role] = {"e": COEFFICIENT, "alpha": ACUTE, "k": POSITIVE}
+e, k = COEFFICIENT.symbol("e"), POSITIVE.symbol("k")
+
+# A tree, the letter, which way it goes, what is cited; whether it is seen, by a form or a slope.
+GROWING = {
+    "both places in one sense": ("(1 + e)/(2 - e)", "e", 1, (), "seen"),
+    "a square that falls": ("1 - e^2", "e", -1, (), "seen"),
+    "above and below against each other": ("3k/(4 + k)", "k", 1, (), 1 - 4 / (k + 4)),
+    "the square completed": (
+        "(1 + e)/sqrt(57 - 6e + e^2)",
+        "e",
+        1,
+        (),
+        (1 + e) / sp.sqrt((3 - e) ** 2 + 48),
+    ),
+    "a numerator that changes its sign": (
+        "(3 - 5e)/sqrt(13 - 10e + 25e^2)",
+        "e",
+        -1,
+        (),
+        "derivative",
+    ),
+    "not beyond what is known": ("e/(1 + e^2)", "e", 1, (), "derivative"),
+    "not at all, as it goes both ways": ("k/(1 + k^2)", "k", 1, (), None),
+    "up to an end that is cited": ("k/(1 + k^2)", "k", 1, ("k <= 1",), "derivative"),
+}
+
+
+@pytest.mark.parametrize("name", GROWING)
+def test_growth_is_seen(name: str) -> None:
+    typed, letter, sense, cited, expected = GROWING[name]
+    tree = read_relation(f"x = {typed}", {}).only[0].right
+    ends: list[Link] = [link for each in cited for link in read_relation(each, {}).only]
+    own = shown(tree, letter, sense, ends, ROLES)
+    if expected is None:
+        assert own is None
+        return
+    assert own is not None
+    assert (own.form is None) == isinstance(expected, str)
+    assert (own.derivative is not None) == (expected == "derivative")
+    if own.form is not None:
+        assert sp.simplify(own.form - own.value) == 0
+        assert own.form == expected
+    if own.derivative is not None:
+        # the slope at a point, by differences
+        point = {e: sp.Rational(1, 3), k: sp.Rational(2, 3)}
+        symbol, step = (e if letter == "e" else k), sp.Rational(1, 10**6)
+        ahead, behind = (own.value.subs(symbol, point[symbol] + sign * step) for sign in (1, -1))
+        slope = (ahead - behind) / (2 * step)
+        assert abs(float(slope - own.derivative.subs(point))) < 1e-6
