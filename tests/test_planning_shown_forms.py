@@ -62,6 +62,38 @@ show tan(direction(P)) = 0.48
         ("= 2.4² + 5² = 769/25 m² s⁻²", "= 30.76 m² s⁻²", "2.4/5 = 0.48"),
         ("2.4² + 5² = 30.76",),
     ),
+    "squares worked out before they are put together": (
+        """
+sphere A: mass m, velocity 4u i + u j
+sphere B: mass 3m, velocity -2u i
+A hits B: along i
+find energy_lost
+""",
+        ("= ⅛mu²(112 − 3 + 18e − 27e² − 1 − 18e − 81e²)",),
+        (),
+    ),
+    "terms over one denominator before they are put together": (
+        """
+sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+A hits B: along i, e = 1/3
+find energy_lost
+""",
+        ("= mu²(9(1 + k)² − 16k − (3 − k)²)/(18(1 + k)²)",),
+        (),
+    ),
+    "a speed of roots of letters": (
+        """
+sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+A hits B: along i
+given energy(A) = (1/4) energy(A, 0)
+given k > 2
+find speed(B)
+""",
+        (),
+        (),
+    ),
     "an angle by its tangent, no unit behind letters": (
         """
 wall W: along i

@@ -240,10 +240,15 @@ def speed_formula(scene: Scene, quantity: Quantity) -> Formula:
 
 
 def _of_one_square(scene: Scene, tree: Expression) -> sp.Expr | None:
-    """The root of one square whose base has a certain sign; None of anything else."""
+    """The root of one square whose base has a certain sign; None of anything else.
+
+    A square of roots of letters is multiplied out, as a reader cannot see what it is the square of.
+    """
     if not isinstance(tree, Binary) or tree.op != "^":
         return None
     base = scene.scalar(tree.left)
+    if any(not each.exp.is_Integer and each.free_symbols for each in base.atoms(sp.Pow)):
+        return None
     sign = proved_sign(scene.model.ground, base) if base.free_symbols else None
     return tidy(sign * base) if sign else None
 

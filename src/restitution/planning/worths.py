@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning import journeys, place_trees
+from restitution.planning.between import terms_between
 from restitution.planning.desk import NotPlannedError, Source, together
 from restitution.planning.expressions import write_expression
 from restitution.planning.forms import square, swept, tree_of
@@ -317,8 +318,12 @@ class Worths:
         links = [Link(left, "=", right)]
         chains = [Relation((tuple(links),))]
         if right != final:
+            terms = terms_between(scene, right, final)
+            middle = right if terms is None else terms
+            if terms is not None:
+                links.append(Link(right, "=", terms, "rearrange"))
             for by in ("rearrange", "identity"):
-                chains.insert(-1, Relation(((*links, Link(right, "=", final, by)),)))
+                chains.insert(-1, Relation(((*links, Link(middle, "=", final, by)),)))
         known_ = self.judge.known(letters(right))
         plain = together(own.refs, extra)
         wider = together(own.refs, extra, self.axes(quantity))

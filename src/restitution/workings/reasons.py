@@ -414,15 +414,29 @@ class Reasons:
                 turn = 0 if part is None else way_of(part, name, ends, line.relation)
                 whole, sense = (above[0].left, sense) if part is None or not turn else (part, turn)
             letter = self._naming.layout(Letter(name))
-            yield growth_said(whole, name, sense, ends, self._roles, self._naming.layout)
+            said, itself = growth_said(whole, name, sense, ends, self._roles, self._naming.layout)
+            yield said
             far = _far_end(line.relation, above[0].left, name, sense, ends)
+            limit: tuple[Expression | None, Expression | None] = far, None
             if name in positive and far is not None:
-                yield say("derived.tends", value=self._naming.layout(far), letter=letter)
+                pass
             elif any(end.line == line.number and end.shown for end in self._derivation.items):
-                limit = limit_at_an_end(above[0].right, line.relation, name, ends)
-                if limit is not None:
-                    value, end = map(self._naming.layout, limit)
-                    yield say("derived.tends-to", value=value, letter=letter, end=end)
+                limit = limit_at_an_end(above[0].right, line.relation, name, ends) or (None, None)
+            else:
+                return
+            value, end = (None if each is None else self._naming.layout(each) for each in limit)
+            if value is not None:
+                # Of what grows the limit may be another.
+                named = not itself or whole not in (above[0].left, above[0].right)
+                subject = self._naming.side(above[0].left)
+                words = isinstance(subject, lay.Words | lay.Phrase)
+                quantity = say("derived.the", quantity=subject) if words else subject
+                first = say("derived.its", quantity=quantity) if named else ""
+                yield (
+                    say("derived.tends", first=first, value=value, letter=letter)
+                    if end is None
+                    else say("derived.tends-to", first=first, value=value, letter=letter, end=end)
+                )
 
     def _shape(self, line: Line) -> tuple[Sentence, ...]:
         """What bounds a value by its form, the plainest that fits."""

@@ -70,19 +70,22 @@ def growth_said(
     ends: Sequence[Link],
     roles: Mapping[str, Role],
     layout: Callable[[Expression], lay.Layout],
-) -> Sentence:
-    """That a tree grows (1), or falls (-1), with a letter, by what shows that."""
+) -> tuple[Sentence, bool]:
+    """That a tree grows (1), or falls (-1), with a letter, by what shows that.
+
+    Beside it whether that is said of the tree itself, and of no part of it.
+    """
     quantity, letter = layout(tree), layout(Letter(name))
     own = shown(tree, name, sense, ends, roles)
     if own is not None and own.derivative is not None:
         quantity, slope = (layout(tree_of(each)) for each in (own.value, own.derivative))
         relation = lay.Relation((slope, lay.Number("0")), (">" if sense > 0 else "<",))
-        return say("derived.slope", quantity=quantity, letter=letter, slope=relation)
+        return say("derived.slope", quantity=quantity, letter=letter, slope=relation), False
     if own is not None and own.form is not None:
         sides = layout(tree_of(own.value)), layout(tree_of(own.form, as_it_is=True))
         quantity = lay.Relation(sides, ("=",))
     id_ = "derived.increases" if sense > 0 else "derived.decreases"
-    return say(id_, quantity=quantity, letter=letter)
+    return say(id_, quantity=quantity, letter=letter), own is None or own.form is None
 
 
 def _read(tree: Expression, roles: Mapping[str, Role]) -> sp.Expr:
