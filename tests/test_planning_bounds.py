@@ -103,7 +103,10 @@ SAYS = {
             "sphere A: mass m, velocity u at 45°\nsphere B: mass k m, at rest\n"
             "A hits B: along i, e = 1/3\nfind maximum of deflection(A) over k"
         ),
-        ["increases with k and tends to 2 as k grows", "as k → ∞, so there is no greatest value"],
+        [
+            "increases with k and tan δ tends to 2 as k grows",
+            "as k → ∞, so there is no greatest value",
+        ],
     ),
     "a greatest value that is only approached, to be shown": (
         REST.format(k="2", e=", e = 1/4") + "show maximum of energy_lost over alpha = 5/16 m u^2",
