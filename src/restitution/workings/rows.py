@@ -343,6 +343,7 @@ class Rows:
         return line.move.id == "put" and any(
             isinstance(each.relation, Relation)
             and isinstance(line.relation, Relation)
+            and len(line.relation.options) == len(each.relation.options) == 1
             and each.relation.only[0].left == line.relation.only[0].left
             for each in above
             if each is not None
