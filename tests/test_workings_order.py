@@ -135,3 +135,17 @@ find alpha, e
     words = printed(text)
     assert "by the formulae for a difference of angles" in words
     assert "by the formulae for a sum of angles" not in words
+
+
+def test_the_tangent_of_a_difference_that_the_statement_names() -> None:
+    text = """
+sphere A: mass 2m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+let beta = direction(A)
+let delta = beta - alpha
+show tan(beta) = 2 tan(alpha)
+find tan(delta) in terms of alpha
+"""
+    words = printed(text)
+    assert "By the formula for the tangent of a difference: tan δ = (tan β − tan α)" in words

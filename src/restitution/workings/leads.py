@@ -475,7 +475,8 @@ class Leads:
     def _identity(self, line: Line) -> str:
         """The name of an identity: of a tangent that of a sum, or of a difference."""
         name = _BY[line.move.record or ""]
-        base = next(filter(None, map(self._cited, line.premises)), self._angles_given(line))
+        named = self._angles_given(line) or self._angles_named(line)
+        base = next(filter(None, map(self._cited, line.premises)), named)
         if line.move.record != "sum-of-angles" or base is None:
             return name
         assert isinstance(line.relation, Relation)
@@ -509,6 +510,16 @@ class Leads:
                     case (Link(left, "=", right),) if line.move.record == "double-angle":
                         if isinstance(left, Binary) or isinstance(right, Binary):
                             return fact
+        return None
+
+    def _angles_named(self, line: Line) -> Fact | None:
+        """The sum or difference of angles that the statement calls by a letter."""
+        for ref in line.premises:
+            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            if fact is not None and fact.id.startswith("let "):
+                match fact.relation.only:
+                    case (Link(Binary("+" | "-"), "="),):
+                        return fact
         return None
 
     def _turned(self, line: Line) -> Sentence | None:
