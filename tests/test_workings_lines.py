@@ -173,6 +173,23 @@ P hits W: e = 1/2
 find direction(P), angle(velocity(P), W)
 """
 
+TRIANGLE = """
+wall AB: from (0, 0) to (4, 0)
+wall BC: from (4, 0) to (0, 3)
+sphere P: at (1, 1), velocity -j
+P hits AB: e = 1/2
+P hits BC: e = 1/2
+find velocity(P)
+"""
+UPWARDS = """
+sphere A, B, C: mass m
+sphere A: velocity u j
+sphere B, C: at rest
+A hits B: along j
+B hits C: along 60°
+find speed(C)
+"""
+
 
 @cache
 def working(text: str) -> str:
@@ -277,6 +294,12 @@ def test_unit_vectors_stand_above_cases() -> None:
     assert "𝐮_A · 𝐧 = (2a − b)/√5" in text
 
 
+def test_a_wall_between_points_has_unit_vectors() -> None:
+    text = working(TRIANGLE)
+    assert "𝐧 = (3𝐢 + 4𝐣)/5 be the unit vector perpendicular to BC, towards it" in text
+    assert "𝐯₂ · 𝐧 = −½ × ⅖ = −⅕" in text
+
+
 def test_a_direction_across_is_told_where_it_is_used() -> None:
     assert "those perpendicular to" not in working(OFFSET)
     sideways = OFFSET.replace("find speed(B)", "find speed(A)")
@@ -301,6 +324,7 @@ def test_walls_that_are_hit_in_the_whole_range_are_named() -> None:
 def test_a_velocity_of_one_component_is_told_before_it_is_resolved() -> None:
     text = working(BALL_TO_BALL)
     assert "Components before the impact, as 𝐯_B = ((1 + e)u/2)𝐢:" in text
+    assert "Components before the impact, as 𝐯_B = ((1 + e)u/2)𝐣:" in working(UPWARDS)
     text = working(CANNON)
     assert "Components before the impact, as 𝐯_A1 = −(u/2)𝐭₁:" in text
 

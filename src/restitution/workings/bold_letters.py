@@ -35,6 +35,7 @@ from restitution.expression.tree import (
     Letter,
     Negate,
     Number,
+    Pair,
     Polar,
     Quantity,
     Unit,
@@ -388,7 +389,7 @@ def _in_numbers(tree: Expression) -> Vector | None:
     nodes = list(walk(tree))
     if all(isinstance(node, Degrees | Number | Letter | Negate | Binary) for node in nodes):
         return _at(tree) if any(isinstance(node, Degrees | Letter) for node in nodes) else None
-    if not any(isinstance(node, Unit) for node in nodes):
+    if not any(isinstance(node, Unit | Pair) for node in nodes):
         return None
     if any(isinstance(node, Quantity | Polar | Degrees) for node in nodes):
         return None

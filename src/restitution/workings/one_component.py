@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
 from restitution.explaining.derivation import Derivation, Event, Line, Link, Meaning, Relation
 from restitution.expression.tree import Expression, Letter, Quantity, Unit, is_zero
 from restitution.render import layout as lay
+from restitution.workings.measured import vector_worth
 from restitution.workings.naming import Naming
 
 
@@ -26,7 +25,7 @@ def vector_resolved(
             return None
     if not 0 < stage < event.number:
         return None
-    parts: dict[Literal["along", "across"], Expression] = {}
+    parts: dict[Expression, Expression] = {}
     for ref in line.premises:
         own = derivation.line(ref) if isinstance(ref, int) else None
         match own.relation if own is not None else None:
@@ -35,19 +34,20 @@ def vector_resolved(
             case _:
                 continue
         match quantity:
-            case Quantity("along" | "across" as kind, (other, Quantity("line_of_centres", (), n))):
-                if other == velocity and n == stage:
-                    parts[kind] = links[-1].right
-    whole = [(kind, value) for kind, value in parts.items() if not is_zero(value)]
+            case Quantity("along" | "across", (other, axis)) if other == velocity:
+                if isinstance(axis, Unit) or axis == Quantity("line_of_centres", (), stage):
+                    parts[quantity] = links[-1].right
+    whole = [(component, value) for component, value in parts.items() if not is_zero(value)]
     if len(parts) != 2 or len(whole) != 1:
         return None
-    ((only, value),) = whole
-    unit = _unit(derivation, naming, stage, only)
+    ((component, value),) = whole
+    unit = _unit(derivation, naming, stage, component)
     if unit is None:
         return None
     sign, size = lay.split_sign(naming.layout(value))
-    term = lay.product(size, unit)
-    vector = lay.negative(term) if sign == "-" else term
+    way, unit_vector = lay.split_sign(unit)
+    term = lay.product(size, unit_vector)
+    vector = term if sign == way else lay.negative(term)
     return lay.Relation((naming.layout(velocity), vector), ("=",))
 
 
@@ -59,12 +59,27 @@ def _component_of(naming: Naming, tree: Expression) -> Expression:
     return tree if meaning.sense is not None else meaning.quantity
 
 
-def _unit(derivation: Derivation, naming: Naming, number: int, kind: str) -> lay.Layout | None:
-    """The unit vector along the line of an impact, or across it; None where it has no letter."""
-    axis = derivation.fact(" ".join(("axis", str(number))))
-    if axis is not None and axis.relation.options[0][-1].right == Unit("i"):
-        return lay.Bold("i" if kind == "along" else "j")
-    return naming.bold.unit(number, kind)
+def _unit(
+    derivation: Derivation, naming: Naming, number: int, component: Expression
+) -> lay.Layout | None:
+    """The unit vector of a component after an impact; None where it has no letter.
+
+    Across is to the left of along.
+    """
+    match component:
+        case Quantity("along", (_, Unit(axis))):
+            return lay.Bold(axis)
+        case Quantity("along" | "across" as kind, (_, Quantity())):
+            pass
+        case _:
+            return None
+    fact = derivation.fact(" ".join(("axis", str(number))))
+    direction = None if fact is None else vector_worth(fact.relation.options[0][-1].right)
+    if direction is None or (direction.x and direction.y):
+        return naming.bold.unit(number, kind)
+    way = direction if kind == "along" else direction.turned_left()
+    unit = lay.Bold("i" if way.x else "j")
+    return lay.negative(unit) if (way.x + way.y).is_negative else unit
 
 
 __all__ = ["vector_resolved"]
