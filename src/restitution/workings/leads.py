@@ -516,7 +516,7 @@ class Leads:
         """The sum or difference of angles that the statement calls by a letter."""
         for ref in line.premises:
             fact = self._derivation.fact(ref) if isinstance(ref, str) else None
-            if fact is not None and fact.id.startswith("let "):
+            if fact is not None and fact.id.partition(" ")[0] == "let":
                 match fact.relation.only:
                     case (Link(Binary("+" | "-"), "="),):
                         return fact
