@@ -82,6 +82,16 @@ find energy_lost
         ("= mu²(9(1 + k)² − 16k − (3 − k)²)/(18(1 + k)²)",),
         (),
     ),
+    "each square by the formula for the double angle": (
+        """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W: e = 1/2
+show speed(P)^2 = (1/8) u^2 (5 + 3cos(2alpha))
+""",
+        ("(speed of P)² = ⅛u²(1 − cos 2α) + ½u²(1 + cos 2α)",),
+        (),
+    ),
     "a speed of roots of letters": (
         """
 sphere A: mass m, velocity u i

@@ -37,9 +37,11 @@ from restitution.planning.forms import (
     product,
     square,
     swept,
+    total,
     tree_of,
 )
 from restitution.planning.formulas import Formula
+from restitution.planning.polynomials import expanded
 from restitution.planning.scene import Scene
 from restitution.planning.turning import angle_line, is_angle, write_ratio
 from restitution.planning.velocity_formulas import body_and_stage, frame_after
@@ -53,6 +55,7 @@ LAST: tuple[Move, ...] = (
     *(Move("identity", each) for each in ("pythagoras", "double-angle", "sum-of-angles")),
 )
 
+_ONE, _TWO = (Number(Fraction(n)) for n in (1, 2))
 _TO_FORM = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
 _LAST_LINKS: tuple[MoveId | None, ...] = (None, "rearrange", "identity")
 
@@ -344,6 +347,13 @@ class Equation:
         return last
 
     def _last(self, pool: Sequence[Ref]) -> int | None:
+        mark = self.claims.worths.mark()
+        halves = self._by_double_angle(pool)
+        if halves is not None:
+            line = self.judge.write((Move("rearrange"),), [halves, *pool[1:]], self.relation)
+            if line is not None:
+                return line
+            self.claims.worths.back(mark)
         line = self.judge.write(LAST, pool, self.relation)
         if line is not None:
             return line
@@ -355,6 +365,41 @@ class Equation:
         refs = [ref for own in known if own is not None for ref in own.refs]
         refs += self._between_letters()
         return self.judge.write((Move("put"),), [*pool, *refs], self.relation) if refs else None
+
+    def _by_double_angle(self, pool: Sequence[Ref]) -> int | None:
+        """The squares of the sine and of the cosine of an angle, by the cosine of twice that."""
+        first = pool[0] if pool else None
+        doubles = {
+            node.argument.right
+            for node in walk(self.link.right)
+            if isinstance(node, Apply)
+            and node.function == "cos"
+            and isinstance(node.argument, Binary)
+            and (node.argument.op, node.argument.left) == ("*", _TWO)
+        }
+        if not isinstance(first, int) or len(doubles) != 1:
+            return None
+        link, (angle,) = self.scene.desk.last_link(first), doubles
+        if link.left != self.link.left or has_quantity(link.right):
+            return None
+        own = expanded(self.scene.scalar(link.right))
+        value = self.scene.scalar(angle)
+        terms: list[Expression] = []
+        twice = Apply("cos", Binary("*", _TWO, angle))
+        for ratio, double in (
+            (sp.sin(value), Binary("-", _ONE, twice)),
+            (sp.cos(value), Binary("+", _ONE, twice)),
+        ):
+            factor = own.coeff(ratio, 2)
+            if factor == 0:
+                return None
+            own = expanded(own - factor * ratio**2)
+            number, rest = tidy(factor / 2).as_coeff_Mul()
+            terms.append(product(tree_of(number), tree_of(rest), double))
+        if own != 0:
+            return None
+        middle = chain(self.link.left, (total(terms), None))
+        return self.judge.write((Move("identity", "double-angle"),), pool, middle)
 
     def _known(self, names: AbstractSet[str]) -> tuple[Ref, ...]:
         """What may be cited of letters: their ranges, and what the statement lets them be."""
