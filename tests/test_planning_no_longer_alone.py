@@ -112,6 +112,26 @@ find theta
 """,
         ("parallel to (c𝐢 + 12𝐣) − (6𝐢 + 7𝐣)", "tan θ = "),
     ),
+    "offsets for which a sphere is turned enough": (
+        """
+sphere P: mass m, velocity w i, radius b
+sphere Q: mass m, at rest, radius b
+P hits Q: offset h, e = 1
+given deflection(P) >= 30°
+find range of h
+""",
+        ("√(4b² − h²)/h ≥ √3/3", "(4b² − h²)/h² ≥ ⅓", "0 < h ≤ √3 b, as h > 0"),
+    ),
+    "an angle of 0° between velocities": (
+        """
+sphere P: mass m, velocity w i + 2w j
+sphere Q: mass 3m, velocity -w i + w j
+P hits Q: along i
+given angle(velocity(P), velocity(Q)) = 0°
+find e
+""",
+        ("so their components are in", "e = "),
+    ),
     "a path to a round wall that is to be found": (
         """
 wall R: circle centre (0, 0) radius b

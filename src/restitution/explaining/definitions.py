@@ -37,6 +37,12 @@ _HALF = Binary("/", Number(Fraction(1)), Number(Fraction(2)))
 
 
 RIGHT_ANGLE = Degrees(Fraction(90))
+_TIES: Mapping[Expression, Sign] = {
+    RIGHT_ANGLE: "perpendicular to",
+    Degrees(Fraction(0)): "parallel to",
+    Degrees(Fraction(180)): "parallel to",
+}
+"""How directions stand to each other that make an angle of so much."""
 
 
 def places(step: Step, event: Event | None, line: Link) -> Iterator[Link]:
@@ -482,15 +488,14 @@ def tie_of(link: Link) -> tuple[Expression, Expression, str] | None:
         case Link(Quantity("direction", (Name() as body,), int(stage)), "=", angle):
             unit = Polar(Number(Fraction(1)), angle)
             return Quantity("velocity", (body,), stage), unit, "parallel to"
-    if link.sign == "=" and link.right == RIGHT_ANGLE:
-        match link.left:
-            case Quantity("angle", (left, right)):
-                return left, right, "perpendicular to"
-            case Quantity("deflection", (turned,), int(stage)):
-                before, after = (
-                    Quantity("velocity", (turned,), each) for each in (stage - 1, stage)
-                )
-                return before, after, "perpendicular to"
+    if link.sign != "=" or link.right not in _TIES:
+        return None
+    match link.left:
+        case Quantity("angle", (left, right)):
+            return left, right, _TIES[link.right]
+        case Quantity("deflection", (turned,), int(stage)):
+            before, after = (Quantity("velocity", (turned,), each) for each in (stage - 1, stage))
+            return before, after, _TIES[link.right]
     return None
 
 

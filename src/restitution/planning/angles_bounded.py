@@ -13,6 +13,7 @@ from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import ZERO, tree_of
 from restitution.planning.inequalities import without_signs
 from restitution.planning.polynomials import expanded
+from restitution.planning.turn_lines import meeting
 from restitution.planning.worths import Worths
 
 Bounded = tuple[int, Sign, sp.Expr]
@@ -40,7 +41,8 @@ def write_bounded(worths: Worths, fact: Fact, link: Link, angle: Quantity) -> Bo
     known = worths.known_in(value)
     pool: list[Ref] = [fact.id, *extent]
     if not _is_at_most_a_right_angle(extent):
-        acute = judge.write((Move("sign"),), [line, *known], _said(Link(tangent, ">", ZERO)))
+        met = meeting(worths.scene)
+        acute = judge.write((Move("sign"),), [line, *known, *met], _said(Link(tangent, ">", ZERO)))
         pool += [] if acute is None else [acute]
     limit = tree_of(bound)
     stripped = without_signs(worths.scene, expanded(value - bound), link.sign)

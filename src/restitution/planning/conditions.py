@@ -31,6 +31,7 @@ from restitution.planning.frames import Frame
 from restitution.planning.inequalities import solve_linear, turned, without_signs
 from restitution.planning.polynomials import expanded, factored, one_fraction
 from restitution.planning.squares import (
+    both_squared,
     solve_quadratic,
     square_and_solve,
     without_roots,
@@ -129,7 +130,7 @@ class Conditions:
             case Quantity("deflection" | "angle") as angle, Degrees(value) if 0 < value < 90:
                 bounded = write_bounded(self.worths, fact, link, angle)
                 if bounded is not None:
-                    return self.finished(*bounded, wanted)
+                    return self.finished(*both_squared(self.worths, *bounded), wanted)
         gap = self.gap(link)
         own = without_signs(self.scene, gap, link.sign)
         if own is None:

@@ -13,6 +13,7 @@ from restitution.explaining.trees import exchanged
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
@@ -250,12 +251,13 @@ def _size(scene: Scene, each: GivenEquation, size: Apply) -> int:
 
 
 def _is_right(scene: Scene, own: Link) -> bool:
-    """Whether an angle is given of which there is no tangent, or a direction along a line."""
+    """Whether a right angle is given, or a straight one, or a direction along a line."""
     match own.left:
         case Quantity("direction", _, int()):
             return bool(tidy(sp.sin(2 * scene.scalar(own.right))) == 0)
         case Quantity("deflection" | "angle"):
-            return bool(scene.scalar(own.right) == sp.pi / 2)
+            straight = isinstance(own.right, Degrees) and own.right.value in (0, 180)
+            return straight or bool(scene.scalar(own.right) == sp.pi / 2)
     return False
 
 

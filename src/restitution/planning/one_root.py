@@ -8,8 +8,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref, Relation
-from restitution.explaining.trees import trees_of
-from restitution.expression.tree import Apply, Letter, letters, walk
+from restitution.expression.tree import Apply, Letter
 from restitution.expression.writing import write_expression
 from restitution.planning.desk import Source, chain
 from restitution.planning.forms import product, square, swept, tree_of
@@ -100,24 +99,12 @@ def in_squares(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
         return None
     y = sp.Dummy("y", positive=True)
     whole = sum((poly.nth(2 * n) * y**n for n in range(3)), sp.Integer(0))
-    under = (ref for ref in scene.desk.under(number) if isinstance(ref, int))
-    before = tuple(each for each in sorted(under) if _has_a_root(scene, each, symbol))[-1:]
     squared: Callable[[sp.Expr], sp.Expr] = lambda value: tidy(value**2)  # noqa: E731
-    source = by_roots(scene, number, whole, y, square(Letter(symbol.name)), symbol, squared, before)
+    source = by_roots(scene, number, whole, y, square(Letter(symbol.name)), symbol, squared)
     if source is None:
         return None
     (line,) = (ref for ref in source.refs if isinstance(ref, int))
     return _of_square(scene, line, symbol)
-
-
-def _has_a_root(scene: Scene, number: int, symbol: sp.Symbol) -> bool:
-    """Whether an unknown stands below a root in a line."""
-    relation = scene.desk.line(number).relation
-    return isinstance(relation, Relation) and any(
-        isinstance(node, Apply) and node.function == "sqrt" and symbol.name in letters(node)
-        for tree in trees_of(relation)
-        for node in walk(tree)
-    )
 
 
 def _of_square(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:

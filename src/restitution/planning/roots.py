@@ -44,12 +44,11 @@ def by_roots(
     subject: Expression,
     symbol: sp.Symbol,
     of: Of | None = None,
-    unsquared: tuple[Ref, ...] = (),
 ) -> Source | None:
     """The roots of a polynomial in a letter, or in a ratio of an angle, and what is left of them.
 
-    ``of`` makes what the polynomial is in of the letter, where that is neither; ``unsquared`` is
-    the line that was squared. None where the roots cannot be written, or are none of the solution.
+    ``of`` makes what the polynomial is in of the letter, where that is neither. None where the
+    roots cannot be written, or are none of the solution.
     """
     if of is None:
         of = itself if generator == symbol else generator.func
@@ -92,7 +91,7 @@ def by_roots(
     if line is None:
         return None
     if dropped:
-        line = rejected(scene, line, symbol, subject, kept, unsquared)
+        line = rejected(scene, line, symbol, subject, kept)
     if len(kept) > 1:
         scene.desk.splits += ((line, kept.index(value)),)
         scene.others = tuple(other for other in scene.others if is_value(other, value, of, symbol))
@@ -290,7 +289,6 @@ def rejected(
     symbol: sp.Symbol,
     subject: Expression,
     kept: Sequence[sp.Expr],
-    unsquared: tuple[Ref, ...] = (),
 ) -> int:
     """The line of what remains, with what excludes the rest: the line that was squared may."""
     relation = Relation(tuple(option(subject, each) for each in kept))
@@ -300,7 +298,7 @@ def rejected(
     bare = _likely(scene, symbol, own)
     if not component and scene.judge.follows(move, (line, *bare), relation):
         return scene.desk.write(move, (line, *bare), relation)
-    unsquared = unsquared or _with_a_root(scene, line, symbol)
+    unsquared = _unsquared(scene, line, symbol)
     if unsquared:
         refs = scene.judge.enough(move, (line,), relation, (*unsquared, *own))
         if refs is not None:
@@ -332,7 +330,7 @@ def rejected(
     return scene.desk.write(move, refs, relation)
 
 
-def _with_a_root(scene: Scene, line: int, symbol: sp.Symbol) -> tuple[Ref, ...]:
+def _unsquared(scene: Scene, line: int, symbol: sp.Symbol) -> tuple[Ref, ...]:
     """The line above some roots in which the unknown stands below a root: it was squared."""
     for ref in sorted((e for e in scene.desk.under(line) if isinstance(e, int)), reverse=True):
         own = scene.desk.line(ref).relation

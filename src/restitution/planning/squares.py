@@ -85,6 +85,24 @@ def square_and_solve(
     return solved
 
 
+def both_squared(worths: Worths, line: int, sign: Sign, x: sp.Expr) -> tuple[int, Sign, sp.Expr]:
+    """An inequality ``x sign 0`` with a root of letters as that of the squares of both sides.
+
+    As it is, where that is not plain, or there is no such root.
+    """
+    own = worths.scene.desk.last_link(line)
+    sides = [worths.value(each) for each in (own.left, own.right)]
+    half = sp.Rational(1, 2)
+    if not any(p.exp == half and p.base.free_symbols for v in sides for p in v.atoms(sp.Pow)):
+        return line, sign, x
+    left, right = (tidy(value**2) for value in sides)
+    stripped = without_signs(worths.scene, expanded(left - right), own.sign)
+    relation = Relation(((Link(tree_of(left), own.sign, tree_of(right)),),))
+    pool = [line, *worths.known_in(x)]
+    squared = worths.judge.write((Move("compare"),), pool, relation)
+    return (line, sign, x) if squared is None or stripped is None else (squared, *stripped)
+
+
 def without_roots(worths: Worths, line: int, sign: Sign, x: sp.Expr) -> tuple[Sign, sp.Expr]:
     """``x sign 0`` as a line has it in which the sizes are squared: no root is left."""
     if not x.has(sp.Abs):

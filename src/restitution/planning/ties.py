@@ -10,6 +10,7 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import (
     Binary,
+    Degrees,
     Expression,
     Name,
     Negate,
@@ -55,10 +56,16 @@ def tied(own: Link) -> tuple[Expression, Expression, str] | None:
             return velocity, Polar(ONE, angle), "parallel"
         case Quantity("deflection", (body,), int(stage)), _:
             early, late = (Quantity("velocity", (body,), n) for n in (stage - 1, stage))
-            return early, late, "perpendicular"
+            return early, late, _record(own.right)
         case Quantity("angle", (a, b)), _:
-            return a, b, "perpendicular"
+            return a, b, _record(own.right)
     return None
+
+
+def _record(angle: Expression) -> str:
+    """What an angle of 0°, 90° or 180° says of two directions."""
+    straight = isinstance(angle, Degrees) and angle.value in (0, 180)
+    return "parallel" if straight else "perpendicular"
 
 
 def moving(scene: Scene, tree: Expression) -> tuple[str, int] | None:
