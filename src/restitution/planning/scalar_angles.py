@@ -58,8 +58,12 @@ def write_cosine(scene: Scene, asked: Quantity) -> int | None:
         return None
     mark = scene.desk.mark()
     number = _product(scene, pair)
-    sizes = [_speed(scene, each) for each in pair] if number is not None else []
-    if number is not None and None not in sizes:
+    for as_given in (True, False) if number is not None else ():
+        assert number is not None
+        before = scene.desk.mark()
+        sizes = [_speed(scene, each, as_given=as_given) for each in pair]
+        if None in sizes:
+            break
         letter, meaning = letter_of(scene, asked)
         values = [_value(scene, ref) for ref in (number, *sizes) if ref is not None]
         right = swept(Binary("/", values[0], product(*values[1:])))
@@ -73,6 +77,7 @@ def write_cosine(scene: Scene, asked: Quantity) -> int | None:
         premises = scene.judge.enough(move, refs, relation, (*known, *walls))
         if premises is not None:
             return scene.desk.write(move, premises, relation)
+        scene.desk.back(before)
     scene.desk.back(mark)
     return None
 
@@ -145,10 +150,10 @@ def _given_size(scene: Scene, ref: str) -> Expression | None:
     return right.size if isinstance(right, Polar) else None
 
 
-def _speed(scene: Scene, moving: Moving) -> Ref | None:
-    """The line of a speed, which may stand already, or the fact that gives it."""
+def _speed(scene: Scene, moving: Moving, *, as_given: bool) -> Ref | None:
+    """The line of a speed, which may stand already, or, ``as_given``, the fact that gives it."""
     velocity = _velocity(scene, moving)
-    if not velocity.stage and _given_size(scene, f"velocity {moving[0]}") is not None:
+    if as_given and not velocity.stage and _given_size(scene, f"velocity {moving[0]}") is not None:
         return f"velocity {moving[0]}"
     speed = Quantity("speed", velocity.arguments, velocity.stage)
     known = scene.desk.known(speed)
