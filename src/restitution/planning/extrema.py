@@ -358,10 +358,10 @@ class _Extremum:
                     return there
                 # What introduces the letter is tried first: nothing else may be needed.
                 lines = [ref for ref in named if isinstance(ref, int)]
-                pool = [*named, *known, *more]
-                refs = self.judge.enough(Move("put"), [line, *lines], relation, pool)
-                if refs is not None:
-                    return self.scene.desk.write(Move("put"), refs, relation, "silent")
+                for pool in ([line, *lines], [line, *named, *known, *more]):
+                    refs = self.judge.needed(Move("put"), pool, relation)
+                    if refs is not None:
+                        return self.scene.desk.write(Move("put"), refs, relation, "silent")
         return None
 
     def _times(self) -> list[int]:
