@@ -40,6 +40,7 @@ from restitution.practice.reading.lines import text_of
 from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees, difference, numbers_of
 from restitution.practice.worlds.arrays import Array
+from restitution.practice.worlds.student import altered_world
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Given, Impact, Problem
 from restitution.vector import Vector
@@ -123,7 +124,7 @@ class Names:
     """Names the mistakes in the lines of one problem."""
 
     def __init__(self, problem: Problem) -> None:
-        self.worlds: dict[tuple[str, int, int], World | None] = {}
+        self._altered: dict[tuple[str, int, int, frozenset[str]], World | None] = {}
         self.problem = problem
         events = events_of(problem)
         self.variants = tuple(each for event in events for each in variants_at(event, events))
@@ -172,6 +173,15 @@ class Names:
         dull = _OF_SPEEDS if name in _PLAINER else frozenset()
         also = tuple(each for each in families if each != name and each not in dull)
         return Mistake(name, "misconception", ids, also, explained.at, sure=not also)
+
+    def altered(
+        self, base: World, variant: VariantAt, unknown: frozenset[str] = frozenset()
+    ) -> World | None:
+        """The world of an altered law, all else being right."""
+        key = variant.id, variant.event.number, base.solution, unknown
+        if key not in self._altered:
+            self._altered[key] = altered_world(base, variant, unknown)
+        return self._altered[key]
 
     def candidates(self, world: World) -> Sequence[Candidate]:
         """The quantities that a letter may mean."""

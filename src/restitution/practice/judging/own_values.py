@@ -36,7 +36,7 @@ from restitution.practice.reading.phrases import (
 )
 from restitution.practice.script import Claim, ScriptLine
 from restitution.practice.worlds.principles import uses_of
-from restitution.practice.worlds.student import altered_world, facts_of, student_world
+from restitution.practice.worlds.student import facts_of, student_world
 from restitution.practice.worlds.world import World
 
 ALTERED = 3
@@ -46,10 +46,11 @@ ALTERED = 3
 class Naming(Protocol):
     """The interface of what names mistakes."""
 
-    worlds: dict[tuple[str, int, int], World | None]
-
     def explained(self, entry: Entry, judge: OwnValues) -> Explained:
         """What explains a claim that is false."""
+
+    def altered(self, base: World, variant: VariantAt, unknown: frozenset[str]) -> World | None:
+        """The world of an altered law, all else being right."""
 
     def candidates(self, world: World) -> Sequence[Candidate]:
         """The quantities that a letter may mean."""
@@ -146,10 +147,7 @@ class OwnValues(Holding):
 
     def altered(self, variant: VariantAt) -> World | None:
         """The world of an altered law, all else being right."""
-        key = variant.id, variant.event.number, self._base.solution
-        if key not in self.naming.worlds:
-            self.naming.worlds[key] = altered_world(self._base, variant, self.question.unknown)
-        return self.naming.worlds[key]
+        return self.naming.altered(self._base, variant, self.question.unknown)
 
     # --- what lines state ---------------------------------------------------------------------
 

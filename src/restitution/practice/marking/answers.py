@@ -16,7 +16,6 @@ from restitution.practice.reading.working import read_working
 from restitution.practice.script import Claim, Link
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.arrays import UnvaluedError
-from restitution.practice.worlds.student import altered_world
 from restitution.practice.worlds.world import World
 from restitution.problem import Problem, Value
 from restitution.solving.solution import ItemResult, PartSolution, Solution
@@ -157,7 +156,7 @@ def _leading(
             continue
         for base in bench.worlds:
             if variant.laws and variant.alteration.solvable:
-                world = altered_world(base, variant)
+                world = bench.names.altered(base, variant)
                 claims = [Claim(asked, "=", claim.right) for claim in link.readings]
                 hit = world is not None and any(_agrees(c, link, world) for c in claims)
             else:
