@@ -124,11 +124,11 @@ class Ties:
         written = None if relation is None else self.judge.standing(relation)
         if written is not None:
             return written
-        if each.fact.id in self.solver.used:
+        if each.fact.id in self.solver.equations.used:
             return self._of_fact(each.fact.id)
-        self.solver.used.add(each.fact.id)
+        self.solver.equations.used.add(each.fact.id)
         self.solver.determine(sorted(inside & components, key=str))
-        self.solver.used.discard(each.fact.id)
+        self.solver.equations.used.discard(each.fact.id)
         open_ = [scene.put(x)[0] for x in each.residuals]
         if all(x == 0 for x in open_):
             return self._of_fact(each.fact.id)

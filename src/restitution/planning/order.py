@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import chain as chained
 from itertools import combinations
 
@@ -17,19 +17,20 @@ import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Meaning, Move, Route
+from restitution.explaining.derivation import Meaning, Move, Route
 from restitution.expression.tree import Letter, Name, Quantity, walk
-from restitution.planning import paths, place_trees, rounds, separations
+from restitution.planning import paths, rounds, separations
 from restitution.planning.axes import take_impulse, take_opposite
 from restitution.planning.blows import write_blows
 from restitution.planning.checking import require_true
 from restitution.planning.closing import close, is_over_roots, with_known
 from restitution.planning.deflections import turned_at_a_wall
 from restitution.planning.desk import Mark, NotPlannedError, Source, chain, together
+from restitution.planning.equations import SHOWN, Equations, Law
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.given_momenta import take_mass, take_momentum, write_masses
-from restitution.planning.givens import candidate, move_of, write_given, write_impulse_on
+from restitution.planning.givens import candidate, write_given, write_impulse_on
 from restitution.planning.impacts import (
     _given_after,
     after,
@@ -44,7 +45,7 @@ from restitution.planning.pairs import close_two
 from restitution.planning.polynomials import expanded, factor_powers, one_fraction
 from restitution.planning.premises import background
 from restitution.planning.roots import senses, written_law
-from restitution.planning.routes import Candidate, Point, Routes, points
+from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.systems import solve_together
 from restitution.planning.unknown_blows import take_blow
@@ -52,17 +53,6 @@ from restitution.planning.vectors import common_velocity, velocity_given
 from restitution.work import remembered
 
 _LAWS = {"momentum": momentum, "restitution": restitution}
-_SHOWN = "shown "
-
-
-@dataclass(frozen=True)
-class Law:
-    """A law of an impact as an equation of a route."""
-
-    kind: str
-    number: int
-    candidate: Candidate
-    body: str | None = None
 
 
 Waiting = tuple[Frame, tuple[int, int], tuple[sp.Symbol, ...]]
@@ -85,15 +75,10 @@ class Solver:
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
-        self.laws = [*self._laws(), *self._across()]
-        self.givens = {each.fact.id: each for each in scene.given}
-        self.paths = {path.candidate.id: path for path in paths.paths(scene)}
-        self.rounds = {each.candidate.id: each for each in rounds.rounds(scene)}
-        self.used: set[str] = set()
+        self.equations = Equations(scene)
         # Components of which the laws are written, and which nothing has asked for yet.
         self.waiting: dict[sp.Symbol, Waiting] = {}
         self.goals: Sequence[sp.Expr] = ()
-        self._taken_at: tuple[tuple[int, int], tuple[Point, ...]] | None = None
         # Why a line could not be solved for its unknown.
         self.reasons: list[NotPlannedError] = []
         # Whether equations that no shape fits are solved together.
@@ -127,7 +112,7 @@ class Solver:
         scene = self.scene
         return Standing(
             scene.desk.mark(),
-            frozenset(self.used),
+            frozenset(self.equations.used),
             dict(self.waiting),
             dict(scene.frames),
             scene.others,
@@ -137,44 +122,13 @@ class Solver:
         """Takes back what was written and used since."""
         scene = self.scene
         scene.desk.back(standing.desk)
-        self.used, self.waiting = set(standing.used), dict(standing.waiting)
+        self.equations.used, self.waiting = set(standing.used), dict(standing.waiting)
         scene.frames, scene.others = dict(standing.frames), standing.others
 
     def reopen(self) -> None:
         """Equations that were used may be used again, where something in them is open by now."""
-        own = [*(each.candidate for each in self.laws), *map(candidate, self.scene.given)]
-        self.used -= {each.id for each in own if self._open(each)}
-
-    def _laws(self) -> Iterable[Law]:
-        model = self.scene.model
-        for law in model.laws:
-            wall = model.frames[law.number].wall is not None
-            kind = "wall" if wall else law.kind
-            cost = 1.0 if wall else 2.0
-            own = Candidate(f"{kind} {law.number}", cost, (law.residual,))
-            yield Law(kind, law.number, own)
-
-    def _across(self) -> Iterable[Law]:
-        """Components across that are given after an impact: they tie letters of the data."""
-        model = self.scene.model
-        for number, frame in model.frames.items():
-            for body in self.scene.spheres(number):
-                given = self._given_velocity(body, number)
-                if given is None:
-                    continue
-                after_ = self.scene.vector(given.link.right).dot(frame.t)
-                before_ = self.scene.velocity(body, number - 1).dot(frame.t)
-                residual_ = tidy(after_ - before_)
-                if residual_ != 0:
-                    id_ = f"unchanged {number} {body}"
-                    yield Law("unchanged", number, Candidate(id_, 1.0, (residual_,)), body)
-
-    def _given_velocity(self, body: str, number: int) -> GivenEquation | None:
-        velocity = Quantity("velocity", (Name(body),), number)
-        for each in self.scene.given:
-            if each.link.sign == "=" and each.link.left == velocity:
-                return each
-        return None
+        own = [*(each.candidate for each in self.equations.laws), *map(candidate, self.scene.given)]
+        self.equations.used -= {each.id for each in own if self._open(each)}
 
     # --- routes ---------------------------------------------------------------------------------
 
@@ -191,7 +145,7 @@ class Solver:
             return
         scene = self.scene
         first: NotPlannedError | None = None
-        routes = self.routes(goals)
+        routes = self.equations.routes(goals, self.waiting)
         whole = filter(None, map(self._with_both_laws, routes))
         for n, route in enumerate(chained(routes, whole)):
             standing = self.mark()
@@ -206,7 +160,8 @@ class Solver:
             else:
                 item = scene.desk.item or ""
                 scene.desk.others += [
-                    Route(item, tuple(self._move(own) for own in each)) for each in routes[n + 1 :]
+                    Route(item, tuple(self.equations.move(own) for own in each))
+                    for each in routes[n + 1 :]
                 ]
                 return
         assert first is not None
@@ -232,7 +187,7 @@ class Solver:
                 left.remove(each)
             # What was written on the way to another equation is used too.
             done = [each for each in left if not self._open(each)]
-            self.used |= {each.id for each in done}
+            self.equations.used |= {each.id for each in done}
             left = [each for each in left if each not in done]
             self._express_waiting([*goals, *(x for each in left for x in each.residuals)])
             write_blows(scene)
@@ -256,9 +211,10 @@ class Solver:
         taken = {each.id for each in left}
         for symbol in open_:
             try:
-                more = [each for each in self.routes([symbol])[0] if each.id not in taken]
+                route = self.equations.routes([symbol], self.waiting)[0]
             except NotPlannedError:
                 continue
+            more = [each for each in route if each.id not in taken]
             if more:
                 left += more
                 return True
@@ -272,10 +228,10 @@ class Solver:
         ids = {each.id for each in route}
         more = [
             own.candidate
-            for own in self.laws
+            for own in self.equations.laws
             for other in ("momentum", "restitution")
             if own.kind in _LAWS
-            and own.candidate.id not in ids | self.used
+            and own.candidate.id not in ids | self.equations.used
             and f"{other} {own.number}" in ids
             and self._after(own.number).keys() <= {s for each in route for s in self._open(each)}
         ]
@@ -290,115 +246,6 @@ class Solver:
             and separations.separation_known(self.scene, self.scene.frame(number)) is not None
             for symbol in self._after(number)
         )
-
-    def routes(self, goals: Sequence[sp.Expr]) -> list[tuple[Candidate, ...]]:
-        """The cheapest sets of equations that determine some values, that to be taken first.
-
-        Raises NotPlannedError where nothing determines them.
-        """
-        scene = self.scene
-        candidates = [
-            Candidate(own.id, own.cost, tuple(scene.with_values(each)[0] for each in own.residuals))
-            for own in (
-                *(law.candidate for law in self.laws),
-                *(self._of_given(each) for each in scene.given),
-                *(path.candidate for path in self.paths.values()),
-                *(each.candidate for each in self.rounds.values()),
-                *self._shown(),
-            )
-            if own.id not in self.used and not self._holds(own)
-        ]
-        put = [scene.with_values(goal)[0] for goal in goals]
-        unknowns = frozenset(
-            s for each in candidates for x in each.residuals for s in scene.unknown(x)
-        ) | frozenset(s for x in put for s in scene.unknown(x))
-        # What is only to be expressed is as good as known.
-        unknowns -= self.waiting.keys()
-        routes = Routes(candidates, self._points(), unknowns).cheapest(put)
-        if not routes:
-            # A square has no slope where it is zero; what is squared has one.
-            plain = [replace(own, residuals=self._without_powers(own)) for own in candidates]
-            routes = Routes(plain, self._points(), unknowns).cheapest(put)
-        if not routes:
-            raise NotPlannedError(f"nothing determines {goals}")
-        chosen = min(scene.desk.route, len(routes)) - 1
-        return [routes[chosen], *routes[:chosen], *routes[chosen + 1 :]]
-
-    def _without_powers(self, own: Candidate) -> tuple[sp.Expr, ...]:
-        """The residuals of an equation, each without powers of factors that vanish."""
-        model = self.scene.model
-        plain: list[sp.Expr] = []
-        for each in own.residuals:
-            factors = factor_powers(sp.fraction(one_fraction(_without_root(each)))[0])
-            zero = [base for base, _ in factors if model.sign(model.in_data(base)) == 0]
-            is_power = any(power > 1 and base in zero for base, power in factors)
-            plain.append(sp.Mul(*zero) if is_power else each)
-        return tuple(plain)
-
-    def _points(self) -> tuple[Point, ...]:
-        """The points at which gradients are taken; a hidden unknown may be new among them."""
-        known = len(self.scene.model.final), len(self.scene.model.sample)
-        if self._taken_at is None or self._taken_at[0] != known:
-            self._taken_at = known, points(self.scene.model)
-        return self._taken_at[1]
-
-    def _shown(self) -> Iterator[Candidate]:
-        """The equations that were to be shown: they cost less than what they come of."""
-        for number in self.scene.desk.shown:
-            if self.scene.desk.holds(number):
-                gap = residual(self.scene, number)
-                yield Candidate(f"{_SHOWN}{number}", 0.3, (gap,))
-
-    def _holds(self, own: Candidate) -> bool:
-        """Whether an equation tells nothing new: with what is known it holds of itself."""
-        put = [self.scene.with_values(each)[0] for each in own.residuals]
-        changed = all(a is not b for a, b in zip(put, own.residuals, strict=True))
-        return changed and all(expanded(each) == 0 for each in put)
-
-    def _move(self, own: Candidate) -> Move:
-        """The principle, or the definition, that an equation of a route is."""
-        law = self._law(own)
-        if own.id.startswith(_SHOWN):
-            return Move("put")
-        if law is None:
-            return move_of(self.givens[own.id])
-        record = "restitution-wall" if law.kind == "wall" else law.kind
-        bodies = (law.body,) if law.body else self.scene.bodies(law.number)
-        return Move("law", record, law.number, bodies)
-
-    def _of_given(self, each: GivenEquation) -> Candidate:
-        """A given fact; of a velocity only the component along the line of centres."""
-        own = candidate(each)
-        if each.link.sign == "=" and place_trees.is_about_times(each.link):
-            return replace(own, residuals=paths.residuals(self.scene, each.link))
-        match each.link:
-            case Link(Quantity("velocity", (Name(body),), int(stage)), "=", right):
-                if stage in self.scene.model.frames:
-                    frame = self.scene.model.frames[stage]
-                    gap = self.scene.velocity(body, stage) - self.scene.vector(right)
-                    return replace(own, residuals=(tidy(gap.dot(frame.n)),))
-            case Link(Quantity("impulse", (), int(event)), "=", right):
-                size = self._impulse_by_known_mass(event)
-                if size is not None:
-                    return replace(own, residuals=(size - self.scene.scalar(right),))
-        return own
-
-    def _impulse_by_known_mass(self, event: int) -> sp.Expr | None:
-        """The size of an impulse by the change of momentum of the one sphere of known mass."""
-        frame = self.scene.model.frames.get(event)
-        spheres = self.scene.spheres(event)
-        masses = {each: self.scene.model.story.mass(each) for each in spheres}
-        known = [
-            each
-            for each in spheres
-            if f"mass {each}" in self.scene.facts and not self.scene.unknown(masses[each])
-        ]
-        if frame is None or len(spheres) != 2 or len(known) != 1:
-            return None
-        (body,) = known
-        change = self.scene.velocity(body, event) - self.scene.velocity(body, event - 1)
-        towards = 1 if body == spheres[1] else -1  # the axis leads from the first to the second
-        return expanded(towards * masses[body] * change.dot(frame.n))
 
     # --- order ----------------------------------------------------------------------------------
 
@@ -416,7 +263,7 @@ class Solver:
         ):
             used = test(left)
             if used:
-                self.used |= {each.id for each in used}
+                self.equations.used |= {each.id for each in used}
                 return used
         return None
 
@@ -468,9 +315,6 @@ class Solver:
         zero = [factor for factor in factors if model.sign(model.in_data(factor)) == 0]
         return frozenset(s for each in zero or [put] for s in self.scene.unknown(each))
 
-    def _law(self, own: Candidate) -> Law | None:
-        return next((law for law in self.laws if law.candidate.id == own.id), None)
-
     @property
     def _letters(self) -> dict[sp.Symbol, tuple[int, str]]:
         return {
@@ -481,7 +325,7 @@ class Solver:
     def _velocity_given(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """A velocity that is given is known at once."""
         for own in left:
-            given = self.givens.get(own.id)
+            given = self.equations.givens.get(own.id)
             if given is None or given.link.sign != "=":
                 continue
             if common_velocity(given) is not None:
@@ -547,7 +391,7 @@ class Solver:
     def _fact_expresses(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """A fact with one unknown, which is a component, or a letter that it names."""
         for own in left:
-            given = self.givens.get(own.id)
+            given = self.equations.givens.get(own.id)
             open_ = self._open(own)
             if given is None or len(open_) != 1:
                 continue
@@ -566,7 +410,7 @@ class Solver:
         """A fact that says how many times one component after an impact the other one is."""
         ids = {each.id for each in left}
         for own in left:
-            given, open_ = self.givens.get(own.id), self._open(own)
+            given, open_ = self.equations.givens.get(own.id), self._open(own)
             if given is None or len(open_) != 2 or len(own.residuals) != 1:
                 continue
             number, _ = self._letters.get(min(open_, key=str), (0, ""))
@@ -611,7 +455,7 @@ class Solver:
     def _waits(self, symbol: sp.Symbol, left: Sequence[Candidate]) -> bool:
         """Whether it is the component after a wall that a sphere reaches as it is still to come."""
         number, _ = self._letters.get(symbol, (0, ""))
-        laws = (self._law(own) for own in left if own.id == f"wall {number}")
+        laws = (self.equations.law(own) for own in left if own.id == f"wall {number}")
         return any(law is not None and self._earlier(law) for law in laws)
 
     def _is_of_either_sense(
@@ -621,7 +465,7 @@ class Solver:
 
         By the laws its sense is known, or shown in letters.
         """
-        link = self.givens[own.id].link
+        link = self.equations.givens[own.id].link
         kinds = {
             each.kind
             for side in (link.left, link.right)
@@ -766,7 +610,7 @@ class Solver:
     def _wall(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """At a wall the component after follows at once."""
         for own in left:
-            law = self._law(own)
+            law = self.equations.law(own)
             if law is None or law.kind != "wall":
                 continue
             frame = self.scene.frame(law.number)
@@ -788,7 +632,7 @@ class Solver:
     def _block(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """Momentum with restitution: two lines, from which the components follow."""
         for own in left:
-            law = self._law(own)
+            law = self.equations.law(own)
             if law is None or law.kind != "momentum" or self._earlier(law):
                 continue
             other = next((each for each in left if each.id == f"restitution {law.number}"), None)
@@ -882,7 +726,7 @@ class Solver:
     def _single(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """A law of two spheres with one component open after it: that is expressed."""
         for own in sorted(left, key=lambda each: len(self._open(each))):
-            law = self._law(own)
+            law = self.equations.law(own)
             if law is None or law.kind not in _LAWS or self._earlier(law):
                 continue
             open_ = self._open(own)
@@ -909,7 +753,7 @@ class Solver:
         """Writes the law of restitution alone, where only the speed of separation is wanted."""
         ids = {each.id for each in left}
         for own in left:
-            law = self._law(own)
+            law = self.equations.law(own)
             if law is None or law.kind != "restitution" or f"momentum {law.number}" in ids:
                 continue
             pair = self._after(law.number).keys()
@@ -946,15 +790,15 @@ class Solver:
 
     def _mass_by_impulse(self, own: Candidate, symbol: sp.Symbol) -> bool:
         """Whether an impulse that is given closes for the mass of the sphere it was not used of."""
-        law = self._law(own)
+        law = self.equations.law(own)
         if law is None or law.kind != "momentum" or symbol in self._letters:
             return False
         scene = self.scene
         bodies = [
             e for e in scene.bodies(law.number) if symbol in scene.unknown(scene.mass(e).value)
         ]
-        for given in self.givens.values():
-            if len(bodies) != 1 or given.fact.id not in self.used:
+        for given in self.equations.givens.values():
+            if len(bodies) != 1 or given.fact.id not in self.equations.used:
                 continue
             line = write_impulse_on(scene, given, bodies[0])
             if line is not None:
@@ -963,27 +807,27 @@ class Solver:
 
     def _mass_by_vectors(self, own: Candidate, symbol: sp.Symbol) -> bool:
         """Whether momentum closes for a mass, with the velocities as vectors."""
-        law = self._law(own)
+        law = self.equations.law(own)
         if law is None or law.kind != "momentum" or symbol in self._letters:
             return False
         return write_masses(self.scene, law.number, symbol) is not None
 
     def _line(self, own: Candidate) -> int | None:
         """The line of an equation that closes, with what is known put in."""
-        given = self.givens.get(own.id)
-        law = self._law(own)
+        given = self.equations.givens.get(own.id)
+        law = self.equations.law(own)
         if given is not None:
             try:
                 return write_given(self.scene, given)
             except NotPlannedError as error:
                 self.reasons.append(error)
                 return None
-        if own.id in self.paths:
-            return paths.write_path(self.scene, self.paths[own.id])
-        if own.id in self.rounds:
-            return rounds.write_round(self.scene, self.rounds[own.id])
-        if own.id.startswith(_SHOWN):
-            return int(own.id.removeprefix(_SHOWN))
+        if own.id in self.equations.paths:
+            return paths.write_path(self.scene, self.equations.paths[own.id])
+        if own.id in self.equations.rounds:
+            return rounds.write_round(self.scene, self.equations.rounds[own.id])
+        if own.id.startswith(SHOWN):
+            return int(own.id.removeprefix(SHOWN))
         if law is None:
             return None
         if law.kind in _LAWS:
@@ -1014,7 +858,7 @@ class Solver:
 
     def _turned(self, turned: Candidate, fast: Candidate) -> bool:
         """A deflection at a wall with the speed after it: by the angle that is left to the wall."""
-        pair = self.givens.get(turned.id), self.givens.get(fast.id)
+        pair = self.equations.givens.get(turned.id), self.equations.givens.get(fast.id)
         if pair[0] is None or pair[1] is None:
             return False
         lines = turned_at_a_wall(self.scene, pair[0], pair[1])
@@ -1058,17 +902,6 @@ def _two_by_two(
         symbols[0]: one_fraction(expanded(rest[0] * d - b * rest[1]) / whole),
         symbols[1]: one_fraction(expanded(a * rest[1] - rest[0] * c) / whole),
     }
-
-
-def _without_root(x: sp.Expr) -> sp.Expr:
-    """A sum with one root of letters, times the one with that root of the other sign."""
-    roots = [p for p in x.atoms(sp.Pow) if p.exp == sp.Rational(1, 2) and p.free_symbols]
-    if len(roots) != 1:
-        return x
-    (root,) = roots
-    rest = x.xreplace({root: sp.Integer(0)})
-    share = expanded((x - rest) / root)
-    return x if share.has(root) else expanded(rest**2 - share**2 * root.base)
 
 
 def _solved(residual_: sp.Expr, symbol: sp.Symbol) -> sp.Expr:

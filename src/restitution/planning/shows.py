@@ -78,20 +78,20 @@ def _written(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, R
         with Claims(scene, solver) as claims:
             if attempt == "printed":
                 scene.free |= printed
-                facts = _facts_about(scene, item, now) - solver.used
+                facts = _facts_about(scene, item, now) - solver.equations.used
             if attempt == "named":
                 unnamed = {each for each in scene.free if each.name not in _names(item)}
                 if not unnamed:
                     break
                 scene.free -= unnamed
-            solver.used |= facts
+            solver.equations.used |= facts
             try:
                 line, relation = _line(claims, item, now)
             except NotPlannedError as error:
                 refusal = refusal or error
                 solver.back(standing)
                 continue
-            solver.used -= facts
+            solver.equations.used -= facts
             return line, relation
     assert refusal is not None
     raise refusal
