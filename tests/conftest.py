@@ -82,8 +82,11 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     and a browser; all of a module, but of those whose tests have nothing in common.
     """
     few = frozenset(FILES[::40])
+    groups = {item: _group(item) for item in items}
+    # Pages wait for their server and their browser: they begin first, while others calculate.
+    items.sort(key=lambda item: groups[item] != "pages")
     for item in items:
-        item.add_marker(pytest.mark.xdist_group(_group(item)))
+        item.add_marker(pytest.mark.xdist_group(groups[item]))
         path = item.callspec.params.get("path") if hasattr(item, "callspec") else None
         one_of_many = item.path.stem == "test_statements" and path is not None
         if (
