@@ -20,7 +20,7 @@ FEW = 5
 """A test with fewer cases is whole in the normal run, but for those that take long."""
 
 ONE_IN = {
-    "test_statements": 2,
+    "test_statements": 3,
     # Workings of statements of its own: solved, planned, followed.
     "test_planning_accepted": 3,
     "test_planning_angles": 3,
@@ -40,6 +40,7 @@ ONE_IN = {
     "test_random_claims": 3,
     "test_ranges": 2,
     "test_practice_forms": 2,
+    "test_practice_judging": 2,
     "test_practise": 3,
     # Pictures, motions, processes, pages.
     "test_cli": 2,
@@ -51,7 +52,11 @@ ONE_IN = {
     "test_motion_few": 3,
     "test_never_hangs": 3,
     "test_page_form": 2,
+    "test_page_gallery": 2,
     "test_page_guides": 2,
+    "test_page_lab": 2,
+    "test_page_question": 2,
+    "test_page_solve": 2,
     "test_properties": 2,
 }
 """Of the cases of a test in these modules, one in so many stands in the normal run."""
@@ -61,7 +66,7 @@ LONG_TESTS = Path(__file__).parent / "long_tests.txt"
 
 LONG = frozenset(LONG_TESTS.read_text(encoding="utf-8").splitlines())
 LONG_SECONDS = 0.5
-LONG_ONE_IN = 8
+LONG_ONE_IN = 12
 """Of the tests that take long, one in so many stands in the normal run."""
 
 
