@@ -200,3 +200,70 @@ P hits W: e = 1/2
 find deflection(P)
 """
     assert "alpha = arcsin(4/5)" in said(text)
+
+
+def test_energies_that_stand_are_added_and_taken_from_each_other() -> None:
+    text = """
+sphere A: mass 2, velocity 3i - 4j
+sphere B: mass 3, velocity 2i + 3j
+A hits B: along j, e = 3/7
+find energy(A), energy(A, 0), energy(B), energy(1), energy(0), energy_lost, total_energy_lost
+"""
+    own = said(text)
+    assert "energy(1) = 13 + 15/2 = 41/2 [rearrange]" in own
+    assert "energy(0) = 25 + 1/2*3 (2^2 + 3^2) = 89/2 [rearrange]" in own
+    assert "energy_lost(1) = 89/2 - 41/2 = 24 [rearrange]" in own
+    assert "total_energy_lost(1) = 89/2 - 41/2 = 24 [rearrange]" in own
+    assert "by the components that change" not in printed(text)
+
+
+def test_what_is_lost_is_taken_of_the_energies_of_each_sphere() -> None:
+    text = """
+sphere A: mass 2, velocity 3i - 4j
+sphere B: mass 3, velocity 2i + 3j
+A hits B: along j, e = 3/7
+find energy(A), energy(A, 0), energy(B), energy(B, 0), energy_lost
+"""
+    assert "energy_lost(1) = 25 - 13 + (39/2 - 15/2) = 24 [rearrange]" in said(text)
+
+
+def test_a_component_that_does_not_change_is_not_resolved_again() -> None:
+    text = """
+sphere A: mass 1, velocity 3i + j
+sphere B: mass 2, at rest
+A hits B: along i, e = 1/2
+find across(velocity(A), i)
+"""
+    assert said(text) == ["across(velocity(A, 1), line_of_centres(1)) = 1"]
+
+
+def test_what_is_lost_is_what_the_energies_of_the_spheres_change_by() -> None:
+    text = """
+sphere A: mass 4, velocity 3i + j
+sphere B: mass 1, velocity -i + 2j
+A hits B: along i, e = 1/2
+find energy(A) - energy(A, 0), energy(B) - energy(B, 0), energy_lost
+"""
+    assert said(text)[-1] == "energy_lost(1) = 288/25 - 168/25 = 24/5 [rearrange]"
+
+
+def test_the_energy_left_is_that_before_without_what_is_lost() -> None:
+    text = """
+sphere A: mass 2, velocity 3i - 4j
+sphere B: mass 3, velocity 2i + 3j
+A hits B: along j, e = 3/7
+find energy(0), energy_lost, energy
+"""
+    assert said(text)[-1] == "energy(1) = 89/2 - 24 = 41/2 [rearrange]"
+
+
+def test_what_two_impacts_take_is_added() -> None:
+    text = """
+wall W: along i
+sphere A: mass 2, velocity 3i - 4j
+sphere B: mass 4, at rest
+A hits W: e = 1/2
+A hits B: along i, e = 1/3
+find energy_lost(1), energy_lost(2), total_energy_lost
+"""
+    assert said(text)[-1] == "total_energy_lost(2) = 12 + 16/3 = 52/3 [rearrange]"

@@ -336,21 +336,46 @@ def _squares(form: str, body: str, stage: int, event: Event | None) -> Expressio
     return Quantity("dot", (velocity, velocity))
 
 
-def _kinetic(form: str, body: str, stage: int, event: Event | None) -> Expression:
-    if form == "energy":
-        return Quantity("energy", (Name(body),), stage)
+def _kinetic(
+    step: Step,
+    form: str,
+    body: str,
+    stage: int,
+    event: Event | None,
+    cited: frozenset[Expression] = frozenset(),
+) -> Expression:
+    """The energy of a sphere: as it is where it is cited, else by the square of the speed."""
+    own = Quantity("energy", (Name(body),), stage)
+    if form == "energy" or step.setting.quantity(own) in cited:
+        return own
     mass = Quantity("mass", (Name(body),))
     return Binary("*", Binary("*", _HALF, mass), _squares(form, body, stage, event))
+
+
+def _cited_energies(step: Step) -> frozenset[Expression]:
+    """The energies of spheres of which the values are cited."""
+    return frozenset(
+        step.setting.quantity(link.left)
+        for link in _wholes(step)
+        if isinstance(link.left, Quantity) and link.left.kind == "energy" and link.sign == "="
+    )
 
 
 def _total(step: Step, event: Event | None) -> Iterator[Link]:
     """The energy of all spheres before an event and after it."""
     number = 0 if event is None else event.number
+    cited = _cited_energies(step)
     for stage in {number, max(0, number - 1)}:
         for form in ("components", "vectors", "speed", "energy"):
-            terms = [_kinetic(form, body, stage, event) for body in step.setting.spheres]
+            terms = [
+                _kinetic(step, form, body, stage, event, cited) for body in step.setting.spheres
+            ]
             if terms:
                 yield Link(Quantity("energy", (), stage), "=", _sum(terms))
+    if event is not None and event.kind == "impact":
+        before = Quantity("energy", (), number - 1)
+        lost = Quantity("energy_lost", (), number)
+        yield Link(Quantity("energy", (), number), "=", Binary("-", before, lost))
     yield from _of_told_speeds(step)
 
 
@@ -364,7 +389,7 @@ def _of_told_speeds(step: Step) -> Iterator[Link]:
         and isinstance(link.right, Polar)
     }
     terms = [
-        _kinetic("speed" if Name(body) in sized else "vectors", body, 0, None)
+        _kinetic(step, "speed" if Name(body) in sized else "vectors", body, 0, None)
         for body in step.setting.spheres
     ]
     if 0 < len(sized) < len(terms):
@@ -417,15 +442,24 @@ def _total_lost(step: Step, event: Event | None) -> Iterator[Link]:
     """The energy that all spheres lose from the beginning to the end of an event."""
     if event is None:
         return
+    cited = _cited_energies(step)
     for form in ("components", "vectors", "speed", "energy"):
         terms = [
-            Binary("-", _kinetic(form, body, 0, None), _kinetic(form, body, event.number, event))
+            Binary(
+                "-",
+                _kinetic(step, form, body, 0, None, cited),
+                _kinetic(step, form, body, event.number, event, cited),
+            )
             for body in step.setting.spheres
         ]
         yield Link(Quantity("total_energy_lost", (), event.number), "=", _sum(terms))
     before, after = (Quantity("energy", (), stage) for stage in (0, event.number))
     lost = Binary("-", before, after)
     yield Link(Quantity("total_energy_lost", (), event.number), "=", lost)
+    earlier = [each for each in step.setting.events if each.number <= event.number]
+    if all(each.kind == "impact" for each in earlier):
+        losses = [Quantity("energy_lost", (), each.number) for each in earlier]
+        yield Link(Quantity("total_energy_lost", (), event.number), "=", _sum(losses))
     if event.number == 1 and event.kind == "impact":
         # Nothing else has happened: it is what the impact takes.
         for link in _energy_lost(step, event):
@@ -438,12 +472,13 @@ def _energy_lost(step: Step, event: Event | None) -> Iterator[Link]:
     if event is None:
         return
     spheres = [each for each in event.bodies if each in step.setting.spheres]
+    cited = _cited_energies(step)
     for form in ("components", "along", "vectors", "speed", "energy"):
         terms = [
             Binary(
                 "-",
-                _kinetic(form, body, event.number - 1, event),
-                _kinetic(form, body, event.number, event),
+                _kinetic(step, form, body, event.number - 1, event, cited),
+                _kinetic(step, form, body, event.number, event, cited),
             )
             for body in spheres
         ]
@@ -452,6 +487,28 @@ def _energy_lost(step: Step, event: Event | None) -> Iterator[Link]:
         stages = (event.number - 1, event.number)
         before, after = (Quantity("energy", (), stage) for stage in stages)
         yield Link(Binary("-", before, after), "=", lost)
+    yield Link(Quantity("energy_lost", (), event.number), "=", Binary("-", before, after))
+    changes = _changes_cited(step, event, spheres)
+    if changes:
+        yield Link(Quantity("energy_lost", (), event.number), "=", _sum(changes))
+
+
+def _changes_cited(step: Step, event: Event, spheres: Sequence[str]) -> list[Expression]:
+    """What each sphere loses at an event by a change of its energy that is cited; else nothing."""
+    wholes = {link.left: link.right for link in _wholes(step) if link.sign == "="}
+    changes: list[Expression] = []
+    for body in spheres:
+        early, late = (
+            step.setting.quantity(Quantity("energy", (Name(body),), number))
+            for number in (event.number - 1, event.number)
+        )
+        if (lost := wholes.get(Binary("-", early, late))) is not None:
+            changes.append(lost)
+        elif (gained := wholes.get(Binary("-", late, early))) is not None:
+            changes.append(Negate(gained))
+        else:
+            return []
+    return changes
 
 
 def _tied(step: Step, event: Event | None) -> Iterator[Link]:

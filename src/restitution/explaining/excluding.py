@@ -33,6 +33,8 @@ def excludes(note: Note, step: Step, unknown: bool = False, *, quickly: bool = F
     try:
         if claim is not None and len(claim.options) == 1 and _is_refuted(there, claim.only):
             return True
+        if claim is None and any(_is_against(there, each) for each in cited):
+            return True
         if quickly:
             return False
         facts = (*there.facts, *(() if claim is None else (there.formula(claim),)))
@@ -48,6 +50,17 @@ def _is_beyond(link: Link) -> bool:
         for side in (link.left, link.right)
         for each in walk(side)
     )
+
+
+def _is_against(step: Step, own: Cited) -> bool:
+    """Whether a fact of the statement is false with the values put in that are cited beside it."""
+    relation = own.relation
+    if isinstance(own.ref, int) or isinstance(relation, Meaning) or len(relation.options) != 1:
+        return False
+    if any(map(_is_beyond, relation.only)):
+        return False
+    others = step.under(cited=tuple(each for each in step.cited if each is not own))
+    return _is_refuted(others, relation.only)
 
 
 def _is_refuted(step: Step, links: tuple[Link, ...]) -> bool:

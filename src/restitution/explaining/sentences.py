@@ -552,6 +552,13 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     # --- answers ----------------------------------------------------------------------------------
     "note.none": "{items:capital} cannot be found, as {reason}.",
+    "note.impossible": "What is described cannot happen, as {reason}.",
+    "note.clash": "{reason:capital}.",
+    "note.against": "But it is given that {fact}. So the data contradict each other.",
+    "note.against-zero": (
+        "{value} is not zero, as {reasons:and}. But it is given that {fact}. So the data "
+        "contradict each other."
+    ),
     "note.unwritten": "{item:capital} is {answer}. The working of this is not written out.",
     "note.unwritten-line": "The working of this is not written out:",
     "note.unwritten-line-from": "The steps from here are not written out:",

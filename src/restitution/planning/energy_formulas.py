@@ -54,10 +54,20 @@ def energy_formula(scene: Scene, quantity: Quantity) -> Formula:
     """A kinetic energy, ½mv²."""
     assert isinstance(quantity.stage, int)
     names = [argument.name for argument in quantity.arguments if isinstance(argument, Name)]
+    if not names and (left := _left_of_energy(scene, quantity)) is not None:
+        return left
     bodies = names or list(scene.model.story.spheres)
-    terms, values, refs = [], [], []
+    terms: list[Expression] = []
+    values: list[Any] = []
+    refs: list[Ref] = []
     for body in bodies:
         stage = scene.last_event(body, quantity.stage)
+        known = _known_energy(scene, quantity.stage, body) if len(bodies) > 1 else None
+        if known is not None:
+            terms.append(tree_of(known.value))
+            values.append(known.value)
+            refs += known.refs
+            continue
         tree, value, own = squares(scene, body, stage, known=len(bodies) == 1)
         if stage and stage != quantity.stage:
             own = together(own, scene.frame(stage).unit_free)
@@ -71,10 +81,109 @@ def energy_formula(scene: Scene, quantity: Quantity) -> Formula:
     )
 
 
+def _known_energy(scene: Scene, stage: int, *bodies: str) -> Source | None:
+    """A kinetic energy that is a line already, with nothing open in it; of all without a body."""
+    names = tuple(map(Name, bodies))
+    stages = (stage, *(scene.last_event(body, stage) for body in bodies))
+    for each in dict.fromkeys(stages):
+        known = _known_value(scene, Quantity("energy", names, each))
+        if known is not None:
+            return known
+    return None
+
+
+def _known_value(scene: Scene, tree: Expression) -> Source | None:
+    """What a line says of an expression, with nothing open in it."""
+    known = scene.desk.known(tree)
+    if known is None:
+        return None
+    value, more = scene.put(known.value)
+    return None if scene.unknown(value) else Source(value, together(known.refs, more))
+
+
+def _left_of_energy(scene: Scene, quantity: Quantity) -> Formula | None:
+    """The energy of all after an impact: that before it less what is lost, if both are lines."""
+    stage = quantity.stage
+    if not isinstance(stage, int) or stage not in scene.model.frames:
+        return None
+    if any(_known_energy(scene, stage, body) for body in scene.model.story.spheres):
+        return None
+    before = _known_energy(scene, stage - 1)
+    lost = _known_value(scene, Quantity("energy_lost", (), stage))
+    if before is None or lost is None:
+        return None
+    right = difference(tree_of(before.value), tree_of(lost.value))
+    value = tidy(expanded(before.value - lost.value))
+    move, refs = Move("define", "total", stage), together(before.refs, lost.refs)
+    return Formula(move, itself, quantity, right, value, refs)
+
+
+def _lost_by_changes(scene: Scene, quantity: Quantity, event: int) -> Formula | None:
+    """What is lost, of the changes of the kinetic energy of each sphere that are lines."""
+    terms: list[Expression] = []
+    values: list[Any] = []
+    refs: list[Ref] = []
+    bodies = tuple(scene.spheres(event))
+    for body in bodies:
+        late, early = (
+            Quantity("energy", (Name(body),), n) for n in (event, scene.last_event(body, event - 1))
+        )
+        for one, other, sign in ((early, late, 1), (late, early, -1)):
+            known = _known_value(scene, Binary("-", one, other))
+            if known is not None:
+                terms.append(tree_of(sign * known.value))
+                values.append(sign * known.value)
+                refs += known.refs
+                break
+        else:
+            return None
+    move = Move("define", "energy-lost", event, bodies)
+    value = tidy(expanded(sum(values)))
+    return Formula(move, itself, quantity, total(terms), value, together(refs))
+
+
+def _lost_by_losses(scene: Scene, quantity: Quantity, stage: int) -> Formula | None:
+    """What all impacts take, where what each of them takes is a line."""
+    if stage < 2 or any(n not in scene.model.frames for n in range(1, stage + 1)):
+        return None
+    lost = [_known_value(scene, Quantity("energy_lost", (), n)) for n in range(1, stage + 1)]
+    own = [each for each in lost if each is not None]
+    if len(own) != stage:
+        return None
+    right = total(tree_of(each.value) for each in own)
+    value = tidy(expanded(sum(each.value for each in own)))
+    refs = together(*(each.refs for each in own))
+    return Formula(Move("define", "total-lost", stage), itself, quantity, right, value, refs)
+
+
+def _lost_by_energies(
+    scene: Scene, quantity: Quantity, stages: tuple[int, int], bodies: tuple[str, ...]
+) -> Formula | None:
+    """What is lost, of kinetic energies that are lines already; None where one of them is not."""
+    for group in ([()], [(body,) for body in bodies]):
+        ends = [[_known_energy(scene, stage, *names) for names in group] for stage in stages]
+        early, late = ([each for each in own if each is not None] for own in ends)
+        if len(early) != len(group) or len(late) != len(group):
+            continue
+        pairs = list(zip(early, late, strict=True))
+        terms = [difference(*(tree_of(each.value) for each in pair)) for pair in pairs]
+        value = sum(one.value - other.value for one, other in pairs)
+        refs = together(*(each.refs for pair in pairs for each in pair))
+        record = "energy-lost" if quantity.kind == "energy_lost" else "total-lost"
+        move = Move("define", record, stages[1], bodies if quantity.kind == "energy_lost" else ())
+        return Formula(move, itself, quantity, total(terms), tidy(expanded(value)), refs)
+    return None
+
+
 def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
     """Components across the line do not change, so that they cancel."""
     event = quantity.stage
     assert isinstance(event, int)
+    known = _lost_by_energies(
+        scene, quantity, (event - 1, event), tuple(scene.spheres(event))
+    ) or _lost_by_changes(scene, quantity, event)
+    if known is not None:
+        return known
     by_speeds = _lost_by_given_speeds(scene, quantity, event)
     if by_speeds is not None:
         return by_speeds
@@ -176,6 +285,12 @@ def _given_speed(scene: Scene, body: str, stage: int) -> Source | None:
 def total_energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
     """The energy of all spheres at the start, less that after an event: each a line before it."""
     assert isinstance(quantity.stage, int)
+    spheres = tuple(scene.model.story.spheres)
+    known = _lost_by_energies(scene, quantity, (0, quantity.stage), spheres) or _lost_by_losses(
+        scene, quantity, quantity.stage
+    )
+    if known is not None:
+        return known
     if quantity.stage == 1 and 1 in scene.model.frames:
         own = energy_lost_formula(scene, Quantity("energy_lost", (), 1))
         return replace(own, quantity=quantity, move=Move("define", "total-lost", 1))

@@ -32,6 +32,7 @@ from restitution.planning.either_side import write_sides
 from restitution.planning.expressions import outermost, write_expression
 from restitution.planning.forms import ONE, difference, product, square, tree_of
 from restitution.planning.formulas import write_formula
+from restitution.planning.impacts import after
 from restitution.planning.momenta import write_by_momentum, write_total_kept
 from restitution.planning.order import Solver
 from restitution.planning.quantities import formula
@@ -60,7 +61,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
         determine(scene, solver, asked)
         _determine_velocities(scene, solver, asked)
     named = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
-    asked = in_a_frame(scene, asked)
+    asked = in_a_frame(scene, asked, write=True)
     match asked:
         case Letter() | Quantity() if is_angle(scene, asked) and not _is_wall(scene, asked):
             scene.desk.end(name, *write_angle(scene, asked))
@@ -410,8 +411,11 @@ def _axis(scene: Scene, number: int, name: str) -> None:
     scene.desk.end(name, line, scene.desk.relation(line))
 
 
-def in_a_frame(scene: Scene, asked: Expression) -> Expression:
-    """A component that is asked as lines say it, where its direction is one of its impact."""
+def in_a_frame(scene: Scene, asked: Expression, *, write: bool = False) -> Expression:
+    """A component that is asked as lines say it, where its direction is one of its impact.
+
+    With ``write`` one that does not change has its line written, where it has none.
+    """
     match asked:
         case Quantity("along" | "across" as kind, (Quantity("velocity", (Name(body),), at), axis)):
             stage = scene.last_event(body, at) if isinstance(at, int) else 0
@@ -422,10 +426,12 @@ def in_a_frame(scene: Scene, asked: Expression) -> Expression:
             own = own if kind == "along" else own.turned_left()
             for each in ("along", "across"):
                 named, direction = frame.component(each, body, stage), frame.direction(each)
-                known = scene.desk.known(named)
-                if known is None or len(known.refs) != 1:
+                if tidy(own.cross(direction)) != 0 or scene.model.sign(own.dot(direction)) <= 0:
                     continue
-                if tidy(own.cross(direction)) == 0 and scene.model.sign(own.dot(direction)) > 0:
+                known = scene.desk.known(named)
+                if known is None and write and each == "across":
+                    known = after(scene, each, body, frame)
+                if known is not None and len(known.refs) == 1:
                     return named
     return asked
 

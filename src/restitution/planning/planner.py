@@ -37,6 +37,7 @@ from restitution.planning import place_trees
 from restitution.planning.axes import frame_at
 from restitution.planning.cases import joined, without_idle
 from restitution.planning.checking import require_true
+from restitution.planning.clashes import write_clash
 from restitution.planning.desk import UNPLANNED, Desk, NotPlannedError
 from restitution.planning.early import Early, early_items, terms
 from restitution.planning.either_side import on_one_side, write_other_side
@@ -176,13 +177,15 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
     if not part.items:
         return desk
     desk.part, desk.apart = part.part.label, len(part.branches) > 1
+    if not part.branches and (clash := write_clash(solution, part, desk, _names(part))):
+        return clash
     if not part.branches or all(isinstance(item.error, MissingError) for item in part.items):
         for index, each in enumerate(part.items, 1):
             if each.error is None:
                 raise NotPlannedError("no solution")
             note_of(desk, each, _name(part, index))
         return desk
-    names = [_name(part, index) for index, _ in enumerate(part.items, 1)]
+    names = _names(part)
     early, ended = _write_early(solution, part, desk)
     whole: tuple[Desk, int] | None = None
     if early is not desk:
@@ -275,6 +278,11 @@ def _in_given_terms(
 def _name(part: PartSolution, index: int) -> str:
     """The name of an item: the label of its part, and its number there."""
     return f"{part.part.label or ''}{index}"
+
+
+def _names(part: PartSolution) -> list[str]:
+    """The names of the items of a part."""
+    return [_name(part, index) for index, _ in enumerate(part.items, 1)]
 
 
 def _drafts(

@@ -46,7 +46,7 @@ def named(setting: Setting, error: RestitutionError) -> RestitutionError:
     if physical and len(core) == 1:
         return error
     words = [_words(setting.problem, each) for each in core]
-    clauses = [_clause(setting.problem, each) for each in core]
+    clauses = [clause_of(setting.problem, each.given, each.relation) for each in core]
     place = core[-1].given.place
     line = None if place is None else place.line
     if len(words) == 1:
@@ -68,14 +68,14 @@ def _words(problem: Problem, fact: Fact) -> str:
     return text if place is None else f"{text} (line {place.line})"
 
 
-def _clause(problem: Problem, fact: Fact) -> str:
-    """The fact in the words of the question."""
+def clause_of(problem: Problem, given: Given, relation: Relation) -> str:
+    """A relation of a line of facts in the words of the question."""
     events = 0
     for _, step in problem.steps():
-        if step is fact.given:
+        if step is given:
             break
         events += isinstance(step, Impact | Kick | Arrival)
-    return inline(clause(scene_of(problem).at(events), fact.relation))
+    return inline(clause(scene_of(problem).at(events), relation))
 
 
 def _possible(setting: Setting, facts: Sequence[Fact]) -> bool | None:

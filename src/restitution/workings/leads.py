@@ -195,6 +195,17 @@ class Leads:
         """The value of a letter that a definition puts in, which stands behind the line."""
         return (self._behind[line.number],) if line.number in self._behind else ()
 
+    def _of_energies(self, line: Line) -> bool:
+        """Whether a line rests on kinetic energies that stand above."""
+        lines = map(self._derivation.line, (ref for ref in line.premises if isinstance(ref, int)))
+        relations = (each.relation for each in lines if each is not None)
+        return any(
+            isinstance(node, Quantity) and node.kind == "energy"
+            for each in relations
+            if isinstance(each, Relation)
+            for node in walk(each.options[0][0].left)
+        )
+
     def title(self, line: Line) -> Sentence | None:
         """The principle or definition of a line; None where the line speaks for itself."""
         record = RECORDS.get(line.move.record or "")
@@ -220,6 +231,8 @@ class Leads:
                 name = "derived-place.title"
             case "energy-lost", _ if not any(isinstance(ref, int) for ref in line.premises):
                 name = "derived-energy.title"  # by speeds of the data
+            case "energy-lost", _ if self._of_energies(line):
+                name = "derived-energy.title"
             case "perpendicular", _ if not is_zero(last.right) or self._squares(line):
                 return None
             case "perpendicular", _ if last.sign in FLIPPED:

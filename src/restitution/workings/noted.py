@@ -7,6 +7,7 @@ from itertools import groupby
 
 from restitution.explaining.derivation import Derivation, Note, Ref, Relation
 from restitution.explaining.saying import Sentence, say
+from restitution.expression.tree import Letter
 from restitution.problem import Extremum, Show
 from restitution.render import layout as lay
 from restitution.workings.ends import Ends
@@ -77,8 +78,28 @@ class Notes:
         if first.kind == "impossible" and first.premises:
             return self._impossible(first, items)
         shown = isinstance(self._ends.item(first.item), Show)
-        name = "note.none-shown" if shown else "note.none"
-        return say(name, items=items, reason=first.reason)
+        if shown:
+            return say("note.none-shown", items=items, reason=first.reason)
+        if first.kind == "contradiction":
+            return self._against(first) if first.lines else say("note.clash", reason=first.reason)
+        if first.kind == "impossible":
+            return say("note.impossible", reason=first.reason)
+        return say("note.none", items=items, reason=first.reason)
+
+    def _against(self, note: Note) -> Sentence:
+        """A fact that the lines of a note contradict."""
+        known = [str(ref).partition(":") for ref in note.premises]
+        angles = [text.strip() for head, _, text in known if head == "acute"]
+        if not angles:
+            return say("note.against", fact=note.reason)
+        reasons = (say("derived.acute", angle=self._naming.layout(Letter(e))) for e in angles)
+        value = self._relation(note.lines[-1]).only[-1].right
+        return say(
+            "note.against-zero",
+            value=self._naming.layout(value),
+            reasons=tuple(reasons),
+            fact=note.reason,
+        )
 
     def _items(self, notes: Sequence[Note]) -> Sentence:
         """What was asked, in the words of the question."""

@@ -1,0 +1,178 @@
+"""Data that contradict each other: what follows of a quantity from the others, against its datum.
+
+One fact is left out of the part, which then has a solution. In that the lines are written that say
+what the fact speaks of, and a note that the fact cannot hold with them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from restitution.components.letters import protected_letters
+from restitution.components.telling import model
+from restitution.errors import ContradictionError, RestitutionError
+from restitution.explaining.derivation import Note, Ref, Relation
+from restitution.explaining.facts import facts_of, links_of
+from restitution.expression.tree import Name, Quantity, has_quantity, walk
+from restitution.planning.axes import frame_at
+from restitution.planning.checking import require_true
+from restitution.planning.claims import Claims
+from restitution.planning.desk import UNPLANNED, Desk, together
+from restitution.planning.impacts import after
+from restitution.planning.order import Solver
+from restitution.planning.premises import background
+from restitution.planning.scene import Scene
+from restitution.planning.unfinished import require_followed
+from restitution.problem import AtRest, Compare, Given, Part, Problem, Step
+from restitution.problem import Relation as Said
+from restitution.solving import solve
+from restitution.solving.clash import clause_of
+from restitution.solving.solution import PartSolution, Solution
+
+
+def write_clash(
+    solution: Solution, part: PartSolution, desk: Desk, names: list[str]
+) -> Desk | None:
+    """The desk with a fact of a part refuted by the others, and a note of that for each item.
+
+    None where no item has such a reason, and where no fact is refuted in lines.
+    """
+    if not names or not all(isinstance(each.error, ContradictionError) for each in part.items):
+        return None
+    for given, relation, events in reversed(list(_facts(solution.problem, part.part))):
+        draft = desk.fork()
+        try:
+            note = _refuted(solution.problem, part.part, draft, given, relation, events, names[0])
+        except (*UNPLANNED, RestitutionError):
+            continue
+        if note is not None:
+            for name in names:
+                draft.note(name, "contradiction", note.reason, premises=note.premises)
+            draft.withheld = frozenset()
+            return draft
+    return None
+
+
+def _facts(problem: Problem, part: Part) -> Iterator[tuple[Given, Said, int]]:
+    """What is given of the motion in a part: equations with quantities, and who is at rest.
+
+    Each has the number of events before it.
+    """
+    for step, events, _ in problem.timeline(part):
+        if not isinstance(step, Given):
+            continue
+        for each in step.relations:
+            match each:
+                case AtRest():
+                    yield step, each, events
+                case Compare(operators=("=",)) if any(map(has_quantity, each.operands)):
+                    yield step, each, events
+
+
+def _refuted(
+    problem: Problem,
+    part: Part,
+    desk: Desk,
+    given: Given,
+    relation: Said,
+    events: int,
+    name: str,
+) -> Note | None:
+    """The lines that a fact contradicts, and that it cannot hold with them."""
+    without = _without(problem, given, relation)
+    solved = solve(without)
+    own = next(each for each in solved.parts.values() if each.part.label == part.label)
+    if len(own.branches) != 1:
+        return None
+    kept = [each.relation for each in facts_of(without) if each.id.startswith("given ")]
+    desk.withheld = frozenset(
+        each.id
+        for each in facts_of(problem)
+        if each.id.startswith("given ") and each.relation not in kept
+    )
+    story = model(
+        without,
+        own.part,
+        own.branches[0],
+        own.roles,
+        protected_letters(own.part),
+        question=problem,
+    )
+    desk.item = name
+    scene = Scene(problem, part, own, story, desk, find_frame=frame_at)
+    claim = Relation((links_of(problem, relation, events),))
+    note = desk.new_note(name, "contradiction", clause_of(problem, given, relation))
+    late = tuple(sorted(desk.withheld))
+    solver = Solver(scene)
+    for write in (_across, _worths):
+        standing, start = solver.mark(), len(desk.lines)
+        try:
+            refs = together(write(scene, solver, claim))
+            require_true(scene.model, desk.lines[start:], desk.lines, desk.facts)
+            require_followed(scene, desk.lines[start:])
+        except UNPLANNED:
+            solver.back(standing)
+            continue
+        whole = replace(note, premises=together(late, refs))
+        if refs and scene.judge.excludes(whole):
+            return _with_what_is_needed(scene, whole)
+        solver.back(standing)
+    return None
+
+
+def _with_what_is_needed(scene: Scene, note: Note) -> Note:
+    """A note without the premises that it can do without."""
+    for each in note.premises:
+        less = replace(note, premises=tuple(ref for ref in note.premises if ref != each))
+        if less.lines and scene.judge.excludes(less):
+            note = less
+    return note
+
+
+def _without(problem: Problem, given: Given, relation: Said) -> Problem:
+    """The problem without one relation of a step of facts."""
+
+    def steps(part: Part) -> Iterator[Step]:
+        for step in part.steps:
+            if step is not given:
+                yield step
+                continue
+            left = tuple(each for each in given.relations if each is not relation)
+            if left:
+                yield replace(given, relations=left)
+
+    return replace(
+        problem, parts=tuple(replace(part, steps=tuple(steps(part))) for part in problem.parts)
+    )
+
+
+def _across(scene: Scene, solver: Solver, claim: Relation) -> Iterator[Ref]:
+    """The components across the line of centres of the velocities that a fact speaks of."""
+    for body, stage in _velocities(claim):
+        if stage in scene.model.frames:
+            frame = scene.frame(stage)
+            source = after(scene, "across", body, frame)
+            names = {each.name for each in source.value.free_symbols}
+            yield from (*source.refs, *frame.refs, *background(scene, names))
+
+
+def _velocities(claim: Relation) -> Iterator[tuple[str, int]]:
+    for link in claim.only:
+        for side in (link.left, link.right):
+            for node in walk(side):
+                match node:
+                    case Quantity("velocity", (Name(body),), int(stage)) if stage:
+                        yield body, stage
+
+
+def _worths(scene: Scene, solver: Solver, claim: Relation) -> Iterator[Ref]:
+    """What the quantities of a fact are worth."""
+    with Claims(scene, solver) as claims:
+        for link in claim.only:
+            for side in (link.left, link.right):
+                for quantity in claims.worths.quantities(side):
+                    if not claims.worths.is_data(quantity):
+                        yield claims.worths.angle_by_letter(quantity) or claims.worths.quantity(
+                            quantity
+                        )
