@@ -135,7 +135,13 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
         file = item.config.getoption("--long")
         if file and _seconds() - before > LONG_SECONDS:
             with Path(file).open("a", encoding="utf-8") as names:
-                names.write(item.nodeid + "\n")
+                names.write(_name(item) + "\n")
+
+
+def _name(item: pytest.Item) -> str:
+    """The name of a test without that of its group, which pytest-xdist writes behind it."""
+    group = item.get_closest_marker("xdist_group")
+    return item.nodeid if group is None else item.nodeid.removesuffix(f"@{group.args[0]}")
 
 
 def _seconds() -> float:

@@ -68,3 +68,14 @@ def test_those_that_take_long_are_noted_and_left_to_the_night(
     monkeypatch.setattr(nights, "LONG", {name})
     monkeypatch.setattr(nights, "KEPT", set())
     pytester.runpytest_inprocess(*options).assert_outcomes(passed=1, deselected=1)
+
+
+def test_what_shares_is_kept_together(request: pytest.FixtureRequest) -> None:
+    """Without this a statement is solved, and a browser begun, in every process.
+
+    pytest-xdist writes a test's group behind its name, and goes by the name. pytest 9.2 lets no
+    plugin do so, and nothing said that the groups were gone.
+    """
+    if not hasattr(request.config, "workerinput"):
+        pytest.skip("all tests are in one process")
+    assert request.node.nodeid.endswith("@test_nights")

@@ -107,7 +107,11 @@ def test_a_table_of_another_lark_or_another_start_is_not_used(monkeypatch):
     assert loaded(table, SMALL, "start") is None
 
 
-@pytest.mark.parametrize("stored", [b"", b"\x80\x05K\x01.", saved(SMALL, "start")[1:]])
+@pytest.mark.parametrize(
+    "stored",
+    [b"", b"\x80\x05K\x01.", saved(SMALL, "start")[1:]],
+    ids=["nothing", "a number", "a table without its first byte"],
+)
 def test_what_is_no_table_is_never_loaded(monkeypatch, tmp_path, stored):
     monkeypatch.setattr(parsers, "FOLDER", tmp_path)
     monkeypatch.setattr(lark.Lark, "load", None)
