@@ -141,6 +141,42 @@ sphere B: at rest
 A hits B: along i
 find range of deflection(A)
 """
+UPRIGHT_OF_MASSES = """
+sphere A: mass 2m, velocity u at alpha
+sphere B: mass M, at rest
+A hits B: along i
+find tan(direction(A))
+"""
+UPRIGHT_AT_AN_END = """
+sphere A: mass m, velocity u at 45°
+sphere B: mass 4m, at rest
+A hits B: along i
+given e <= 1/4
+show deflection(A) <= 45°
+"""
+NEVER_UPRIGHT = """
+sphere A: mass 2m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+find tan(direction(A))
+"""
+ANY_ANGLE = """
+wall AB: along i
+wall BC: along j
+sphere P: velocity u at alpha to AB
+P hits AB: e = f
+P hits BC: e = g
+find tan(angle(velocity(P), BC))
+"""
+AT_REST = """
+wall AB: along i
+wall BC: along j
+sphere P: velocity u at alpha to AB
+P hits AB: e = f
+P hits BC: e = f
+given tan(alpha) = 3
+find angle(velocity(P), BC)
+"""
 AWAY = """
 sphere A: mass m, velocity 2u i
 sphere B: mass 2m, at rest
@@ -190,6 +226,11 @@ READINGS = [
     (LATER, "T = √5 ≈ 2.24 s"),
     (TWO_STORIES, "v cos 45° = mw + mx"),
     (UPRIGHT, "= 2/(1 − e), and β = 90° if e = 1"),
+    (UPRIGHT_OF_MASSES, "= 90° if 2m = eM"),
+    (UPRIGHT_AT_AN_END, "= 90° if e = ¼"),
+    (UPRIGHT_AT_AN_END, "also if e = ¼, where δ = 90° − 45°"),
+    (ANY_ANGLE, ", for f ≠ 0"),
+    (AT_REST, "= ⅓, for f ≠ 0"),
     (AWAY, "tan δ = (√3 u/8)/(7u/8) = √3/7"),
     (AGAIN, "v₂ = 3u/4 < 9u/4 = w₂"),
     (BOUNDED, " m s⁻¹ < speed of B < "),
@@ -229,6 +270,10 @@ def text(statement: str) -> str:
 @pytest.mark.parametrize(("statement", "words"), READINGS, ids=[each for _, each in READINGS])
 def test_a_working_says(statement: str, words: str) -> None:
     assert words in text(statement)
+
+
+def test_an_angle_that_is_always_acute_is_not_said_to_be_90() -> None:
+    assert "90° if" not in text(NEVER_UPRIGHT)
 
 
 def test_impacts_of_other_bodies_are_not_counted() -> None:

@@ -742,6 +742,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.since-in": "Since {facts:and}, from {equation}:",
     "derived.since-by": "Since {facts:and}, {how}:",
     "derived.right-angle": "and {angle} if {at}",
+    "derived.tangent-for": "for {condition}",
     "derived.upright-too": "also if {at}, where {angle}",
     "derived.as": "as {reasons:and}",
     "derived.no-root": "{value} does not satisfy {equation}",

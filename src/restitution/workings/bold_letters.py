@@ -8,7 +8,7 @@ the wall and **t** at right angles to it, so that a component is a scalar produc
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -16,7 +16,6 @@ import sympy as sp
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explaining.derivation import (
-    FLIPPED,
     Derivation,
     Event,
     Fact,
@@ -39,14 +38,14 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
-    has_quantity,
     walk,
 )
-from restitution.oracle import REAL, Formula, Oracle, Role, compared
+from restitution.oracle import REAL, Oracle, Role, compared
 from restitution.planning.forms import tree_of
 from restitution.planning.impacts import whole_direction
 from restitution.render import layout as lay
 from restitution.vector import Vector
+from restitution.workings.in_force import inequalities
 
 # What introduces unit vectors, at a wall and elsewhere: along its normal, across it, or both.
 _UNITS = {
@@ -250,7 +249,8 @@ class BoldLetters:
         """
         axis = Quantity("line_of_centres", (), event.number)
         values = _values_of_letters(self.derivation)
-        oracle = Oracle(self.roles, tuple(self._in_force()))
+        given = inequalities(self.derivation, self.part, lambda side: _value(side, self.roles, {}))
+        oracle = Oracle(self.roles, tuple(given))
         components = []
         for line in self.derivation.lines:
             match line.relation:
@@ -296,22 +296,6 @@ class BoldLetters:
             name = _FROM_THE_FIRST[which]
             slots |= {"first": event.bodies[0], "second": event.bodies[1]}
         self._pending.append(say(name, **slots))
-
-    def _in_force(self) -> Iterator[Formula]:
-        """The inequalities between letters that are given for the part."""
-        for fact in self.derivation.facts:
-            if fact.kind not in ("given", "range") or fact.part not in (None, self.part):
-                continue
-            links = [link for links in fact.relation.options for link in links]
-            sides = (side for link in links for side in (link.left, link.right))
-            if len(fact.relation.options) == 1 and not any(map(has_quantity, sides)):
-                for link in links:
-                    if link.sign in FLIPPED:
-                        yield compared(
-                            _value(link.left, self.roles, {}),
-                            link.sign,
-                            _value(link.right, self.roles, {}),
-                        )
 
 
 def _values_of_letters(derivation: Derivation) -> dict[str, sp.Expr]:

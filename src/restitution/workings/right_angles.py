@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import sympy as sp
@@ -23,11 +24,26 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.oracle import Role
+from restitution.oracle import Formula, Oracle, Role
+from restitution.oracle import Relation as Claim
 from restitution.planning.forms import factors, tree_of
+from restitution.workings.in_force import inequalities
 from restitution.workings.naming import Naming
 
 _RIGHT_ANGLE = Degrees(Fraction(90))
+_OF_THE_MOTION = ("angle", "deflection", "direction")
+
+
+@dataclass(frozen=True)
+class _Pole:
+    """Where an angle has no tangent: ``at`` says for which letters.
+
+    It is ``upright`` there, that is 90°, unless the body may be at rest.
+    """
+
+    angle: Expression
+    at: Link
+    upright: bool
 
 
 class RightAngles:
@@ -43,13 +59,15 @@ class RightAngles:
         return self._right_angle(line) or self._upright_too(line)
 
     def _right_angle(self, line: Line) -> Sentence | None:
-        """For which value of a letter an angle of the motion has no tangent, since it is 90°."""
+        """Where an angle of the motion has no tangent: it is 90° there, or no angle at all."""
         pole = self._pole(line)
         if pole is None:
             return None
-        angle, name, root = pole
-        right = Relation(((Link(angle, "=", _RIGHT_ANGLE),),))
-        at = Relation(((Link(Letter(name), "=", tree_of(root)),),))
+        if not pole.upright:
+            apart = Relation(((replace(pole.at, sign="!="),),))
+            return say("derived.tangent-for", condition=self._naming.relation(apart))
+        right = Relation(((Link(pole.angle, "=", _RIGHT_ANGLE),),))
+        at = Relation(((pole.at,),))
         return say(
             "derived.right-angle", angle=self._naming.relation(right), at=self._naming.relation(at)
         )
@@ -66,18 +84,19 @@ class RightAngles:
         poles = [pole for own in above if (pole := self._pole(own)) is not None]
         sums = (own for own in self._derivation.lines if own.number < line.number)
         whole = next((r for own in sums if (r := _made_of(own, turn)) is not None), None)
-        if len(poles) != 1 or whole is None or value is None:
+        if len(poles) != 1 or not poles[0].upright or whole is None or value is None:
             return None
-        angle, name, root = poles[0]
+        angle, vertical = poles[0].angle, poles[0].at
+        root = in_letters_alone(vertical.right)
         there = rebuilt(whole, lambda each: _RIGHT_ANGLE if each == angle else each)
         at = in_letters_alone(there)
-        if there == whole or at is None:
+        if there == whole or at is None or root is None or not isinstance(vertical.left, Letter):
             return None
         tangent = sp.tan(sp.expand(at)) if at.has(sp.pi) else None
-        known = value.subs(sp.Symbol(name), root)
+        known = value.subs(sp.Symbol(vertical.left.name), root)
         if tangent is None or tidy(sp.expand_trig(tangent) - known) != 0:
             return None
-        where = Relation(((Link(Letter(name), "=", tree_of(root)),),))
+        where = Relation(((vertical,),))
         turned = Relation(((Link(turn, "=", there),),))
         return say(
             "derived.upright-too",
@@ -85,50 +104,65 @@ class RightAngles:
             angle=self._naming.relation(turned),
         )
 
-    def _pole(self, line: Line) -> tuple[Expression, str, sp.Expr] | None:
-        """The angle whose tangent a line gives, and the value of a letter at which it has none."""
+    def _pole(self, line: Line) -> _Pole | None:
+        """Where the angle whose tangent a line gives has none, if the letters may be so."""
         assert isinstance(line.relation, Relation)
         match line.relation.options:
             case ((Link(Apply("tan", angle), "="), *_),) if line.move.id in ("define", "rearrange"):
-                value = line.relation.only[-1].right
+                value = line.relation.only[0].right
             case _:
                 return None
         meaning = self._naming.meanings.get(angle.name) if isinstance(angle, Letter) else None
         meant = angle if meaning is None else meaning.quantity
-        if not isinstance(meant, Quantity) or meant.kind not in ("angle", "deflection"):
+        if not isinstance(meant, Quantity) or meant.kind not in _OF_THE_MOTION:
+            return None
+        quotient = _quotient(value)
+        if quotient is None:
             return None
         below = [e.right for e in walk(value) if isinstance(e, Binary) and e.op == "/"]
-        for factor in (each for tree in below for each in factors(tree)):
-            (name, *more) = letters(factor) or ("",)
-            if more or not name or not isinstance(factor, Binary) or factor.op not in ("+", "-"):
-                continue
-            letter, above = sp.Symbol(name), in_letters_alone(value)
-            difference = in_letters_alone(factor)
-            if difference is None or above is None or not difference.is_polynomial(letter):
-                continue
-            for root in sp.roots(sp.Poly(difference, letter)):
-                over, under = sp.fraction(sp.together(above))
-                is_pole = under.subs(letter, root) == 0 != over.subs(letter, root)
-                if is_pole and self._may_be(name, root):
-                    return angle, name, root
+        for factor in (each for tree in below for each in _factors_above(tree)):
+            for at in self._zeros(factor):
+                gap = in_letters_alone(Binary("-", at.left, at.right))
+                if gap is None or not self._may_hold(line, gap):
+                    continue
+                there = quotient
+                if isinstance(at.left, Letter):
+                    root = at.left.name, in_letters_alone(at.right)
+                    there = quotient[0].subs(*root), quotient[1].subs(*root)
+                oracle = Oracle(self._roles, (*self._in_force(line), Claim(gap, "=")))
+                if oracle.proves(Claim(there[1], "=")):
+                    return _Pole(angle, at, upright=oracle.proves(Claim(there[0], "!=")))
         return None
 
-    def _may_be(self, name: str, value: sp.Expr) -> bool:
-        """Whether a letter may have a value, which is a number, by its role and by the data."""
-        role = self._roles.get(name)
-        if role is None or role.kind == "angle" or not value.is_Rational:
+    def _zeros(self, factor: Expression) -> Iterator[Link]:
+        """Where a factor below a line is zero: a letter is a number, or two terms are equal."""
+        difference = in_letters_alone(factor)
+        names = letters(factor)
+        if difference is None:
+            return
+        if len(names) == 1:
+            (name,) = names
+            symbol = sp.Symbol(name)
+            role = self._roles.get(name)
+            if role is not None and role.kind != "angle" and difference.is_polynomial(symbol):
+                for root in sp.roots(sp.Poly(difference, symbol)):
+                    if root.is_Rational:
+                        yield Link(Letter(name), "=", tree_of(root))
+        elif isinstance(factor, Binary) and factor.op == "-":
+            yield Link(factor.left, "=", factor.right)
+
+    def _may_hold(self, line: Line, gap: sp.Expr) -> bool:
+        """Whether an expression is zero for some of the values that the letters may have."""
+        names = frozenset(str(each) for each in gap.free_symbols)
+        roles = {name: role for name, role in self._roles.items() if name in names}
+        if len(roles) < len(names):
             return False
-        for end, sign_, closed in ((role.low, 1, role.closed[0]), (role.high, -1, role.closed[1])):
-            if end is not None and not (sign_ * (value - end) > 0 or (closed and value == end)):
-                return False
-        return not any(
-            name in letters(side)
-            for fact in self._derivation.facts
-            if fact.kind == "range"
-            for links in fact.relation.options
-            for link in links
-            for side in (link.left, link.right)
-        )
+        oracle = Oracle(roles, tuple(self._in_force(line)))
+        return oracle.decide(Claim(gap, "!=")).answer == "refuted"
+
+    def _in_force(self, line: Line) -> Iterator[Formula]:
+        part = self._derivation.asked.get(line.item or "")
+        return inequalities(self._derivation, part, in_letters)
 
     def _line(self, ref: Ref) -> Line | None:
         """A line with a relation among the premises."""
@@ -142,6 +176,24 @@ def _made_of(line: Line, turn: Letter) -> Expression | None:
         case Relation(((Link(left, "=", Binary("+" | "-") as right),),)) if left == turn:
             return right
     return None
+
+
+def _factors_above(tree: Expression) -> Iterator[Expression]:
+    """The factors of a tree, but for those below its line."""
+    for each in factors(tree):
+        if isinstance(each, Binary) and each.op == "/":
+            yield from _factors_above(each.left)
+        else:
+            yield each
+
+
+def _quotient(tree: Expression) -> tuple[sp.Expr, sp.Expr] | None:
+    """What is above and below the line of a quotient, nothing cancelled."""
+    if isinstance(tree, Binary) and tree.op == "/":
+        over, under = in_letters_alone(tree.left), in_letters_alone(tree.right)
+        return None if over is None or under is None else (over, under)
+    worth = in_letters_alone(tree)
+    return None if worth is None else sp.fraction(sp.together(worth))
 
 
 def in_letters_alone(tree: Expression) -> sp.Expr | None:
