@@ -66,7 +66,7 @@ sphere B: mass 3m, velocity -2u i
 A hits B: along i
 find energy_lost
 """,
-        ("= ⅛mu²(112 − 3 + 18e − 27e² − 1 − 18e − 81e²)",),
+        ("= ⅛mu²(64 − (1 + 18e + 81e²) + 48 − 3(1 − 6e + 9e²))",),
         (),
     ),
     "terms over one denominator before they are put together": (
@@ -76,7 +76,7 @@ sphere B: mass k m, at rest
 A hits B: along i, e = 1/3
 find energy_lost
 """,
-        ("= mu²(9(1 + k)² − 16k − (3 − k)²)/(18(1 + k)²)",),
+        ("= mu²(9(1 + k)² − (9 − 6k + k²) − 16k)/(18(1 + k)²)",),
         (),
     ),
     "each square by the formula for the double angle": (

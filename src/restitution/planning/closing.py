@@ -6,7 +6,7 @@ in the line is put in first, in a line of its own.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields
 
 import sympy as sp
@@ -324,6 +324,15 @@ def _quotient(symbol: sp.Symbol, poly: sp.Poly, value: sp.Expr) -> Relation:
     return chain(letter, (first, None), (last, "rearrange"))
 
 
+def without(
+    symbol: sp.Symbol, other: sp.Symbol, residuals: Sequence[sp.Expr], value: sp.Expr
+) -> Relation:
+    """One unknown of two linear equations, once the other is eliminated."""
+    slopes = [sp.diff(each, other) for each in residuals]
+    left = expanded(residuals[0] * slopes[1] - residuals[1] * slopes[0])
+    return _quotient(symbol, sp.Poly(left, symbol), value)
+
+
 def is_over_roots(above: sp.Expr, symbol: sp.Symbol) -> bool:
     """Whether an unknown, in a linear equation, is divided by a sum with roots."""
     whole = numerator(above)
@@ -477,4 +486,5 @@ __all__ = [
     "not_negative",
     "rearranged",
     "with_known",
+    "without",
 ]

@@ -24,6 +24,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.angles_bounded import write_bounded
+from restitution.planning.bounds_with_roots import collected
 from restitution.planning.deflections import scalar_product
 from restitution.planning.desk import together
 from restitution.planning.forms import ZERO, swept, tree_of
@@ -437,6 +438,7 @@ class Conditions:
         relation = Relation(((solved,),))
         if relation == self.scene.desk.relation(line):
             return line
+        line = collected(self.worths, line, sign, x, solved)
         after = self.judge.write((Move("rearrange"),), [line, *self.worths.known_in(x)], relation)
         return line if after is None else after
 

@@ -20,7 +20,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.between import terms_between
+from restitution.planning.between import root_of_a_square, terms_between
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.forms import (
     swept,
@@ -75,9 +75,10 @@ def write_formula(scene: Scene, own: Formula) -> int:
     right = swept(own.right)
     between: tuple[tuple[Expression, MoveId | None], ...] = ()
     if _depth_of_roots(right) > _MOST_ROOTS:
-        between = _with_squares(scene, right)
-    elif (terms := terms_between(scene, right, final)) is not None:
-        between = ((terms, "rearrange"),)
+        squares = root_of_a_square(scene, final)
+        between = (*_with_squares(scene, right), *((each, "rearrange") for each in squares))
+    else:
+        between = tuple((each, "rearrange") for each in terms_between(scene, right, final))
     if isinstance(own.value, Vector):
         number = scene.desk.write(own.move, own.refs, chain(own.left, (right, None)))
         if right != final:

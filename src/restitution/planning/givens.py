@@ -27,6 +27,7 @@ from restitution.oracle import Oracle, compared
 from restitution.oracle.roles import POSITIVE
 from restitution.planning import journeys, place_trees
 from restitution.planning.angle_sums import is_sum, stated, write_sum
+from restitution.planning.between import terms_between
 from restitution.planning.deflections import cosine_of_deflection, write_deflection
 from restitution.planning.desk import NotPlannedError, chain, link, together
 from restitution.planning.equal_angles import write_equal_angles
@@ -329,7 +330,9 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
     else:
         relation = chain(own.of(left), (swept(own.right), None))
         if own.move.record in _LOSSES and not _has_root(own.value):
-            worth = chain(own.of(left), (swept(own.right), None), (tree_of(own.value), "rearrange"))
+            right, final = swept(own.right), tree_of(own.value)
+            steps = (*terms_between(scene, right, final), final)
+            worth = chain(own.of(left), (right, None), *((each, "rearrange") for each in steps))
             premises = together(each.refs, refs, own.refs)
             if scene.judge.follows(own.move, premises, worth):
                 return scene.desk.write(own.move, premises, worth)

@@ -23,7 +23,7 @@ from restitution.planning import paths, rounds, separations
 from restitution.planning.axes import take_impulse, take_opposite
 from restitution.planning.blows import write_blows
 from restitution.planning.checking import require_true
-from restitution.planning.closing import close, is_over_roots, with_known
+from restitution.planning.closing import close, is_over_roots, with_known, without
 from restitution.planning.deflections import turned_at_a_wall
 from restitution.planning.desk import Mark, NotPlannedError, Source, chain, together
 from restitution.planning.equations import SHOWN, Equations, Law
@@ -708,7 +708,7 @@ class Solver:
                     scene.desk.know(letter, put, (line,))
                     return
         move = Move("combine", eliminated=other.name)
-        relation = chain(letter, (tree_of(value), None))
+        relation = without(symbol, other, residuals, value)
         # Of what is zero no denominator says what was divided by.
         names = {each.name for x in residuals for each in x.free_symbols} if value == 0 else set()
         enough = scene.judge.enough(move, lines, relation, background(scene, names))

@@ -24,7 +24,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.desk import NotPlannedError, Source, chain
 from restitution.planning.forms import ZERO, product, square, swept, total, tree_of
-from restitution.planning.impacts import momentum, residual, restitution
+from restitution.planning.impacts import momentum, residual, restitution, scene_value
 from restitution.planning.polynomials import expanded, factor_powers, factored
 from restitution.planning.premises import background
 from restitution.planning.scene import Scene
@@ -83,7 +83,8 @@ def by_roots(
     known = background(scene, names)
     refs = scene.judge.enough(Move("roots"), (number,), alternatives, known)
     if refs is not None:
-        line: int | None = scene.desk.write(Move("roots"), refs, alternatives)
+        line: int | None = _by_the_formula(scene, number, polynomials, alternatives, known)
+        line = line or scene.desk.write(Move("roots"), refs, alternatives)
     elif len(polynomials) == 1:
         line = _by_pythagoras(scene, number, polynomials[0], alternatives, known)
     else:
@@ -100,6 +101,60 @@ def by_roots(
     return scene.desk.know(subject, value, (line,))
 
 
+def _by_the_formula(
+    scene: Scene,
+    number: int,
+    polynomials: Sequence[sp.Poly],
+    roots: Relation,
+    known: Iterable[Ref],
+) -> int | None:
+    """The roots of a quadratic in numbers with roots, as the formula gives them, before they are
+    put in order. None of another one.
+    """
+    match scene.desk.last_link(number):
+        case Link(Binary("^", base, _), "=", right) if is_square_of_sum(
+            scene, number, polynomials[0].gen
+        ):
+            return _of_a_square(scene, number, (base, right), roots, known)
+    if len(polynomials) != 1 or polynomials[0].degree() != 2:
+        return None
+    coefficients = polynomials[0].all_coeffs()
+    if not all(each.is_number for each in coefficients) or all(
+        each.is_Rational for each in coefficients
+    ):
+        return None
+    if coefficients[1] == 0:
+        return None
+    return _in_two_lines(scene, number, polynomials[0], roots, known, Move("rearrange"))
+
+
+def _of_a_square(
+    scene: Scene,
+    number: int,
+    sides: tuple[Expression, Expression],
+    roots: Relation,
+    known: Iterable[Ref],
+) -> int | None:
+    """The roots of (px + q)² = c, of a p that is a sum of roots of numbers, as quotients."""
+    subject = roots.options[0][0].left
+    base, right = (sp.sympify(scene_value(scene, each), strict=True) for each in sides)
+    symbols = [each for each in base.free_symbols if Letter(each.name) == subject]
+    if len(symbols) != 1 or len(base.free_symbols) != 1 or not right.is_number:
+        return None
+    (symbol,) = symbols
+    slope, rest = expanded(base).coeff(symbol, 1), expanded(base).coeff(symbol, 0)
+    if not slope.is_Add:
+        return None
+    options: list[tuple[Link, ...]] = []
+    for links in roots.options:
+        value = scene.scalar(links[0].right)
+        root = sp.sqrt(right) if scene.model.sign(slope * value + rest) > 0 else -sp.sqrt(right)
+        trees = (tree_of(each, as_it_is=True) for each in (expanded(root - rest), slope))
+        tree = tree_of(value) if value.is_Rational else Binary("/", *trees)
+        options.append((Link(subject, "=", tree),))
+    return _then(scene, number, Relation(tuple(options)), roots, known, Move("rearrange"))
+
+
 def _by_pythagoras(
     scene: Scene, number: int, polynomial: sp.Poly, roots: Relation, known: Iterable[Ref]
 ) -> int | None:
@@ -109,12 +164,28 @@ def _by_pythagoras(
     """
     if polynomial.degree() != 2:
         return None
+    inside = sp.discriminant(polynomial) / 4
+    inside = expanded(inside)
+    if not inside.has(sp.sin, sp.cos) or expanded(sp.trigsimp(inside)).has(sp.sin, sp.cos):
+        return None
+    return _in_two_lines(scene, number, polynomial, roots, known, Move("identity", "pythagoras"))
+
+
+def _in_two_lines(
+    scene: Scene,
+    number: int,
+    polynomial: sp.Poly,
+    roots: Relation,
+    known: Iterable[Ref],
+    move: Move,
+) -> int | None:
+    """Roots as the formula gives them, and then, by a move, as they are."""
     turned = scene.model.sign(polynomial.LC()) < 0
     a, b, c = (-polynomial.nth(n) if turned else polynomial.nth(n) for n in (2, 1, 0))
     half = expanded(b / 2)
+    if any(not each.as_coeff_Mul()[0].is_Integer for each in sp.Add.make_args(half)):
+        a, half, c = 2 * a, b, 2 * c  # (−7 ± √193)/6, and not (−7/2 ± √(193/4))/3
     inside = expanded(half**2 - a * c)
-    if not inside.has(sp.sin, sp.cos) or expanded(sp.trigsimp(inside)).has(sp.sin, sp.cos):
-        return None
     root = Apply("sqrt", tree_of(inside, as_it_is=True))
     subject = roots.options[0][0].left
     by_formula: list[tuple[Link, ...]] = []
@@ -122,13 +193,25 @@ def _by_pythagoras(
         plus = scene.model.sign(a * scene.scalar(links[0].right) + half) > 0
         above = Binary("+" if plus else "-", tree_of(-half), root)
         by_formula.append((Link(subject, "=", swept(Binary("/", above, tree_of(a)))),))
-    relation = Relation(tuple(by_formula))
-    refs = scene.judge.enough(Move("roots"), (number,), relation, known)
+    return _then(scene, number, Relation(tuple(by_formula)), roots, known, move)
+
+
+def _then(
+    scene: Scene,
+    number: int,
+    first: Relation,
+    roots: Relation,
+    known: Iterable[Ref],
+    move: Move,
+) -> int | None:
+    """Roots in a first form, and then, by a move, in their own; None where they have that."""
+    if first == roots:
+        return None
+    refs = scene.judge.enough(Move("roots"), (number,), first, known)
     if refs is None:
         return None
     mark = scene.desk.mark()
-    line = scene.desk.write(Move("roots"), refs, relation)
-    move = Move("identity", "pythagoras")
+    line = scene.desk.write(Move("roots"), refs, first)
     refs = scene.judge.enough(move, (line,), roots, known)
     if refs is None:
         scene.desk.back(mark)

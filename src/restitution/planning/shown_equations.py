@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning.between import terms_between
 from restitution.planning.claims import Claims
 from restitution.planning.conditions import has_quantity_in
 from restitution.planning.deflections import cosine_of_deflection
@@ -497,8 +498,10 @@ class Equation:
         number = self.judge.write((own.move,), pool, Relation(((first,),)), own.refs)
         if number is None:
             return None
+        between = () if has_quantity(right) else terms_between(self.scene, start, right)
         for by in ("rearrange", "identity"):
-            relation = Relation(((first, Link(start, "=", right, by)),))
+            steps: list[tuple[Expression, MoveId]] = [(each, "rearrange") for each in between]
+            relation = chain(left, (start, None), *steps, (right, by))
             move = replace(own.move)
             if by == "identity" or self.judge.follows(move, pool, relation):
                 refs = self.judge.needed(move, [*pool, *known], relation, own.refs)

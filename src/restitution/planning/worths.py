@@ -318,10 +318,10 @@ class Worths:
         links = [Link(left, "=", right)]
         chains = [Relation((tuple(links),))]
         if right != final:
-            terms = terms_between(scene, right, final)
-            middle = right if terms is None else terms
-            if terms is not None:
-                links.append(Link(right, "=", terms, "rearrange"))
+            middle = right
+            for terms in terms_between(scene, right, final):
+                links.append(Link(middle, "=", terms, "rearrange"))
+                middle = terms
             for by in ("rearrange", "identity"):
                 chains.insert(-1, Relation(((*links, Link(middle, "=", final, by)),)))
         known_ = self.judge.known(letters(right))

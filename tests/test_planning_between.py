@@ -1,0 +1,96 @@
+"""Lines between: a line with roots or several letters is one step from the line above it."""
+
+from __future__ import annotations
+
+import pytest
+
+from restitution.explaining.follower import follow
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solving import solve
+from restitution.solving.letters import roles
+from restitution.workings.derived import explanation_of
+from restitution.workings.text import to_text
+
+SPHERES = """
+sphere A: mass {a}, velocity {u}
+sphere B: mass {b}, {w}
+A hits B: along i{e}
+"""
+
+CASES: dict[str, tuple[str, tuple[str, ...]]] = {
+    "squares of sums in their order, in brackets where they are taken away": (
+        SPHERES.format(a="m", b="m", u="u at alpha", w="at rest", e="") + "find energy_lost",
+        ("= ⅛mu²(4 − (1 − 2e + e²) − (1 + 2e + e²)) cos²α",),
+    ),
+    "a sum that still cancels": (
+        SPHERES.format(a="m", b="k m", u="u i", w="at rest", e="") + "find energy_lost",
+        (
+            "= mu²((1 + k)² − (1 − 2ek + e²k²) − k(1 + 2e + e²))/(2(1 + k)²)",
+            "= k(1 + k)mu²(1 − e²)/(2(1 + k)²)",
+        ),
+    ),
+    "each difference of two squares as a product": (
+        SPHERES.format(a="m", b="m", u="u at alpha", w="velocity u at 90° - alpha from -i", e="")
+        + "find energy_lost",
+        (
+            "½m((1 + e)u(cos α + sin α)/2)(u((3 − e) cos α − (1 + e) sin α)/2)",
+            "((3 − e) cos α − (1 + e) sin α + (3 − e) sin α − (1 + e) cos α)/8",
+        ),
+    ),
+    "many terms before they are a product": (
+        "wall W: along j"
+        + SPHERES.format(a="m", b="m", u="u i", w="at rest", e="")
+        + "B hits W\nfind total_energy_lost",
+        ("= ⅛mu²(3 + 2e − 2e² − 2e³ − e⁴) = mu²(1 − e²)(3 + 2e + e²)/8",),
+    ),
+    "squares of numbers with roots": (
+        SPHERES.format(
+            a="sqrt(3)",
+            b="1",
+            u="2i + sqrt(3) j",
+            w="velocity -sqrt(3) i",
+            e=", e = 1/sqrt(3)",
+        )
+        + "find velocity(A), energy_lost",
+        (
+            "v = (1/√3 − 1)/(1 + √3) = (3 − 2√3)/3",
+            "= ½√3(4 − (7 − 4√3)/3) + ½(3 − 4) = (9 + 5√3)/6",
+        ),
+    ),
+    "a root of roots that is the root of a square": (
+        """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = 1/3
+given deflection(P) = 60°
+find tan(alpha), speed(P)
+""",
+        (
+            "tan α = (−2 + √13)/√3 or tan α = (−2 − √13)/√3",
+            "= √((14 + 2√13)u²/36) = √(((1 + √13)u/6)²) = (1 + √13)u/6",
+        ),
+    ),
+    "an inequality with roots, its terms collected": (
+        SPHERES.format(a="m", b="m", u="u at 45°", w="at rest", e="")
+        + "given deflection(A) <= 30°\nfind range of e",
+        ("(3 + √3)e ≤ 3√3 − 3", "e ≤ (3√3 − 3)/(3 + √3)"),
+    ),
+    "the root of a square of a sum with roots": (
+        SPHERES.format(a="5m", b="2m", u="4u at 60°", w="velocity 3u at 30° from -i", e="")
+        + "given energy(B) = energy(B, 0)\nfind e",
+        ("e = (27√3 − 20)/(20 + 15√3) or e = −1",),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_line_is_one_step_from_the_line_above(name: str) -> None:
+    statement, said = CASES[name]
+    solution = solve(parse(statement))
+    derivation = plan(solution)
+    assert not follow(derivation, Oracle(roles(solution.problem)))
+    text = " ".join(to_text(explanation_of(derivation, solution.problem), 160).split())
+    for each in said:
+        assert each in text, text
