@@ -109,7 +109,7 @@ def pytest_collection_finish() -> None:
 
 
 # Their tests take long, and share nothing.
-SPREAD = {"test_cli", "test_gas", "test_never_hangs", "test_properties"}
+SPREAD = {"test_cli", "test_never_hangs", "test_properties"}
 
 
 def _group(item: pytest.Item) -> str:

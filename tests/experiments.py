@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Callable
 
 import numpy as np
-from scipy import stats
+import scipy
 
 import restitution as r
 from restitution.experiments.curves import SPHERES, WALL, Law, Readings, sum_of_squares
@@ -174,9 +174,9 @@ def holds(readings: Readings, law: Law, e: float, *, known: bool) -> np.ndarray:
     least = np.minimum(s_inner, s_outer)
     excess = at(np.full(trials, e)) - least
     if known:
-        return excess <= stats.chi2.ppf(0.95, 1)
+        return excess <= scipy.stats.chi2.ppf(0.95, 1)
     freedom = (readings.x_variance < 1e6).sum(axis=1) - 1
-    return excess <= stats.f.ppf(0.95, 1, freedom) * least / freedom
+    return excess <= scipy.stats.f.ppf(0.95, 1, freedom) * least / freedom
 
 
 def seen(

@@ -7,8 +7,8 @@ import math
 
 import numpy as np
 import pytest
+import scipy
 from experiments import wall_columns as measured
-from scipy import optimize
 
 import restitution as r
 from restitution.errors import MissingError, StatementError
@@ -35,7 +35,9 @@ def test_fit_is_that_of_the_whole_likelihood(e, seed):
         model = np.arctan(unknown[0] * np.tan(unknown[1:]))
         return np.degrees(np.concatenate([(alpha - unknown[1:]) / 0.5, (beta - model) / 2]))
 
-    found = optimize.least_squares(residuals, [0.5, *alpha], xtol=1e-14, ftol=1e-14, gtol=1e-14)
+    found = scipy.optimize.least_squares(
+        residuals, [0.5, *alpha], xtol=1e-14, ftol=1e-14, gtol=1e-14
+    )
     assert result.e == pytest.approx(found.x[0], abs=1e-6)
     covariance = np.linalg.inv(found.jac.T @ found.jac)
     assert result.standard_error == pytest.approx(math.sqrt(covariance[0, 0]), rel=0.03)

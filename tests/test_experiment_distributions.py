@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy import stats
+import scipy
 
 from restitution.experiments.distributions import (
     limit_of_square,
@@ -17,7 +17,7 @@ FREEDOMS = [None, 1, 2, 9, 40]
 
 @pytest.mark.parametrize("freedom", FREEDOMS)
 def test_tails_of_deviations(freedom) -> None:
-    own = stats.norm if freedom is None else stats.t(freedom)
+    own = scipy.stats.norm if freedom is None else scipy.stats.t(freedom)
     deviations = np.array([-40.0, -2.5, 0.0, 0.3, 1.96, 5.0, 12.0])
     np.testing.assert_allclose(upper_tail(deviations, freedom), own.sf(deviations), rtol=1e-9)
     assert upper_tail(1.5, freedom) == pytest.approx(float(own.sf(1.5)))
@@ -28,9 +28,9 @@ def test_tails_of_deviations(freedom) -> None:
 @pytest.mark.parametrize("total", [0.0, 0.01, 4.0, 90.0])
 def test_tails_of_squares(freedom, count, total) -> None:
     true = (
-        stats.chi2.sf(total, count)
+        scipy.stats.chi2.sf(total, count)
         if freedom is None
-        else stats.f.sf(total / count, count, freedom)
+        else scipy.stats.f.sf(total / count, count, freedom)
     )
     assert upper_tail_of_squares(total, count, freedom) == pytest.approx(float(true), rel=1e-9)
 

@@ -12,7 +12,7 @@ import math
 
 import numpy as np
 import pytest
-from scipy import optimize
+import scipy
 
 import restitution as r
 
@@ -80,7 +80,9 @@ def general_fit(columns: dict[str, list], x: str, y: str) -> tuple[np.ndarray, n
                 for side in (times <= tau + 1e-9, times >= tau - 1e-9)
             ]
             start += [*places[np.argmin(abs(times - tau))], *slopes[0], *slopes[1]]
-        found = optimize.least_squares(residuals, start, x_scale="jac", xtol=1e-14, ftol=1e-14)
+        found = scipy.optimize.least_squares(
+            residuals, start, x_scale="jac", xtol=1e-14, ftol=1e-14
+        )
         if best is None or found.cost < best.cost:
             best = found
     assert best is not None

@@ -7,8 +7,8 @@ import math
 
 import numpy as np
 import pytest
+import scipy
 from experiments import sphere_columns as measured
-from scipy import optimize
 
 import restitution as r
 from restitution.errors import MissingError
@@ -134,7 +134,7 @@ def test_fit_is_that_of_the_whole_likelihood(e):
     impacts = spheres.spheres_of(trials_of(data), "m/s").impacts
     angles = [math.atan2(each.n[1], each.n[0]) for each in impacts]
     start = np.concatenate([[0.5], angles, np.full(6, 0.5), np.full(6, 0.5), z[:, :4].ravel()])
-    found = optimize.least_squares(residuals, start, method="trf", xtol=1e-12, ftol=1e-12)
+    found = scipy.optimize.least_squares(residuals, start, method="trf", xtol=1e-12, ftol=1e-12)
     assert result.e == pytest.approx(found.x[0], abs=0.1 * result.standard_error)
 
 

@@ -11,6 +11,7 @@ import math
 
 import numpy as np
 import pytest
+import scipy
 from experiments import (
     ANGLE_ERRORS,
     COEFFICIENTS,
@@ -24,7 +25,6 @@ from experiments import (
     sphere_columns,
     wall_columns,
 )
-from scipy import stats
 
 import restitution as r
 from restitution.experiments.curves import WALL, Readings
@@ -34,7 +34,7 @@ GIVEN = {"wall": {"angle_error": 1.0}, "spheres": {"speed_error": 0.02, "angle_e
 
 def bounds(low: float, high: float, trials: int) -> tuple[float, float]:
     """What shares of so many trials may be, if the probability is from low to high."""
-    ends = stats.binom.ppf(0.0005, trials, low), stats.binom.ppf(0.9995, trials, high)
+    ends = scipy.stats.binom.ppf(0.0005, trials, low), scipy.stats.binom.ppf(0.9995, trials, high)
     return ends[0] / trials, ends[1] / trials
 
 

@@ -15,8 +15,6 @@ import textwrap
 from fractions import Fraction
 
 import numpy as np
-import pandas as pd
-import polars as pl
 import pytest
 import strategies
 from hypothesis import given, settings
@@ -674,6 +672,9 @@ def test_displacements_and_equipartition():
 
 
 def test_tables_go_to_files_and_back(tmp_path):
+    import pandas as pd  # a second, in every process that collects tests
+    import polars as pl
+
     gas = mixture(50, periodic=CHANNEL)
     impacts = gas.run(3, record_impacts=True)
     assert impacts.dtype == package.IMPACT

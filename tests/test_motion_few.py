@@ -10,8 +10,6 @@ from itertools import combinations, pairwise
 
 import mpmath
 import numpy as np
-import pandas as pd
-import polars as pl
 import pytest
 import strategies
 import sympy
@@ -1104,6 +1102,9 @@ def two():
 @pytest.mark.parametrize("impacts", [0, 6])
 @pytest.mark.parametrize("exact", [False, True])
 def test_events_go_into_pandas_and_polars(exact, impacts):
+    import pandas as pd  # a second, in every process that collects tests
+    import polars as pl
+
     run = simulate(replace(two(), exact=exact), impacts=impacts)
     frames = pd.DataFrame(run.events), pl.from_numpy(run.events), pl.DataFrame(run.events)
     for frame in frames:
