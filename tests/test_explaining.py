@@ -348,7 +348,7 @@ def test_a_derivation_reads_as_a_teacher_writes() -> None:
     problem, derivation = read_derivation(FOLDER / "unknown-wall.txt")
     assert to_text(explanation_of(derivation, problem)).splitlines() == [
         "Let 𝐑 be the impulse on P.",
-        "Impulse = change of momentum:",
+        "Impulse = change of momentum of P:",
         "    𝐑 = 3((−4𝐢 − 𝐣) − (2𝐢 + 7𝐣))                                              M1",
         "      = (−18𝐢 − 24𝐣) N s                                                      A1",
         "Magnitude, from the components:",

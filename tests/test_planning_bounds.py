@@ -110,7 +110,7 @@ SAYS = {
     ),
     "a greatest value that is only approached, to be shown": (
         REST.format(k="2", e=", e = 1/4") + "show maximum of energy_lost over alpha = 5/16 m u^2",
-        ["as α → 0°, but does not reach it"],
+        ["as α → 0°: a bound that is approached and not reached"],
     ),
     "a square as it is defined": (
         REST.format(k="k ", e=", e = 1/3") + "find minimum of energy(A) over k",

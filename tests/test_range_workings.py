@@ -179,4 +179,4 @@ def test_which_way_a_body_moves_gives_the_sign_and_what_holds_anyway_is_said() -
     text += "find range of e"
     working = " ".join(str(explain(restitution.solve(parse(text)))).split())
     assert "B moves in the direction of 𝐢, so w > 0:" in working
-    assert "v < 0 in any case." in working
+    assert "v < 0 in any case, as e ≥ 0." in working

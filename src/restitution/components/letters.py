@@ -47,9 +47,12 @@ def allocated_letters(problem: Problem, taken: set[str]) -> dict[tuple[int, str]
     pool = [c for c in _COMPONENTS if c not in taken]
     names: dict[tuple[int, str], str] = dict(given)
     if len(of_spheres) > 1:
-        # The same two letters at every impact of two spheres, with its number.
+        # The same two letters at every impact of two spheres, with its number; those that meet
+        # again have each its own, whichever of them strikes then.
+        first_time: dict[frozenset[str], tuple[str, ...]] = {}
         for order, (number, bodies) in enumerate(of_spheres, 1):
-            for letter, body in zip(pool[:2], bodies, strict=False):
+            pair = first_time.setdefault(frozenset(bodies), bodies)
+            for letter, body in zip(pool[:2], pair, strict=False):
                 names.setdefault((number, body), f"{letter}_{order}")
         del pool[:2]
     free = (c for c in pool if c not in names.values())

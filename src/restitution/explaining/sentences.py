@@ -90,7 +90,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "sphere it is equal and opposite, so either sphere will do. The spheres are smooth, so "
         "only the components along the line of centres change."
     ),
-    "impulse.title": "Impulse = change of momentum",
+    "impulse.title": "Impulse = change of momentum of {body}",
     "impulse.why": (
         "The impulse on a body is its momentum after minus its momentum before: a vector, m(v − "
         "u), component by component. Its size is the size of that difference."
@@ -121,6 +121,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Components before the impact, those parallel to {wall} in the direction of {axis}:"
     ),
     "resolved.before-vector": "Components before the impact, as {vector}:",
+    "resolved-axes.wall": "Components along {wall} and perpendicular to it:",
     "resolved-axes.title": "Components along the axes:",
     "resolved-spheres.after-units": "Components after the impact:",
     "resolved-wall.before-units": "Components before the impact:",
@@ -185,7 +186,8 @@ SENTENCES: Mapping[SentenceId, str] = {
         "between the path and the line of centres is offset/(2r)."
     ),
     "round.title": (
-        "The three chords subtend 360° at the centre, so their angles with the radii make 90°"
+        "A chord subtends 180° less twice its angle with the radii at the centre, and the three "
+        "subtend 360°, so their three angles make 90°"
     ),
     "round.why": (
         "A chord and the radii to its ends form an isosceles triangle, so at the centre the chord "
@@ -249,6 +251,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     "turned.back": (
         "Along the line of centres {body} is sent back, so it turns through 180° less both its "
         "angles to that line:"
+    ),
+    "turned.back-as": (
+        "If {body} kept its sense along the line of centres, it would turn through less than "
+        "{turn}. So it is sent back, and turns through 180° less both its angles to that line:"
     ),
     "turned.square": (
         "{body} leaves at right angles to the line of centres, so it turns through 90° less its "
@@ -394,6 +400,12 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.none-in": "So {velocity} has no component in the direction of {axis}:",
     "given.none-along": "So {velocity} has no component along {line}:",
     "given.product": "It is given that {fact}, so the scalar product is zero:",
+    "given.product-along": (
+        "It is given that {fact}. As {body} moves along the line of centres, the scalar product is "
+        "that of the components along it, and is zero:"
+    ),
+    "given.multiple": "It is given that {fact}, so the {component} is {value}.",
+    "given.rest": "It is given that {body} is at rest afterwards.",
     "given.proportion": "It is given that {fact}, so their components are in proportion:",
     "given.approach": "{one} and {other} approach each other before the impact:",
     "given.offset": "{one} does not pass by {other}:",
@@ -484,7 +496,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "range.every": "So every value of {letter} is possible:",
     "range.every-holds": "This always holds, so every value of {letter} is possible:",
-    "extremum.approached": "as {place}, but does not reach it",
+    "extremum.with": "{place} and so {other}",
+    "extremum.approached": "as {place}: a bound that is approached and not reached",
     "extremum.no-greatest": "as {place}, so there is no greatest value",
     "extremum.no-least": "as {place}, so there is no least value",
     # --- results that are shown, or are false -----------------------------------------------------
@@ -733,6 +746,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.times": "the {quantity} is {share} times the {value}",
     "derived.since": "Since {facts:and}:",
     "derived.anyway": "{fact} in any case.",
+    "derived.anyway-as": "{fact} in any case, as {ground}.",
     "derived.moving": "{body} moves in the direction of {way}",
     "derived.moves": "{body} moves in the direction of {way}, so {fact}:",
     "derived.moves-put": (
@@ -758,6 +772,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.acute": "{angle} is acute",
     "derived.positive": "{letter} is positive",
     "derived.fact": "{fact}",
+    "derived.fact-equal": "{fact}, with equality when {place}",
     "derived.items": "{items:and}",
     "derived.increases": "{quantity} increases with {letter}",
     "derived.slope": "the derivative of {quantity} with respect to {letter} is {slope}",
@@ -774,6 +789,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     "impulse-line.title": "The impulse acts along the line of centres",
     "impulse-normal.title": "The impulse acts perpendicular to {wall}",
     "turned.title": "Angle of deflection",
+    "turned.products": (
+        "Tangent of the angle between two velocities = size of their vector product ÷ their scalar "
+        "product"
+    ),
     "turned-wall.title": "Angle of deflection",
     "loss-spheres.title": "Kinetic energy lost, by the components that change",
     "change-of-energy.title": "Change of kinetic energy, by the component that changes",

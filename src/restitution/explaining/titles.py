@@ -22,7 +22,7 @@ _TITLES: Mapping[str, tuple[SentenceId | None, SentenceId | None]] = {
     "component": ("resolved-wall.before", "resolved-spheres.before"),
     "sum": ("turned-wall.title", "turned.title"),
     "difference": ("turned-wall.title", "turned.title"),
-    "tan-deflection": ("turned.title", "turned.title"),
+    "tan-deflection": ("turned.products", "turned.products"),
     "tan-from-axis": ("turned.title", "turned.title"),
     "scalar-angle": ("derived-between.title", "derived-between.title"),
     "energy-lost": ("loss-wall.title", "loss-spheres.title"),

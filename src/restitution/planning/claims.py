@@ -31,6 +31,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     has_quantity,
+    is_zero,
     letters,
 )
 from restitution.planning.angle_inequalities import write_of_angles
@@ -406,6 +407,11 @@ class Claims:
     def _without_square(self, line: int, relation: Relation) -> int | None:
         """A lower bound as a square is not negative; of a speed by its square, without a root."""
         speed = self.scene.desk.last_link(line).left
+        if len(self.scene.desk.relation(line).only) > 1:
+            # What it comes to shows no square: the sum above it does.
+            written = self.compared([line], relation)
+            if written is not None:
+                return written
         start = self.worths.squared(speed) if isinstance(speed, Quantity) else None
         return self.compared([line if start is None else start], relation)
 
@@ -587,9 +593,13 @@ class Claims:
                 known = self.worths.known_in(x)
                 pool = [line, *first, *ends, *known]
                 moves: tuple[Move, ...] = (Move("sign"),)
+                number_ = None
                 if short.left == link.left and self._is_twice_in(link.right, symbol):
-                    moves = (Move("monotone"), *moves)
-                number_ = self.judge.write(moves, pool, Relation(((short,),)))
+                    number_ = self.judge.write((Move("monotone"),), pool, Relation(((short,),)))
+                    if number_ is None:
+                        number_ = self._by_difference(line, short)
+                if number_ is None:
+                    number_ = self.judge.write(moves, pool, Relation(((short,),)))
                 if number_ is None:
                     self.worths.back(mark)
                     continue
@@ -614,6 +624,17 @@ class Claims:
         if line_ is None and self.conditions.lines(wanted):
             line_ = self.compared([*base, *written, *self.conditions.lines(wanted)], relation)
         return line_
+
+    def _by_difference(self, line: int, link: Link) -> int | None:
+        """A bound of a quotient of polynomials in which a letter stands above and below."""
+        right = self.scene.desk.last_link(line).right
+        value = self.worths.value(right)
+        symbols = value.free_symbols
+        if is_zero(link.right) or not value.is_rational_function(*symbols):
+            return None
+        if not any(self._is_twice_in(right, symbol) for symbol in symbols):
+            return None
+        return write_difference(self, line, Relation(((link,),)))
 
     def _is_twice_in(self, tree: Expression, symbol: sp.Symbol) -> bool:
         """Whether a letter stands above and below in a quotient: no bound is seen at once."""
@@ -652,7 +673,9 @@ class Claims:
             sides = self.scene.desk.last_link(line)
             names = letters(sides.left) | letters(sides.right)
             pool = [line, *self.judge.known(names & set(roles(self.scene.problem)))]
-            end = self.judge.write((Move("sign"),), pool, Relation(((own,),)))
+            end = self._by_difference(line, own) if own.left == sides.left else None
+            if end is None:
+                end = self.judge.write((Move("sign"),), pool, Relation(((own,),)))
             if end is None:
                 self.worths.back(mark)
                 return None

@@ -33,6 +33,7 @@ from restitution.planning.inequalities import solve_linear, turned, without_sign
 from restitution.planning.polynomials import expanded, factored, one_fraction
 from restitution.planning.squares import (
     both_squared,
+    solve_in_squares,
     solve_quadratic,
     square_and_solve,
     without_roots,
@@ -434,7 +435,10 @@ class Conditions:
         """A condition solved for its letter by one more line, where it is linear in it."""
         solved = solve_linear(self.scene, sign, x, wanted)
         if solved is None:
-            return solve_quadratic(self.worths, line, sign, x, self.worths.known_in(x))
+            known = self.worths.known_in(x)
+            if wanted is not None and len(x.free_symbols) > 1:
+                return solve_in_squares(self.worths, line, sign, x, wanted, known)
+            return solve_quadratic(self.worths, line, sign, x, known)
         relation = Relation(((solved,),))
         if relation == self.scene.desk.relation(line):
             return line

@@ -7,6 +7,8 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.explaining.derivation import Ref, Relation
+from restitution.explaining.trees import trees_of
 from restitution.expression.tree import (
     Apply,
     Degrees,
@@ -48,10 +50,35 @@ def by_degrees(
         straight = frame.wall is not None and circle_of(scene, frame.number) is None
         function = "sin" if straight == (kind == "along") else "cos"
         share = share_by_degrees(ratio, function) or _share_in_numbers(link.right, size, ratio)
+        if share is not None and not _names_an_angle(scene, frame):
+            share = _as_a_number(share, ratio)
     if share is None:
         return None
     own = product(tree_of(size), share)
     return negative(own) if scene.model.sign(value) < 0 else own
+
+
+def _as_a_number(share: Expression, ratio: sp.Expr) -> Expression:
+    """A sine or cosine of degrees as its value; of 45° a reader sees it by the direction."""
+    return share if Degrees(Fraction(45)) in angles_in(share) else tree_of(abs(ratio))
+
+
+def _names_an_angle(scene: Scene, frame: Frame) -> bool:
+    """Whether a reader has an angle of the directions of a frame, and not their vectors alone."""
+    if not frame.is_slanted:
+        return True
+    refs: list[Ref] = [f"axis {frame.number}", *frame.refs]
+    lines = [scene.desk.line(ref) for ref in refs if isinstance(ref, int)]
+    refs += [ref for line in lines for ref in line.premises]
+    facts = [scene.facts[ref] for ref in refs if isinstance(ref, str) and ref in scene.facts]
+    relations = [each.relation for each in lines] + [each.relation for each in facts]
+    return any(
+        isinstance(node, Degrees | Polar)
+        for relation in relations
+        if isinstance(relation, Relation)
+        for tree in trees_of(relation)
+        for node in walk(tree)
+    )
 
 
 def _share_from_the_data(

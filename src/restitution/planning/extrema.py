@@ -169,7 +169,7 @@ class _Extremum:
             asked, whole = letter, replace(whole, left=letter)
         self.value = tangent
         self.end = Link(Apply("tan", letter), whole.sign, tree_of(tangent))
-        for method in (self._monotone, self._quotient, self._plain):
+        for method in (self._monotone, self._quotient, self._gap, self._plain):
             mark = self.claims.worths.mark()
             self.support, self.place = (), None
             bound = method(line)

@@ -16,6 +16,7 @@ from restitution.planning.comparing import Comparing
 from restitution.planning.forms import ZERO, square, tree_of
 from restitution.planning.impacts import scene_value
 from restitution.planning.scene import Scene
+from restitution.planning.turn_lines import meeting
 from restitution.planning.worths import Worths
 from restitution.solving.letters import roles
 
@@ -109,9 +110,7 @@ def write_difference(claims: Comparing, line: int, relation: Relation) -> int | 
     sides: list[Expression] = [other, whole.left]
     start: int | None = line
     if _has_root(value) or _has_root(most):
-        if not isinstance(whole.left, Quantity) or whole.left.kind != "speed":
-            return None
-        start = worths.squared(whole.left)
+        start = _squared_line(claims, line)
         sides = [_squared(scene, other), square(whole.left)]
         value, most = value**2, most**2
     gap = most - value
@@ -130,6 +129,23 @@ def write_difference(claims: Comparing, line: int, relation: Relation) -> int | 
         if last is not None:
             return last
     worths.back(mark)
+    return None
+
+
+def _squared_line(claims: Comparing, line: int) -> int | None:
+    """The line of the square of a speed, or of a tangent that is a root; None of anything else."""
+    whole = claims.scene.desk.last_link(line)
+    match whole.left:
+        case Quantity("speed"):
+            return claims.worths.squared(whole.left)
+        case Apply("tan"):
+            worth = _squared(claims.scene, whole.right)
+            relation = Relation(((Link(square(whole.left), "=", worth),),))
+            positive = Relation(((Link(whole.left, ">", ZERO),),))
+            signed = claims.compared([line, *meeting(claims.scene)], positive)
+            if signed is None:
+                return None
+            return claims.judge.write((Move("rearrange"),), [line, signed], relation)
     return None
 
 

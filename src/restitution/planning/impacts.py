@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -365,17 +366,17 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
     put = [_put(scene, part) for part in parts]
     value = tidy(sum(a.value * b for a, b in zip(put, shares, strict=True)))
     functions = ("cos", "sin") if kind == "along" else ("sin", "cos")
-    names = [share_by_degrees(b, f) for b, f in zip(shares, functions, strict=True)]
     terms = [
         product(
             tree_of(a.value),
-            _product_of_units(own.direction(each), direction, b)
-            if name is None
-            else _signed(name, b),
+            _share_of_degrees(b, function) or _product_of_units(own.direction(each), direction, b),
         )
-        for each, a, b, name in zip(("along", "across"), put, shares, names, strict=True)
+        for each, a, b, function in zip(("along", "across"), put, shares, functions, strict=True)
         if a.value
     ]
+    if own.direction("along").x == 0:
+        terms.reverse()  # along **i** first
+    terms.sort(key=lambda term: isinstance(term, Negate))
     refs = together(*(each.whole for each in put), own.unit_free, frame.unit_free)
     quantity = frame.component(kind, body, stage)
     move = Move("define", "component", frame.number, (body,))
@@ -387,8 +388,10 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
     return scene.desk.know(quantity, value, (number,))
 
 
-def _signed(tree: Expression, value: sp.Expr) -> Expression:
-    return negative(tree) if value < 0 else tree
+def _share_of_degrees(share: sp.Expr, function: str) -> Expression | None:
+    """The sine or cosine of an angle such as 75°, of which the number is long; None of others."""
+    tree = share_by_degrees(share, function) if share.has(sp.Add) else None
+    return negative(tree) if tree is not None and share < 0 else tree
 
 
 def after(scene: Scene, kind: str, body: str, frame: Frame) -> Source:
@@ -445,7 +448,13 @@ def _of_vector(
         quantity = frame.component(kind, body, frame.number if stage is None else stage)
         return by_scalar_product(scene, quantity, source, frame, direction, source.form)
     own = Source(tidy(source.value.dot(direction)), source.refs, frame.refs)
-    return _put(scene, own)
+    last = _put(scene, own)
+    share, letter = own.value.as_coeff_Mul()
+    if letter.is_Symbol and last.value.is_number and share not in (0, 1, -1):
+        # The size that has been found times the ratio: a reader sees where the number comes from.
+        size = tree_of(tidy(last.value / share))
+        return replace(last, form=product(size, tree_of(share)))
+    return last
 
 
 def blown(scene: Scene, body: str, number: int) -> Source:

@@ -23,9 +23,10 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning.collecting import multiplied_out
 from restitution.planning.conditions import has_quantity_in
 from restitution.planning.desk import UNPLANNED
-from restitution.planning.forms import tree_of
+from restitution.planning.forms import ZERO, product, total, tree_of
 from restitution.planning.givens import write_given
 from restitution.planning.impacts import residual
 from restitution.planning.inequalities import (
@@ -198,12 +199,37 @@ class Ties:
             relation = Relation(((Link(generator, "=", tree_of(value)),),))
             if scene.desk.relation(line) == relation:
                 return line
-            pool = [line, *self.judge.known(s.name for s in whole.free_symbols)]
+            known = self.judge.known(s.name for s in whole.free_symbols)
             moves = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
-            neat = self.judge.write(moves, pool, relation)
-            if neat is not None:
-                return neat
+            mark = self.worths.mark()
+            for start in (self._in_factors(line, symbol), line):
+                neat = None if start is None else self.judge.write(moves, [start, *known], relation)
+                if neat is not None:
+                    return neat
+                self.worths.back(mark)
         return line
+
+    def _in_factors(self, line: int, symbol: sp.Symbol) -> int | None:
+        """A quadratic in a letter, multiplied out and as a product with a positive factor.
+
+        None of another equation.
+        """
+        start = multiplied_out(self.scene, line, symbol)
+        whole = sp.fraction(factored(one_fraction(residual(self.scene, start))))[0]
+        factors = [x for x in sp.Mul.make_args(whole) if symbol in x.free_symbols]
+        linear = [x.is_polynomial(symbol) and sp.degree(x, symbol) == 1 for x in factors]
+        signed = [certain(self.scene, x) is not None for x in factors]
+        if start == line or not all(linear) or sorted(signed) != [False, True]:
+            return None
+        polynomials = [sp.Poly(x, symbol) for x in factors]
+        trees = [
+            total((product(tree_of(x.nth(1)), Letter(symbol.name)), tree_of(expanded(x.nth(0)))))
+            for x in polynomials
+        ]
+        relation = Relation(((Link(product(*trees), "=", ZERO),),))
+        known = self.judge.known(s.name for s in whole.free_symbols)
+        moves = (Move("rearrange"), Move("cancel"))
+        return self.judge.write(moves, [start, *known], relation)
 
     def rank(self, symbol: sp.Symbol) -> tuple[int, str]:
         kind = roles(self.scene.problem)[symbol.name].kind

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import sympy as sp
@@ -88,7 +89,8 @@ def ratio_line(
         case Binary("/", above, below) if isinstance(swept(below), Negate):
             first = Binary("/", swept(above), swept(below))
     final = in_tangents(value) if sp.sympify(value, strict=True).is_number else value
-    relation = chain(ratio, (first, None), (tree_of(final), "rearrange"))
+    steps = [(first, None), *((each, "rearrange") for each in _over_roots(scene, first))]
+    relation = chain(ratio, *steps, (tree_of(final), "rearrange"))
     names = letters(relation.only[0].right)
     # On which side of a right angle the angle is, may rest on what is given of letters.
     known = [ref for name in sorted(names) for ref in scene.judge.ranges_given(name)]
@@ -97,6 +99,23 @@ def ratio_line(
     if known:
         refs = scene.judge.enough(move, refs, relation, known) or refs
     return scene.desk.write(move, refs, relation)
+
+
+def _over_roots(scene: Scene, quotient: Expression) -> Iterator[Expression]:
+    """A quotient of numbers without common letters, where a sum with roots stands below."""
+    match quotient:
+        case Binary("/", above, below) if letters(above) & letters(below):
+            sides = [sp.sympify(scene.scalar(each), strict=True) for each in (above, below)]
+        case _:
+            return
+    common = sp.Mul(*(each for each in sides[1].free_symbols))
+    top, bottom = (sp.expand(sp.cancel(each / common)) for each in sides)
+    if not top.is_number or not bottom.is_number or not bottom.is_Add:
+        return
+    terms = [term for side in (top, bottom) for term in sp.Add.make_args(side)]
+    lowest = sp.ilcm(1, *(term.as_coeff_Mul()[0].q for term in terms))
+    top, bottom = (tree_of(sp.expand(each * lowest), as_it_is=True) for each in (top, bottom))
+    yield Binary("/", top, bottom)
 
 
 def tangent_line(scene: Scene, asked: Quantity, own: Formula, move: Move) -> tuple[int, str]:

@@ -26,6 +26,7 @@ from restitution.planning.roots import (
     rejected,
 )
 from restitution.planning.scene import Scene
+from restitution.planning.square_roots import as_square
 
 
 def alone(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
@@ -114,6 +115,10 @@ def _of_square(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     first, last = (
         (value, -value) if scene.model.sign(scene.model.in_data(value)) > 0 else (-value, value)
     )
+    own = as_square(tidy(sp.expand(value**2)))
+    if own is not None:
+        shown = chain(square(Letter(symbol.name)), (own, None))
+        line = scene.judge.write((Move("rearrange"),), [line], shown) or line
     options = [option(Letter(symbol.name), each) for each in (first, last)]
     alternatives = Relation(tuple(options))
     refs = scene.judge.enough(

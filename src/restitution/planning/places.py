@@ -688,10 +688,25 @@ def _leg_of_two(scene: Scene, number: int, body: str, other: str) -> tuple[int, 
         Move("fact"), together((f"contact {number}", line), used), chain(left, (right, None))
     )
     closing = tidy(pace.value - their_pace)
-    value = tidy((their_start - own_start) / closing)
+    apart = tidy(their_start - own_start)
+    value = tidy(apart / closing)
+    if their_pace != 0:
+        met = _collected(scene, met, closing, flight, apart)
     line = scene.desk.write(
         Move("rearrange"),
         (met, *nonzero(scene, closing)),
         chain(flight, (tree_of(value), None)),
     )
     return begin, scene.desk.know(flight, value, (line,))
+
+
+def _collected(scene: Scene, met: int, closing: sp.Expr, flight: Expression, apart: sp.Expr) -> int:
+    """When two meet, with the terms of the time on one side, where its factor is a sum."""
+    above = sp.fraction(sp.factor(closing))[0]
+    if not any(each.is_Add and each.free_symbols for each in sp.Mul.make_args(above)):
+        return met
+    if scene.model.sign(closing) < 0:
+        closing, apart = tidy(-closing), tidy(-apart)
+    left = product(tree_of(tidy(sp.factor(closing))), flight)
+    relation = chain(left, (tree_of(apart), None))
+    return scene.judge.write((Move("rearrange"),), [met], relation) or met

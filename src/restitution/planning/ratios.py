@@ -77,7 +77,37 @@ def ratio(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     degrees = {sum(monom) for monom in mixed.monoms()}
     if len(degrees) != 1:
         return None
+    line = _one_term_a_side(scene, line, symbol)
     return _by_one(scene, line, _over_cosines(above, symbol), sp.tan, symbol)
+
+
+def _one_term_a_side(scene: Scene, line: int, symbol: sp.Symbol) -> int:
+    """``a sin²θ + b cos²θ = c cos²θ`` with a term of each on a side: the difference as it is."""
+    link = scene.desk.last_link(line)
+    sides = [
+        sp.Poly(scene_value(scene, each), sp.sin(symbol), sp.cos(symbol))
+        for each in (link.left, link.right)
+    ]
+    powers = [(2, 0), (0, 2)]
+    if any(set(each.monoms()) - set(powers) for each in sides):
+        return line
+    for one, other in (powers, powers[::-1]):
+        for near, far in (sides, sides[::-1]):
+            a, b, c = (
+                near.coeff_monomial(one),
+                near.coeff_monomial(other),
+                far.coeff_monomial(other),
+            )
+            if far.coeff_monomial(one) != 0 or 0 in (a, b, c) or not (b - c).free_symbols:
+                continue
+            rest = difference(tree_of(tidy(c)), tree_of(tidy(b)))
+            names = {one: Apply("sin" if one == (2, 0) else "cos", Letter(symbol.name))}
+            names[other] = Apply("cos" if one == (2, 0) else "sin", Letter(symbol.name))
+            left = product(rest, square(names[other]))
+            relation = chain(left, (product(tree_of(tidy(a)), square(names[one])), None))
+            refs = scene.judge.enough(Move("rearrange"), (line,), relation, ())
+            return line if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
+    return line
 
 
 def _in_sines(own: sp.Expr, symbol: sp.Symbol) -> sp.Expr:

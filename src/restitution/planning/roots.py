@@ -287,6 +287,16 @@ def _in_standard_form(
     move = Move("rearrange")
     names_ = {symbol.name for symbol in residual(scene, number).free_symbols}
     refs = scene.judge.enough(move, (number,), relation, background(scene, names_))
+    if refs is None and polynomial.nth(1) == 0:
+        # What it is divided by may be zero: that stands on the side of the square.
+        sides = (polynomial.nth(2), -polynomial.nth(0))
+        minus = scene.model.sign(scene.model.in_data(sides[1])) < 0
+        lead, rest = (tidy(factored(-each if minus else each)) for each in sides)
+        plain = tree_of(lead * generator**2) if squared == tree_of(generator**2) else None
+        left = plain or product(tree_of(lead), squared)
+        relation = chain(left, (tree_of(rest), None))
+        if relation != scene.desk.relation(number):
+            refs = scene.judge.enough(move, (number,), relation, background(scene, names_))
     return number if refs is None else scene.desk.write(move, refs, relation)
 
 
@@ -463,20 +473,26 @@ def _likely(scene: Scene, symbol: sp.Symbol, own: tuple[Ref, ...]) -> tuple[Ref,
 def _by_one_law(
     scene: Scene, laws: tuple[Ref, ...], rest: Sequence[Ref]
 ) -> Iterable[tuple[Ref, ...]]:
-    """The same of one law, where it holds no other component: the later one first."""
+    """The same of one law, where it holds no other component: the later one first.
+
+    A law alone excludes what only contradicts a letter that is positive, which nothing says: so
+    that comes last.
+    """
     components = {component.symbol for component in scene.model.components.values()}
+    alone: list[tuple[Ref, ...]] = []
     for law in reversed(laws):
         letters = residual(scene, law).free_symbols  # type: ignore[arg-type]
         if len(letters & components) > 1:
             continue
         names = {letter.name for letter in letters}
         own = [each for each in rest if any(name in str(each).split() for name in names)]
-        yield (law,)
+        alone.append((law,))
         for sign in (">= 0", "<= 1"):
             angles = [each for each in own if not str(each).endswith(("= 0", "= 1"))]
             ends = [each for each in own if str(each).endswith(sign)]
             if ends or angles:
                 yield (law, *ends, *angles)
+    yield from alone
 
 
 def _by_laws(laws: tuple[Ref, ...], rest: Sequence[Ref]) -> Iterable[tuple[Ref, ...]]:

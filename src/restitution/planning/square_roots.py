@@ -77,6 +77,20 @@ def _of_one_square(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     return taken or own
 
 
+def as_square(value: sp.Expr) -> Expression | None:
+    """A number with roots, times letters, as a square: 7 − √33 = (√33 − 3)²/6.
+
+    None where the root is seen, or is no shorter.
+    """
+    if not any(isinstance(e, sp.Add) and e.is_number for e in sp.preorder_traversal(value)):
+        return None
+    root = tidy(sp.sqrt(value))
+    powers = [each for each in root.atoms(sp.Pow) if not each.exp.is_Integer]
+    if root.atoms(sp.Abs) or not all(each.base.is_Rational for each in powers):
+        return None
+    return Binary("^", tree_of(root), TWO)
+
+
 def is_square_of_sum(scene: Scene, number: int, symbol: sp.Symbol) -> bool:
     """Whether a line says what the square of a sum with the unknown is: its roots are read off."""
     match scene.desk.last_link(number):

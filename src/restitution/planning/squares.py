@@ -6,13 +6,22 @@ from collections.abc import Sequence
 
 import sympy as sp
 
+from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import FLIPPED, Fact, Link, Move, Ref, Relation, Sign
-from restitution.expression.tree import Apply, Expression, Quantity, has_quantity, letters
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Letter,
+    Quantity,
+    has_quantity,
+    letters,
+)
 from restitution.planning.forms import ZERO, square, swept, tree_of
 from restitution.planning.inequalities import solve_linear, without_signs
 from restitution.planning.polynomials import cancelled, expanded, factored, one_fraction
 from restitution.planning.quantities import formula
+from restitution.planning.square_roots import as_square
 from restitution.planning.worths import Worths
 from restitution.solving.letters import roles
 
@@ -182,6 +191,40 @@ def solve_quadratic(worths: Worths, line: int, sign: Sign, x: sp.Expr, known: Se
                 return after
             worths.back(mark)
     return solved
+
+
+def solve_in_squares(
+    worths: Worths, line: int, sign: Sign, x: sp.Expr, wanted: Expression, known: Sequence[Ref]
+) -> int:
+    """``x sign 0`` of the fourth degree in a letter, in even powers alone: by the square of it.
+
+    The line itself where it is none, or not between two bounds.
+    """
+    if not isinstance(wanted, Letter) or not x.is_polynomial(*x.free_symbols):
+        return line
+    symbols = [each for each in x.free_symbols if each.name == wanted.name]
+    poly = sp.Poly(x, *symbols) if symbols else None
+    if poly is None or poly.degree() != 4 or poly.nth(3) != 0 or poly.nth(1) != 0:
+        return line
+    a, b, c = (poly.nth(n) for n in (4, 2, 0))
+    lead = proved_sign(worths.scene.model.ground, a)
+    own = sign if lead == 1 else FLIPPED[sign]
+    root = tidy(sp.sqrt(factored(b**2 - 4 * a * c)))
+    if lead is None or own[0] != "<" or root.has(sp.Abs):
+        return line
+    low, high = (tidy(sp.factor((-b + each * root) / (2 * a))) for each in (-1, 1))
+    squared = square(wanted)
+    standard = Link(tree_of(expanded(lead * x)), own, ZERO)
+    between = (Link(tree_of(low), own, squared), Link(squared, own, tree_of(high)))
+    number = worths.judge.write(_SOLVING, [line, *known], Relation(((standard,),)))
+    if number is None:
+        return line
+    last = worths.judge.write((Move("compare"),), [number, *known], Relation((between,)))
+    ends = [as_square(each) for each in (low, high)]
+    if last is None or None in ends:
+        return number if last is None else last
+    squares = Link(ends[0], own, squared), Link(squared, own, ends[1])  # type: ignore[arg-type]
+    return worths.judge.write((Move("rearrange"),), [last], Relation((squares,))) or last
 
 
 def _may_be_low(worths: Worths, symbol: sp.Symbol, low: sp.Expr) -> bool:

@@ -181,10 +181,13 @@ def _across_a_frame(
 ) -> int:
     """By the components in the directions of an impact that slants."""
     sources = [in_direction(scene, kind, body, stage, frame) for kind in _KINDS]
-    shares = [tidy(direction.dot(each)) for each in (frame.n, frame.t)]
     if move.record == "parallel":
-        shares = [-shares[1], shares[0]]
+        direction = direction.turned_left()
+        if direction.y == 0 and scene.model.sign(direction.x) < 0:
+            direction = -direction  # the component in the direction of **i**
+    shares = [tidy(direction.dot(each)) for each in (frame.n, frame.t)]
     used = [(s, w) for s, w in zip(sources, shares, strict=True) if w != 0]
+    used.sort(key=lambda term: tidy(term[0].value * term[1]).could_extract_minus_sign())
     tree = total(product(tree_of(w), tree_of(s.value)) for s, w in used)
     refs = together(each.refs, about, *(s.refs for s, _ in used), frame.refs)
     return scene.desk.write(move, refs, Relation(((link(tree, ZERO),),)))

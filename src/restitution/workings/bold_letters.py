@@ -161,7 +161,7 @@ class BoldLetters:
         alone = len(self._movers) == 1
         if not number:
             return lay.Bold("u", "" if alone and several else body)
-        if not several:
+        if not several and f"v_{body}" not in self.taken:
             return lay.Bold("v", body)
         impacts = [n for n, each in self._events.items() if each.kind != "arrival"]
         order = str(1 + sorted(impacts).index(number)) if number in impacts else str(number)

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
 from restitution.explaining.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.saying import Sentence, operand, say
 from restitution.explaining.sentences import SentenceId
-from restitution.expression.tree import Binary, Letter, Number, is_zero
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import Apply, Binary, Degrees, Letter, Number, is_zero
 from restitution.render import layout as lay
 from restitution.workings.naming import Naming
 
@@ -23,14 +29,15 @@ def extreme(
     assert isinstance(line.relation, Relation)
     link = line.relation.only[-1]
     greatest = link.sign[0] == "<"
-    places = [
-        reached[0]
+    reached_there = [
+        (reached[0], behind)
         for ref in line.premises
         if isinstance(ref, int)
         and (behind := derivation.line(ref)) is not None
         and isinstance(behind.relation, Relation)
         and (reached := value_reached(behind.relation.options)) is not None
     ]
+    places = [place for place, _ in reached_there]
     if line.move.record != "approached":
         called = operand(naming.extreme(link.left, greatest=greatest))
         where = tuple(
@@ -42,7 +49,10 @@ def extreme(
     return (
         naming.layout(link.left),
         "→",
-        tuple(say(name, place=_approached(naming, place)) for place in places),
+        tuple(
+            say(name, place=_with_another(naming, place, _angle_there(derivation, behind, place)))
+            for place, behind in reached_there
+        ),
     )
 
 
@@ -56,6 +66,39 @@ def value_reached(
     if where.sign != "!=" or len(options[0]) != 1:
         return None
     return Link(where.left, "=", where.right), value
+
+
+def _with_another(naming: Naming, place: Link, other: Link | None) -> Sentence | lay.Layout:
+    """To where a letter goes, and with it another angle."""
+    first = _approached(naming, place)
+    if other is None:
+        return first
+    return say("extremum.with", place=first, other=_approached(naming, other))
+
+
+def _angle_there(derivation: Derivation, line: Line, place: Link) -> Link | None:
+    """To 0° or 90°, where an angle goes there whose tangent a line gives by the other."""
+    if not isinstance(place.left, Letter):
+        return None
+    for ref in line.premises:
+        own = derivation.line(ref) if isinstance(ref, int) else None
+        match None if own is None else own.relation:
+            case Relation(((Link(Apply("tan", Letter() as angle), "="), *_) as links,)):
+                pass
+            case _:
+                continue
+        try:
+            end, tangent = in_letters(place.right), in_letters(links[-1].right, positive=True)
+        except RestitutionError:
+            continue
+        symbols = [each for each in tangent.free_symbols if each.name == place.left.name]
+        if len(symbols) != 1 or angle == place.left:
+            continue
+        sense = "+" if end == 0 else "-"
+        limit = sp.limit(tangent, symbols[0], end, sense)
+        if limit in (0, sp.oo):
+            return Link(angle, "=", Degrees(Fraction(0 if limit == 0 else 90)))
+    return None
 
 
 def _approached(naming: Naming, place: Link) -> lay.Layout:

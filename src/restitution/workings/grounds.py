@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_zero,
     letters,
     walk,
 )
@@ -41,6 +42,7 @@ def grounds_of(derivation: Derivation, roles: Mapping[str, Role], line: Line) ->
             yield from _roots(derivation, line)
         case "rearrange":
             yield from _divisors(roles, line)
+            yield from _divided_by(derivation, roles, line)
         case "compare":
             yield from _double_angle(derivation, line)
 
@@ -147,6 +149,31 @@ def _divisors(roles: Mapping[str, Role], line: Line) -> Iterator[Relation]:
                 role = roles.get(factor.name) if isinstance(factor, Letter) else None
                 if role is not None and role.kind == "restitution":
                     yield Relation(((Link(factor, ">", _ZERO),),))
+
+
+def _divided_by(
+    derivation: Derivation, roles: Mapping[str, Role], line: Line
+) -> Iterator[Relation]:
+    """That a coefficient by which an equation is divided is not zero, where nothing else says it.
+
+    It stands in a product that is not zero: then it is not zero itself.
+    """
+    assert isinstance(line.relation, Relation)
+    above = [own for ref in line.premises if (own := _relation(derivation, ref)) is not None]
+    match line.relation.options, above:
+        case ((Link(Letter(), "=", Binary("/", _, below)),),), [
+            Relation(((Link(left, "=", value),),))
+        ]:
+            pass
+        case _:
+            return
+    if letters(value) or has_quantity(value) or is_zero(value) or len(line.premises) != 1:
+        return
+    product = factors(left)
+    for factor in factors(below):
+        role = roles.get(factor.name) if isinstance(factor, Letter) else None
+        if role is not None and role.kind == "restitution" and factor in product:
+            yield Relation(((Link(factor, "!=", _ZERO),),))
 
 
 def _double_angle(derivation: Derivation, line: Line) -> Iterator[Relation]:

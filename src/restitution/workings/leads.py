@@ -22,7 +22,7 @@ from restitution.explaining.notation import read_tree
 from restitution.explaining.principles import RECORDS
 from restitution.explaining.saying import Sentence, say, slots_of
 from restitution.explaining.sentences import SentenceId
-from restitution.explaining.trees import trees_of
+from restitution.explaining.trees import rebuilt, trees_of
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -42,6 +42,7 @@ from restitution.render import layout as lay
 from restitution.workings.factors import factor_cancelled
 from restitution.workings.flights import chord_title, distance_title, flight_title
 from restitution.workings.grounds import motion_of
+from restitution.workings.in_any_case import range_behind
 from restitution.workings.measured import worth
 from restitution.workings.meetings import condition_of, passing_of
 from restitution.workings.naming import Naming
@@ -160,6 +161,8 @@ class Leads:
             match line.relation.options[0][0].left:
                 case Quantity("along" | "across"):
                     pass
+                case Binary("*") if (mover := self._on_the_line(line)) is not None:
+                    return (say("given.product-along", fact=sentence, body=mover),)
                 case _:
                     return (say("given.product", fact=sentence),)
         other = _across(facts[0].relation.options[0][0].right)
@@ -178,8 +181,33 @@ class Leads:
             match fact.relation.options[0][0]:
                 case Link(Quantity("velocity"), "=", right) if has_quantity(right):
                     self._given.add(fact.id)
-                    return (say("given.and", fact=self._naming.fact(fact)),)
+                    words = self._naming.fact(fact)
+                    own = self._component_of_multiple(fact)
+                    if own is not None:
+                        component, value = map(self._naming.layout, own)
+                        slots = {"component": component, "value": value}
+                        return (say("given.multiple", fact=words, **slots),)
+                    return (say("given.and", fact=words),)
+                case Link(Quantity("velocity", (Name(body),)), "=") if _is_rest(fact):
+                    self._given.add(fact.id)
+                    return (say("given.rest", body=body),)
         return ()
+
+    def _component_of_multiple(self, fact: Fact) -> tuple[Expression, Expression] | None:
+        """A component along the line of centres and its value, of a multiple of a velocity."""
+        link = fact.relation.options[0][0]
+        for letter, meaning in self._naming.meanings.items():
+            match meaning.quantity:
+                case Quantity("along", (Quantity("velocity") as velocity, line)) if (
+                    velocity in walk(link.right) and meaning.sense is None
+                ):
+                    own = rebuilt(
+                        link.right,
+                        lambda e: Letter(letter) if e == velocity else e,  # noqa: B023
+                    )
+                    if not has_quantity(own):
+                        return Quantity("along", (link.left, line)), own
+        return None
 
     def _opened(self, link: Link) -> Link:
         """A relation of a letter that the statement has for a quantity, said of the quantity."""
@@ -572,7 +600,27 @@ class Leads:
         if form == "square":
             name = "turned.square" if self._ends_square(line) else "turned.from-square"
             return say(name, body=body)
+        turn = self._turn_too_wide(line, first) if form == "rest-of-sum" else None
+        if turn is not None:
+            return say("turned.back-as", body=body, turn=self._naming.layout(turn))
         return say(_TURNED[form], body=body) if form in _TURNED else None
+
+    def _turn_too_wide(self, line: Line, link: Link) -> Expression | None:
+        """The given deflection, where a body that keeps its sense is turned through less."""
+        facts = (self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str))
+        for fact in facts:
+            match None if fact is None else fact.relation.options[0][0]:
+                case Link(Quantity("deflection"), "=", Degrees(value) as turn):
+                    pass
+                case _:
+                    continue
+            degrees = [e.value for e in walk(link.right) if isinstance(e, Degrees)]
+            if sorted(degrees)[-1:] != [180] or value not in degrees or len(degrees) != 3:
+                return None
+            degrees.remove(value)
+            first = min(degrees)
+            return turn if value >= max(first, 90 - first) else None
+        return None
 
     def _same(self, link: Link) -> Sentence | None:
         """That an angle to a wall, or to an axis, is the one from **i** that has a letter."""
@@ -680,6 +728,8 @@ class Leads:
                     event = self._naming.events.get(line.move.event or 0)
                 if event is None and isinstance(axis, Unit):
                     return say("resolved-axes.title")
+                if event is None and isinstance(axis, Name):
+                    return say("resolved-axes.wall", wall=axis.name)
             case _:
                 return None
         if event is None:
@@ -965,8 +1015,13 @@ class Leads:
                 continue
             match own.relation:
                 case Relation(((Link(_, "<" | "<=" | ">" | ">="),),)) as relation:
-                    sentence = self._of_letter(own)
-                    yield say("derived.anyway", fact=sentence or self._naming.relation(relation))
+                    words = self._of_letter(own) or self._naming.relation(relation)
+                    bounds = range_behind(self._naming, relation)
+                    if bounds is None:
+                        yield say("derived.anyway", fact=words)
+                    else:
+                        ground = self._naming.relation(bounds)
+                        yield say("derived.anyway-as", fact=words, ground=ground)
 
     def _moves(
         self, names: tuple[str, ...]

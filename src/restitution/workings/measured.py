@@ -80,6 +80,8 @@ def as_decimal(tree: Expression) -> Expression:
             return Negate(as_decimal(operand))
         case Binary("/", Number(above), Number(below)) if _ends(above / below):
             return Number(above / below)
+        case Binary("*", Binary("/", Number(), Number()) as size, rest):
+            return Binary("*", as_decimal(size), rest)
         case Binary("*", size, Unit() as unit):
             return Binary("*", as_decimal(size), unit)
         case Binary("+" | "-" as op, left, right) if _of_units(left) and _of_units(right):

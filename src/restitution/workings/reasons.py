@@ -43,6 +43,7 @@ from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.solving.letters import roles
 from restitution.solving.signs import sign
+from restitution.workings.equality import place_of_zero
 from restitution.workings.factors import factor_cancelled
 from restitution.workings.grounds import grounds_of, motion_of
 from restitution.workings.growing import growth, limit_at_an_end, way_of
@@ -543,8 +544,13 @@ class Reasons:
                         case Binary("^", base, Number(Fraction(numerator=2))) if isinstance(
                             base, Binary
                         ) and base.op in ("+", "-"):
-                            relation = Relation(((Link(factor, ">=", ZERO),),))
-                            yield say("derived.fact", fact=self._laid(relation))
+                            fact = self._laid(Relation(((Link(factor, ">=", ZERO),),)))
+                            place = place_of_zero(base, self._roles, self._derivation)
+                            if place is None:
+                                yield say("derived.fact", fact=fact)
+                            else:
+                                where = self._laid(Relation(((place,),)))
+                                yield say("derived.fact-equal", fact=fact, place=where)
 
     def _wave(self, line: Line) -> Iterator[Sentence]:
         """Why a sum or a product of a sine and a cosine is bounded, where a bound comes of that."""

@@ -15,10 +15,12 @@ from restitution.explaining.saying import Sentence, say
 from restitution.explaining.trees import rebuilt
 from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import Expression, Negate, Quantity, has_quantity, letters
+from restitution.oracle import REAL, Oracle, compared
 from restitution.planning.forms import product, tree_of
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Show
 from restitution.render import layout as lay
 from restitution.render.text import to_text
+from restitution.solving.letters import roles
 from restitution.vector import Vector
 from restitution.workings.ends import Ends, claim_of_meeting
 from restitution.workings.measured import as_answer
@@ -237,7 +239,8 @@ def _value(note: Note, derivation: Derivation, naming: Naming) -> Sentence | Non
         if isinstance(name, lay.Bold)
         else ("refuted.value", "refuted.value-general")
     )
-    sentence = general if _may_agree(link.right, own.right) else plain
+    agree = _may_agree(link.right, own.right) and not _differ(link.right, own.right, naming)
+    sentence = general if agree else plain
     return say(sentence, quantity=name, claimed=claimed, value=value)
 
 
@@ -252,6 +255,22 @@ def _may_agree(claimed: Expression, value: Expression) -> bool:
     if not all(isinstance(end, sp.Expr) and end != 0 for end in ends):
         return True
     return bool(tidy(ends[0] / ends[1]).free_symbols)
+
+
+def _differ(claimed: Expression, value: Expression, naming: Naming) -> bool:
+    """Whether two values in letters differ for all that the letters may be: their squares do."""
+    known = roles(naming.problem)
+
+    def symbol(name: str) -> sp.Symbol:
+        return known.get(name, REAL).symbol(name)
+
+    try:
+        one, other = (evaluate(each, symbol) for each in (claimed, value))
+        gap = sp.factor(sp.sympify(one, strict=True) ** 2 - sp.sympify(other, strict=True) ** 2)
+    except (RestitutionError, TypeError, ValueError):
+        return False
+    oracle = Oracle(known)
+    return any(oracle.proves(compared(gap, sign, sp.Integer(0))) for sign in (">", "<"))
 
 
 def _link_of(derivation: Derivation, number: int) -> Link:

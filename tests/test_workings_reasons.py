@@ -1,0 +1,246 @@
+"""Why a line of a working holds: reasons, steps between, and letters that a reader has met.
+
+The values are worked out by hand, beside each statement.
+"""
+
+from __future__ import annotations
+
+import pytest
+from workings import planned
+
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
+
+REST = """
+sphere A: mass m, velocity u at {angle}
+sphere B: mass {m}, at rest
+A hits B: along i{e}
+"""
+OFFSET = """
+sphere A: mass m, velocity u i, radius a
+sphere B: mass m, at rest, radius a
+A hits B: offset d, e = 1/2
+"""
+STOPPED = """
+sphere P: mass 2, velocity 3i + 2j
+P receives p i + q j
+given P at rest
+"""
+HALF_KNOWN = """
+wall W1: along i
+wall W2: along i
+sphere P: velocity u at 60° to W1
+P hits W1: e = e1
+P hits W2: e = e2
+given angle(velocity(P), W2) = 30°
+"""
+
+# Statement, and what its working says, in this order.
+SAYS = {
+    # 3(1 + e)² = 3(1 − ek)² + (1 + k)²; 2 − k = 3(1 − e)²/(1 + 3e²).
+    "a bound that is not seen at once is told by the difference to it": (
+        REST.format(angle="30°", m="k m", e="") + "given speed(A) = speed(B)\nfind range of k",
+        [
+            "3(1 + e)² = 4 + (2 − 6e)k + (1 + 3e²)k²",
+            "(k + 1)((1 + 3e²)k + 1 − 6e − 3e²) = 0",
+            "k = (3e² + 6e − 1)/(1 + 3e²)",
+            "2 − k = 3(1 − e)²/(1 + 3e²)",
+            "k ≤ 2\n                               as (1 − e)² ≥ 0, with equality when e = 1",
+        ],
+    ),
+    # tan δ = 3d√(4a² − d²)/(4a² + 3d²), of which the square leaves (3(4a² − 5d²)/(4(…)))² to 9/16.
+    "a tangent with a root is bounded by its square": (
+        OFFSET + "find maximum of deflection(A) over d",
+        [
+            "tan δ > 0",
+            "tan²δ = 9d²(4a² − d²)/(4a² + 3d²)²",
+            "9/16 − tan²δ = 9(4a² − 5d²)²/(16(4a² + 3d²)²)",
+            "tan δ ≤ ¾, as (4a² − 5d²)² ≥ 0",
+        ],
+    ),
+    # v = √2(1 − 2e)u/6 along the line, u/√2 across it.
+    "the square that is not negative stands in the line that is cited": (
+        REST.format(angle="45°", m="2m", e="") + "find range of speed(A)",
+        ["speed of A ≥ √2 u/2, as (√2(1 − 2e)u/6)² ≥ 0"],
+    ),
+    # tan δ = (1 + e)/(3 − e) is at most 1/√3: √3(1 + e) ≤ 3 − e.
+    "terms are collected before a sum with roots divides": (
+        REST.format(angle="45°", m="m", e="") + "given deflection(A) <= 30°\nfind range of e",
+        ["(1 + e)/(3 − e) ≤ √3/3", "(3 + √3)e ≤ 3(√3 − 1)", "e ≤ 2√3 − 3"],
+    ),
+    "the scalar product with who moves along the line has one term": (
+        REST.format(angle="45°", m="2m", e="")
+        + "given velocity(A) perpendicular to velocity(B)\nfind e",
+        ["As B moves along the line of\ncentres, the scalar product is that of the components"],
+    ),
+    # v = −(1 + 9e)u/4 and w = (3e − 1)u/4.
+    "what always holds has its reason": (
+        (
+            "sphere A: mass m, velocity 2u i\nsphere B: mass 3m, velocity -u i\nA hits B: along i\n"
+            "given velocity(A) opposite to i, velocity(B) in the direction of i\n"
+            "find range of e"
+        ),
+        ["v < 0 in any case, as e ≥ 0."],
+    ),
+    # w − v = e(…): 14w = −7, as 𝐯_A = 2𝐯_B.
+    "a velocity that is a multiple of another gives a component": (
+        (
+            "sphere A: mass 1, velocity 5i + 2j\nsphere B: mass 12, velocity -i + j\n"
+            "A hits B: along i\ngiven velocity(A) = 2 velocity(B)\nfind e"
+        ),
+        ["𝐯_A = 2𝐯_B, so the component of 𝐯_A along 𝐢 is 2w.", "5 + 12(−1) = 2w + 12w"],
+    ),
+    "who is brought to rest is named": (
+        STOPPED + "find p, q",
+        ["It is given that P is at rest afterwards.", "Impulse = change of momentum of P:"],
+    ),
+    # tan 30° = √3 e₁e₂.
+    "a coefficient that divides is not zero": (
+        HALF_KNOWN + "part a\nfind e1 e2\npart b\nunknown e2\nfind range of e1",
+        ["e₁e₂ = ⅓", "e₁ = 1/(3e₂), as e₂ ≠ 0"],
+    ),
+    # v² = ½u²(1 + cos²α), and not u² cos²α for any acute angle.
+    "what is never equal is not denied in general only": (
+        (
+            "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W: e = 1/sqrt(2)\n"
+            "show speed(P) = u cos(alpha)"
+        ),
+        ["The speed of P is not u cos α: it is"],
+    ),
+    # The first impact gives 3 m s⁻¹ to B; the wall sends it back with 1 m s⁻¹.
+    "each sphere keeps its letter when they meet again": (
+        (
+            "wall W: along j, through (10, 0)\nsphere A: mass 1, at (0, 0), velocity 6i\n"
+            "sphere B: mass 2, at (6, 0), at rest\nA hits B: along i, e = 1/2\nB hits W: e = 1/3\n"
+            "B hits A: along i, e = 1/2\nfind velocity(A), velocity(B)"
+        ),
+        ["6 = v₁ + 2w₁", "2(−1) = 2w₂ + v₂", "w₂ − v₂ = ½"],
+    ),
+    "a speed of the statement is no velocity after": (
+        (
+            "wall W: along i\nsphere P: mass 1, velocity v_P at 45° to W\nP hits W: e = 1/2\n"
+            "find speed(P)"
+        ),
+        ["component of 𝐯₁ along 𝐣 = ½v_P sin 45°"],
+    ),
+    # cos(arctan 4√3) = 1/7, and v = 7/2.
+    "a component has the ratio by which it comes of its speed": (
+        (
+            "sphere A: mass 1, velocity 4 at 60°\nsphere B: mass 1, at rest\nA hits B: along i\n"
+            "given velocity(A) = v at arctan(4√3)\nfind v, e"
+        ),
+        ["v = 7/2", "4 cos 60° = (7/2) × (1/7) + x"],
+    ),
+    # At 60° to i, with components √3u/2 and u/4.
+    "scalar products have the numbers of the unit vectors": (
+        (
+            "wall W: along i\nwall X: along 60°\nsphere P: velocity u at 30° to W\n"
+            "P hits W: e = 1/2\nP hits X: e = 1/2\nfind speed(P)"
+        ),
+        ["𝐯₁ · 𝐧 = (√3 u/2)(√3/2) − ½(u/4) = 5u/8"],
+    ),
+    # 𝐯_A − 𝐮_A = (1 − 4)𝐢 − √3 𝐣.
+    "no angle is used that stands nowhere": (
+        (
+            "sphere A: mass 3, velocity 4i\nsphere B: mass 5, at rest\nA hits B\n"
+            "given deflection(A) = 60°, speed(A) = 2, direction(A) < 0\nfind line_of_centres, e"
+        ),
+        ["component of 𝐮_A along the line of centres = 4(√3/2) = 2√3"],
+    ),
+    "a component that is zero has its own sign": (
+        (
+            "wall W: along theta\nsphere P: mass 1, velocity 2i\nP hits W: e = 1/2\n"
+            "given theta > 0°, theta < 90°, velocity(P) parallel to j\nfind tan(theta)"
+        ),
+        ["so the component in the direction of 𝐢 is\nzero:", "cos θ × 2 cos θ − sin θ sin θ = 0"],
+    ),
+    # (1 + e)² k cos²α = (1 − ek)² cos²α + (1 + k)² sin²α.
+    "terms of one ratio stand on one side before its tangent": (
+        REST.format(angle="alpha", m="k m", e="")
+        + "given energy(A) = energy(B)\nfind tan(alpha) in terms of e, k",
+        ["((1 + e)²k − (1 − ek)²) cos²α = (1 + k)² sin²α", "tan²α = (k − 1 + 4ek"],
+    ),
+    # v² = e²u² sin²α + u² cos²α.
+    "a square has its factor that may be zero beside it": (
+        (
+            "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+            "given speed(P) = v\nfind sin(alpha) in terms of u, v, e"
+        ),
+        ["u²(1 − e²) sin²α = u² − v²", "sin α = ±√((u² − v²)/(1 − e²))/u"],
+    ),
+    # tan α + ¾ tan α = √3(1 − ¾ tan²α).
+    "the formula for the roots stands before they are without roots below": (
+        (
+            "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W: e = 3/4\n"
+            "given alpha + angle(velocity(P), W) = 60°\nfind tan(alpha)"
+        ),
+        ["tan α = (−7 + √193)/(6√3) or tan α = (−7 − √193)/(6√3)", "tan α = (√579 − 7√3)/18"],
+    ),
+    # 9d²(4a² − d²)/(4a² + 3d²)² ≥ 1/3, and (√33 ± 3)² = 6(7 ± √33).
+    "an inequality of the fourth degree is solved by the square": (
+        OFFSET + "given d > 0, deflection(A) >= 30°\nfind range of d",
+        [
+            "4a⁴ − 21a²d² + 9d⁴ ≤ 0",
+            "(7 − √33)a²/6 ≤ d² ≤ (7 + √33)a²/6",
+            "((√33 − 3)a/6)² ≤ d² ≤ ((3 + √33)a/6)²",
+        ],
+    ),
+    # d² = r²: the line of centres is at 30° to the path.
+    "a root of the other sign is rejected, with letters in it": (
+        (
+            "sphere A: mass m, velocity u i, radius r\nsphere B: mass 2m, at rest, radius r\n"
+            "A hits B: offset d, e = 1\ngiven d > 0, velocity(A, 0) perpendicular to velocity(A)\n"
+            "find d"
+        ),
+        ["d = ±", "as d is positive"],
+    ),
+    # Of w = ±4u/5 the law of restitution, w = e(u + 4u/5), leaves one.
+    "a component is not called positive without a reason": (
+        (
+            "sphere A: mass k m, velocity u i\n"
+            "sphere B: mass m, velocity u at beta from -i\nA hits B: along i\n"
+            "given sin(beta) = 3/5, velocity(A) perpendicular to i, speed(B) = u\nfind k, e"
+        ),
+        ["as w = −4u/5 would give e < 0 by (2)"],
+    ),
+    # tan β = 3 tan α: both angles come to 0.
+    "what comes to its end with an angle is said": (
+        REST.format(angle="alpha", m="2m", e=", e = 1")
+        + "find maximum of deflection(A) over alpha",
+        ["as α → 0° and so β → 0°, so there is no greatest value"],
+    ),
+    # (u/2)((1 − e) + (1 + e)f)(t₃ − t₂) = d − (1 − e)d/(1 + e).
+    "the time of a meeting is collected": (
+        (
+            "wall W: along j, through (d, 0)\nsphere A: mass m, at (-c, 0), velocity u i\n"
+            "sphere B: mass m, at (0, 0), at rest\ngiven c > 0\nA hits B: along i\n"
+            "B hits W: e = f\nB hits A: along i\nfind time(3) - time(2)"
+        ),
+        ["((1 − e + f + ef)u/2)(t₃ − t₂) = 2ed/(1 + e)", "t₃ − t₂ = 4ed/"],
+    ),
+    "a quotient by a sum with roots stands before it is rationalised": (
+        (
+            "sphere A: mass m, velocity 2u at 30°\nsphere B: mass 2m, velocity u at 120°\n"
+            "A hits B: along i\ngiven deflection(B) = 60°\nfind direction(A)"
+        ),
+        ["it would turn through less than 60°", "tan θ = u/((√3 − 2)u) = 1/(√3 − 2) = −2 − √3"],
+    ),
+    "an extremum that is only approached is a bound": (
+        (
+            "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W: e = 1/2\n"
+            "show maximum of energy_lost over alpha = 3/8 m u^2"
+        ),
+        ["as α → 90°: a bound that is approached and not reached"],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SAYS)
+def test_a_working_says(name: str) -> None:
+    text, fragments = SAYS[name]
+    planned(text)  # and each line follows
+    working = to_text(explain(solve(parse(text))))
+    places = [working.find(each) for each in fragments]
+    assert -1 not in places, (working, fragments)
+    assert places == sorted(places), working
