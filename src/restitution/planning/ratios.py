@@ -84,10 +84,11 @@ def ratio(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
 def _one_term_a_side(scene: Scene, line: int, symbol: sp.Symbol) -> int:
     """``a sin²θ + b cos²θ = c cos²θ`` with a term of each on a side: the difference as it is."""
     link = scene.desk.last_link(line)
-    sides = [
-        sp.Poly(scene_value(scene, each), sp.sin(symbol), sp.cos(symbol))
-        for each in (link.left, link.right)
-    ]
+    ratios = sp.sin(symbol), sp.cos(symbol)
+    values = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
+    if not all(each.is_polynomial(*ratios) for each in values):
+        return line
+    sides = [sp.Poly(each, *ratios) for each in values]
     powers = [(2, 0), (0, 2)]
     if any(set(each.monoms()) - set(powers) for each in sides):
         return line
