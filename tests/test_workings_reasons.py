@@ -6,10 +6,13 @@ The values are worked out by hand, beside each statement.
 from __future__ import annotations
 
 import pytest
-from workings import planned
 
+from restitution.explaining.follower import follow
 from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
 from restitution.solving import solve
+from restitution.solving.letters import roles
 from restitution.workings import explain, to_text
 
 REST = """
@@ -67,7 +70,7 @@ SAYS = {
     # tan δ = (1 + e)/(3 − e) is at most 1/√3: √3(1 + e) ≤ 3 − e.
     "terms are collected before a sum with roots divides": (
         REST.format(angle="45°", m="m", e="") + "given deflection(A) <= 30°\nfind range of e",
-        ["(1 + e)/(3 − e) ≤ √3/3", "(3 + √3)e ≤ 3(√3 − 1)", "e ≤ 2√3 − 3"],
+        ["(1 + e)/(3 − e) ≤ √3/3", "(3 + √3)e ≤ 3√3 − 3", "e ≤ 2√3 − 3"],
     ),
     "the scalar product with who moves along the line has one term": (
         REST.format(angle="45°", m="2m", e="")
@@ -173,7 +176,8 @@ SAYS = {
     "the formula for the roots stands before they are without roots below": (
         (
             "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W: e = 3/4\n"
-            "given alpha + angle(velocity(P), W) = 60°\nfind tan(alpha)"
+            "let beta = angle(velocity(P), W)\n"
+            "given alpha + beta = 60°\nfind tan(alpha)"
         ),
         ["tan α = (−7 + √193)/(6√3) or tan α = (−7 − √193)/(6√3)", "tan α = (√579 − 7√3)/18"],
     ),
@@ -226,6 +230,22 @@ SAYS = {
         ),
         ["it would turn through less than 60°", "tan θ = u/((√3 − 2)u) = 1/(√3 − 2) = −2 − √3"],
     ),
+    # Equal spheres with e = 1 exchange their components: w = 3u.
+    "a direction below i has its sense": (
+        (
+            "sphere A: mass m, velocity 3u i\nsphere B: mass m, velocity u at -30°\n"
+            "A hits B: along i, e = 1\nfind direction(B)"
+        ),
+        ["tan θ = −(u/2)/(3u)", "θ = −arctan(1/6) ≈ −9.46°, as w > 0"],
+    ),
+    "a sense that is shown rests on what is given": (
+        (
+            "wall X: along i\nwall Y: along j\nsphere P: mass m, velocity u at alpha to X\n"
+            "given e > 0\nP hits X: e = e\nP hits Y: e = e\n"
+            "show velocity(P) opposite to velocity(P, 0)"
+        ),
+        ["is opposite to 𝐮, as e > 0, as required."],
+    ),
     "an extremum that is only approached is a bound": (
         (
             "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W: e = 1/2\n"
@@ -239,8 +259,10 @@ SAYS = {
 @pytest.mark.parametrize("name", SAYS)
 def test_a_working_says(name: str) -> None:
     text, fragments = SAYS[name]
-    planned(text)  # and each line follows
-    working = to_text(explain(solve(parse(text))))
+    problem = parse(text)
+    solution = solve(problem)
+    assert follow(plan(solution), Oracle(roles(problem))) == ()
+    working = to_text(explain(solution))
     places = [working.find(each) for each in fragments]
     assert -1 not in places, (working, fragments)
     assert places == sorted(places), working

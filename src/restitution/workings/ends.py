@@ -7,7 +7,15 @@ from typing import Any
 
 from restitution.explaining.derivation import Derivation, ItemEnd, Line, Link, Relation
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Expression, Number, Quantity, walk
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    Number,
+    Quantity,
+    is_zero,
+    letters,
+    walk,
+)
 from restitution.problem import (
     Aligned,
     Arrival,
@@ -45,6 +53,7 @@ class Ends:
         for end in _ends(derivation):
             self._ends.setdefault(end.line, []).append(end)
         self._parts = derivation.asked
+        self._facts = derivation.facts
         self._places = {
             item: [e for e in self._parts if self._parts[e] == self._parts[item]].index(item)
             for item in self._parts
@@ -143,7 +152,20 @@ class Ends:
                 link = end.answer.only[0]
                 own = [e for e in walk(link.right) if isinstance(e, Quantity)]
                 left, right = map(self._side, (link.left, *own[:1], other)[:2])
-                return say(_ALIGNED[how], left=left, right=right)
+                claim = say(_ALIGNED[how], left=left, right=right)
+                positive = self._given_positive(link.right)
+                if how in ("in the direction of", "opposite to") and positive is not None:
+                    return say("claim.as", claim=claim, reason=self._naming.relation(positive))
+                return claim
+        return None
+
+    def _given_positive(self, multiple: Expression) -> Relation | None:
+        """That a letter of a multiple is positive, where that is given: so the sense is certain."""
+        for fact in self._facts:
+            match fact.relation.options:
+                case ((Link(Letter(name), ">", right),),) if is_zero(right):
+                    if fact.kind in ("given", "range") and name in letters(multiple):
+                        return fact.relation
         return None
 
     def _side(self, tree: Expression) -> Sentence | lay.Layout | str:

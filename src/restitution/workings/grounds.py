@@ -63,21 +63,23 @@ def _relation(derivation: Derivation, ref: object) -> Relation | None:
 
 
 def _quadrant(derivation: Derivation, line: Line) -> Iterator[Relation]:
-    """That a body moves against **i**, where its direction makes more than 90° with that."""
+    """Which way a body moves along **i**, where its direction is not between 0° and 90°."""
     assert isinstance(line.relation, Relation)
     link = line.relation.only[0]
     meaning = derivation.meanings.get(link.left.name) if isinstance(link.left, Letter) else None
     if meaning is None or not isinstance(meaning.quantity, Quantity):
         return
-    if meaning.quantity.kind != "direction" or not _is_beyond(line.relation.only[-1].right):
+    angle = line.relation.only[-1].right
+    beyond = _is_beyond(angle)
+    if meaning.quantity.kind != "direction" or not (beyond or _is_negative(angle)):
         return
     for ref in line.premises:
         relation = _relation(derivation, ref)
         if relation is None or len(relation.options) > 1:
             continue
         component, value = relation.only[0].left, relation.only[-1].right
-        if _is_along_i(derivation, component) and _is_negative(value):
-            yield Relation(((Link(component, "<", _ZERO),),))
+        if _is_along_i(derivation, component) and _is_negative(value if beyond else Negate(value)):
+            yield Relation(((Link(component, "<" if beyond else ">", _ZERO),),))
             return
 
 

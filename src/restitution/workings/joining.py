@@ -48,6 +48,7 @@ def _as_one(row: Row, other: Row) -> Row | None:
             other,
             operands=(*row.operands, *other.operands[1:]),
             signs=(*row.signs, *other.signs),
+            reasons=(*row.reasons, *other.reasons),
         )
     if _says_the_end(row, other):
         number = row.number or other.number
@@ -70,7 +71,7 @@ def _as_one(row: Row, other: Row) -> Row | None:
 
 def _goes_on_rounded(row: Row, other: Row) -> bool:
     """Whether a row gives no more than the decimal of the value above it."""
-    bare = not (row.points or row.reasons or row.asides or row.number or row.answer)
+    bare = not (row.points or row.asides or row.number or row.answer)
     same = other.operands[0] in (None, row.operands[0]) and other.signs == ("≈",)
     return bare and same and set(row.signs) == {"="} and not row.alternatives
 

@@ -163,8 +163,9 @@ class Reasons:
     def _ground(self, relation: Relation) -> Sentence | lay.Layout:
         """A ground as a relation; of a component without a letter in words."""
         match relation.only:
-            case (Link(Quantity() as component, "<", right),) if right == ZERO:
-                return say("derived.negative", component=self._naming.layout(component))
+            case (Link(Quantity() as component, "<" | ">" as order, right),) if right == ZERO:
+                name = "derived.negative" if order == "<" else "derived.above-zero"
+                return say(name, component=self._naming.layout(component))
         return self._laid(relation)
 
     @staticmethod
