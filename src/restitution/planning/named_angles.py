@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.explaining.derivation import Meaning, Move, Ref
+from restitution.explaining.derivation import Meaning, Move, MoveId, Ref
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -89,8 +89,9 @@ def ratio_line(
         case Binary("/", above, below) if isinstance(swept(below), Negate):
             first = Binary("/", swept(above), swept(below))
     final = in_tangents(value) if sp.sympify(value, strict=True).is_number else value
-    steps = [(first, None), *((each, "rearrange") for each in _over_roots(scene, first))]
-    relation = chain(ratio, *steps, (tree_of(final), "rearrange"))
+    ends = (*_over_roots(scene, first), tree_of(final))
+    rearrange: MoveId = "rearrange"
+    relation = chain(ratio, (first, None), *((each, rearrange) for each in ends))
     names = letters(relation.only[0].right)
     # On which side of a right angle the angle is, may rest on what is given of letters.
     known = [ref for name in sorted(names) for ref in scene.judge.ranges_given(name)]
