@@ -387,6 +387,7 @@ def test_a_percentage() -> None:
         ("1/3", "⅓"),
         ("3/2 i - 1/4 j", "1.5𝐢 − 0.25𝐣"),
         ("1/2 * 3", "½ × 3"),
+        ("(3/8) cos(20°)", "0.375 cos 20°"),
     ],
 )
 def test_beside_decimals_a_quantity_is_a_decimal(tree: str, text: str) -> None:

@@ -80,7 +80,9 @@ def as_decimal(tree: Expression) -> Expression:
             return Negate(as_decimal(operand))
         case Binary("/", Number(above), Number(below)) if _ends(above / below):
             return Number(above / below)
-        case Binary("*", Binary("/", Number(), Number()) as size, rest):
+        case Binary("*", Binary("/", Number(above), Number(below)) as size, rest) if (
+            above / below != Fraction(1, 2) and not isinstance(rest, Number)
+        ):
             return Binary("*", as_decimal(size), rest)
         case Binary("*", size, Unit() as unit):
             return Binary("*", as_decimal(size), unit)
