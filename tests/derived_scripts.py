@@ -16,6 +16,7 @@ from random import Random
 
 import numpy as np
 import sympy as sp
+from handwriting import Hand
 
 import restitution
 from restitution.errors import RestitutionError
@@ -65,7 +66,10 @@ class DerivedScript:
 
 
 @cache
-def planned(statement: str) -> tuple[Solution, Derivation]:
+def planned(statement: str, route: int = 1) -> tuple[Solution, Derivation]:
+    if route > 1:
+        solution, _ = planned(statement)
+        return solution, plan(solution, route)
     solution = restitution.solve(restitution.parse(statement))
     return solution, plan(solution)
 
@@ -114,9 +118,14 @@ def derive(
     part: str | None,
     random: Random,
     slips: Mapping[int, Relation] | None = None,
+    hand: Hand | None = None,
+    route: int = 1,
 ) -> DerivedScript:
-    """A correct script of a part, varied; with ``slips`` by line, one with these, in its order."""
-    solution, derivation = planned(statement)
+    """A correct script of a part, varied; with ``slips`` by line, one with these, in its order.
+
+    It is typed as the ``hand`` types, if there is one.
+    """
+    solution, derivation = planned(statement, route)
     senses = senses_of(solution, derivation, part)
     own = of_part(derivation, part)
     written = list(rows(own))
@@ -152,9 +161,11 @@ def derive(
     if not slips:
         kept = _left_out(kept, random) if random.random() < 0.3 else kept
         kept = _reordered(kept, random) if random.random() < 0.3 else kept
-    text = [_text(line, relation, random) for line, relation in kept]
+    text = [_text(line, relation, random, hand) for line, relation in kept]
     short = [line for line in text if len(line) <= MAX_LENGTH]
     whole = len(short) == len(list(_said(own)))
+    if hand is not None and not slips:
+        short = list(hand.script(short, random, MAX_LENGTH))
     return DerivedScript(statement, part, declared, (*lets, *short), whole)
 
 
@@ -323,15 +334,17 @@ def _reordered(written: list[Row], random: Random) -> list[Row]:
     return rows_
 
 
-def _text(line: Line, relation: Relation, random: Random) -> str:
+def _text(line: Line, relation: Relation, random: Random, hand: Hand | None) -> str:
     (links,) = relation.options
     if len(links) == 1:
         link = _varied(links[0], random)
         body = f"{write_expression(link.left)} {link.sign} {_right(link, random)}"
     else:
         body = _chain(links)
-    announced = random.choice(LAWS.get(line.move.record or "", ANNOUNCED))
     body = re.sub(r"dot\(([^(),]+), ([^(),]+)\)", _dotted, body)
+    if hand is not None:
+        return hand.line(body, line.move.record or "", random)
+    announced = random.choice(LAWS.get(line.move.record or "", ANNOUNCED))
     return (announced if random.random() < 0.4 else "") + styled(body, random)
 
 
@@ -361,7 +374,7 @@ def _varied(link: Link, random: Random) -> Link:
         return Link(link.right, "=", link.left)
     if change < 0.3 and isinstance(link.right, Binary) and link.right.op == "+":
         return Link(Binary("-", link.left, link.right.right), "=", link.right.left)
-    if change < 0.45:
+    if change < 0.45 and isinstance(link.left, Binary) and link.left.op in ("+", "-"):
         factor = Number(sp.Integer(2).p if random.random() < 0.5 else 3)  # type: ignore[arg-type]
         return Link(Binary("*", factor, link.left), "=", Binary("*", factor, link.right))
     return link

@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 from altered_scripts import AlteredScript, altered_scripts
 from derived_scripts import DerivedScript, derive, parts_of, planned
+from handwriting import hand_of
 from measure_marking import ROOT, SCRIPTS, MarkedScript, Measures, measure, scripts_of
 from slipped_scripts import LIKE_LAWS, SlippedScript, slipped
 
@@ -170,8 +171,27 @@ def derived(paths: Sequence[Path], number: int, seed: int) -> list[DerivedScript
     return [derive(*chosen[n % len(chosen)], Random(random.random())) for n in range(number)]
 
 
-def accused(script: DerivedScript) -> list[str]:
-    lines = verdicts(script.statement, script.part, script.working, dict(script.letters))
+def typed(paths: Sequence[Path], number: int, seed: int) -> list[DerivedScript]:
+    """So many correct scripts of questions drawn at random, each in the hand of one student."""
+    random = Random(seed)
+    scripts: list[DerivedScript] = []
+    for path in random.sample(list(paths), len(paths)) * (1 + number // len(paths)):
+        if len(scripts) == number:
+            break
+        statement, own = text(path), Random(random.random())
+        try:
+            parts = parts_of(statement)
+            route = own.choice((1, 1, 2, 3))
+            hand = hand_of(own, statement)
+            scripts += [derive(statement, own.choice(parts), own, hand=hand, route=route)]
+        except (RestitutionError, NotPlannedError, IndexError):
+            continue  # without an answer, or without a plain working
+    return scripts
+
+
+def accused(script: DerivedScript, declared: bool = True) -> list[str]:
+    letters = dict(script.letters) if declared else {}
+    lines = verdicts(script.statement, script.part, script.working, letters)
     return [f"{line['text']} {script.letters}" for line in lines if line["verdict"] == "false"]
 
 
@@ -186,6 +206,22 @@ def test_derived_scripts_say_what_they_were_derived_from() -> None:
 def test_a_sample_of_derived_scripts_is_not_accused() -> None:
     for script in derived(OWN[:6], 9, SEED):
         assert accused(script) == [], script.working
+
+
+def test_a_sample_of_scripts_in_the_hands_of_students_is_not_accused() -> None:
+    for script in typed([*OWN, *EXAMPLES], 8, SEED):
+        for declared in (True, False):
+            assert accused(script, declared) == [], script
+
+
+@pytest.mark.nightly
+@pytest.mark.timeout(28800)
+@pytest.mark.parametrize("declared", [True, False], ids=["declared", "inferred"])
+def test_no_script_in_the_hand_of_a_student_is_accused(declared: bool) -> None:
+    number = int(os.environ.get("TYPED", "4000"))
+    scripts = typed([*OWN, *EXAMPLES, *QUESTIONS], number, SEED)
+    wrong = [(script, lines) for script in scripts if (lines := accused(script, declared))]
+    assert len(wrong) <= (0 if declared else 0.01 * len(scripts)), wrong
 
 
 @pytest.mark.nightly

@@ -45,12 +45,14 @@ class Link:
     """A relation of a line, the most natural reading first.
 
     A chain ``a = b = c`` is two links. ``start`` and ``end`` are columns of the line.
+    ``supposed`` is the case in which it is to hold: ``e = 0: v = u/2``.
     """
 
     readings: tuple[Claim, ...]
     start: int
     end: int
     decimals: tuple[Decimal, ...] = ()
+    supposed: tuple[Claim, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -74,11 +74,13 @@ _BEFORE_AT_A_WALL: Mapping[str, set[str]] = {
     "restitution-whole-speed": {"restitution-sign", "restitution-inverted"},
 }
 _BEFORE_OF_SPHERES: Mapping[str, set[str]] = {"restitution-parallel": {"across-changed"}}
+# Where one component stands for the other, r = p, it is these that are taken for one another.
+_BEFORE_ACROSS: Mapping[str, set[str]] = {"across-changed": {"sine-cosine"}}
 _TRIED = 6
 _TWO = Number(Fraction(2))
 _CLOSE, _TINY = 0.03, 1e-6
 NO_NAME = Mistake(None)
-Stated = frozenset[tuple[str, int | None]]
+Stated = frozenset[tuple[str, int | None, tuple[str, ...]]]
 
 
 @dataclass(frozen=True)
@@ -114,7 +116,7 @@ class JudgedSoFar(Protocol):
         """The world of an altered law, all else being right."""
 
     def stated(self) -> Stated:
-        """The laws that a line above states rightly, each with its event."""
+        """The laws that a line above states rightly, each with its event and its bodies."""
 
     def uses_of_entry(self, entry: Entry) -> tuple[Use, ...]:
         """The laws that a line uses."""
@@ -168,7 +170,10 @@ class Names:
             return Mistake(explained.slip, "slip", at=explained.at) if explained.slip else NO_NAME
         wall = variants[0].event.wall
         usual = {**_BEFORE, **(_BEFORE_AT_A_WALL if wall else _BEFORE_OF_SPHERES)}
-        likely = [each for each in families if not set(families) & usual.get(each, set())]
+        before = {
+            each: usual.get(each, set()) | _BEFORE_ACROSS.get(each, set()) for each in families
+        }
+        likely = [each for each in families if not set(families) & before[each]]
         name = likely[0] if len(likely) == 1 else None
         dull = _OF_SPEEDS if name in _PLAINER else frozenset()
         also = tuple(each for each in families if each != name and each not in dull)
@@ -266,7 +271,7 @@ class Names:
                 continue
             if not (kinds & fitting if energetic else kinds - _OF_ENERGY):
                 continue
-            if any((law.law, variant.event.number) in judge.stated() for law in variant.laws):
+            if _contradicts(variant, judge.stated()):
                 continue
             if not _plausible(variant, judge.base):
                 continue
@@ -380,7 +385,12 @@ def _family_of(variant: VariantAt) -> str:
 
 def _contradicts(variant: VariantAt, stated: Stated) -> bool:
     """Whether a law that a variant replaces is stated rightly."""
-    return any((law.law, variant.event.number) in stated for law in variant.laws)
+    return any(
+        (law.law, variant.event.number) == (principle, event)
+        and (law.law != "unchanged" or not bodies or set(bodies) & set(law.bodies))
+        for law in variant.laws
+        for principle, event, bodies in stated
+    )
 
 
 def _plainly(entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction]) -> str | None:
@@ -628,6 +638,8 @@ def _mending(entry: Entry, judge: JudgedSoFar) -> Iterator[Correction]:
         return
     worlds = (judge.base, *judge.students())
     for correction in corrections(entry.claim):
+        if correction.claim.left == correction.claim.right:
+            continue  # w = w corrects nothing
         mended = Entry(entry.number, correction.claim, entry.meanings, entry.scope, entry.decimals)
         if any(_is_near(mended, world) and _holds(mended, world) for world in worlds):
             yield correction

@@ -78,7 +78,7 @@ class OwnValues(Holding):
         self.naming = naming
         self._names = names
         self._explained: dict[int, Explained] = {}
-        self._stated: set[tuple[str, int | None]] = set()
+        self._stated: set[tuple[str, int | None, tuple[str, ...]]] = set()
         self._own: tuple[int, tuple[World, ...]] = (-1, ())
         self._own_numbers = OwnNumbers()
         self._known_uses: dict[tuple[Claim, int, bool], tuple[Use, ...]] = {}
@@ -88,8 +88,8 @@ class OwnValues(Holding):
         """Whether a line so far is false."""
         return bool(self._own_numbers) or any(entry.wrong for entry in self.entries)
 
-    def stated(self) -> frozenset[tuple[str, int | None]]:
-        """The laws that a line above states rightly, each with its event."""
+    def stated(self) -> Stated:
+        """The laws that a line above states rightly, each with its event and its bodies."""
         return frozenset(self._stated)
 
     # --- worlds -------------------------------------------------------------------------------

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Apply, Expression, Name, Quantity, letters
@@ -25,20 +25,24 @@ def speaks_of_an_extreme(line: ScriptLine) -> bool:
 
 
 def supposed_in(
-    line: ScriptLine, base: World, meanings: Meanings, unknown: Collection[str]
+    supposed: Sequence[Claim],
+    line: ScriptLine,
+    base: World,
+    meanings: Meanings,
+    unknown: Collection[str],
 ) -> tuple[World, ...] | None:
     """The world in which what a line supposes holds, if there is one that can be worked out.
 
     None where it supposes nothing, or what holds in any case.
     """
-    if not line.supposed:
+    if not supposed:
         return None
     try:
-        if all(agrees(each, base, meanings, ()) for each in line.supposed):
+        if all(agrees(each, base, meanings, ()) for each in supposed):
             return None
     except RestitutionError:
         return None
-    claims = [each for each in line.supposed if each.sign == "="]
+    claims = [each for each in supposed if each.sign == "="]
     if not claims:
         return ()
     entries = [Entry(line.number, each, meanings, line.scope, right=False) for each in claims]

@@ -189,7 +189,7 @@ class Judge(Following):
             return JudgedLine(line, "unread")
         if line.kind in ("remark", "heading", "crossed") or not line.links:
             seen = dict.fromkeys(self._seen(line))
-            self._stated.update((use.principle, use.event) for use, _ in seen)
+            self._stated.update((use.principle, use.event, use.bodies) for use, _ in seen)
             stating = (use for use, value in seen if self._has_coefficient(value, line))
             return JudgedLine(line, "remark", uses=tuple(dict.fromkeys(stating)))
         line = self._with_axes(line)
@@ -207,7 +207,9 @@ class Judge(Following):
         uses = self._uses(line, links)
         if verdict == "true":
             # A value rests on laws, and states none.
-            self._stated |= {(use.principle, use.event) for use in uses[:1] if not use.altered}
+            self._stated |= {
+                (use.principle, use.event, use.bodies) for use in uses[:1] if not use.altered
+            }
         self._remember(line, links)
         return JudgedLine(
             line,
@@ -231,14 +233,18 @@ class Judge(Following):
         if speaks_of_an_extreme(line) and not self.question.extreme:
             return True
         unequal = any(claim.sign != "=" for claim in line.supposed)
+        if any(link.supposed and self._supposing(line, link) == () for link in line.links):
+            return True
         return unequal and self._supposing(line) is not None
 
-    def _supposing(self, line: ScriptLine) -> tuple[World, ...] | None:
-        return supposed_in(line, self._base, self.meanings(line.number), self.question.unknown)
+    def _supposing(self, line: ScriptLine, link: Link | None = None) -> tuple[World, ...] | None:
+        supposed = link.supposed if link is not None and link.supposed else line.supposed
+        meanings = self.meanings(line.number)
+        return supposed_in(supposed, line, self._base, meanings, self.question.unknown)
 
     def _under_condition(self, line: ScriptLine, link: Link) -> JudgedLink | None:
         """A relation that holds where the equation behind its *if* or *when* does."""
-        worlds = self._supposing(line)
+        worlds = self._supposing(line, link)
         held = self._holds(link, line, worlds) if worlds else None
         return None if held is None else JudgedLink("true", held[1], held[0])
 

@@ -28,6 +28,8 @@ from restitution.vector import Vector
 
 # Interpretations that are kept from item to item, and the best ways to satisfy one item.
 _WIDTH, _WAYS = 80, 60
+# Of those beyond, one in so many is kept that does best without the lines that break a law.
+_SOUND = 4
 # So many numbers are worked out at once, at most.
 # An item tells the meanings of so many letters at most, and a script is tried in so many ways.
 _MOST_OPEN = 5
@@ -368,7 +370,12 @@ def _pruned(states: Iterable[State], width: int) -> list[State]:
         known = best.get(state.options)
         if known is None or state.score > known.score:
             best[state.options] = state
-    return sorted(best.values(), key=lambda state: -state.score)[:width]
+    ranked = sorted(best.values(), key=lambda state: -state.score)
+    if len(ranked) <= width or not any(state.broken for state in ranked[:width]):
+        return ranked[:width]
+    # A letter that a false line gives a meaning may be another's by a line that is yet to come.
+    sound = sorted(ranked[width:], key=lambda state: sum(state.broken.values()) - state.score)
+    return ranked[:width] + sound[: width // _SOUND]
 
 
 def _extended(

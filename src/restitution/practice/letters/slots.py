@@ -76,7 +76,8 @@ def slot_of(
             chosen = candidate if sense > 0 else candidate.turned()
             nature = _nature(value)
             options.append(chosen)
-            roots.append(same)
+            # Letters that their lines define may have one value: r = u cos 45°, s = u sin 45°.
+            roots.append((letter, same) if candidate.kind == "definition" else same)
             turns.append(len(options) - 1 + (sense if candidate.sensed else 0))
             values[nature].append((len(options) - 1, value if sense > 0 else -value))
     if not options:

@@ -124,7 +124,9 @@ class _Examiner:
         for line, use in self._uses(point):
             if point.principle == "solve" and not line.grounded:
                 continue
-            if use.altered is None and _is_sound(line):
+            # What follows by a definition is worked out from his own values by the right one.
+            defined = line.verdict == "follows" and point.principle in _OF_VALUES
+            if (use.altered is None or defined) and _is_sound(line):
                 if line.verdict != "follows" or lost is None:
                     return self._earned(point, line, "")
                 continue
@@ -132,16 +134,24 @@ class _Examiner:
             if earns:
                 return self._earned(point, line, why)
             lost = lost or PointMark(point, "lost", line.line.number, why)
-        line_of_it = self._by_value(point) or self._condition(point)
+        line_of_it = self._by_value(point) or self._pointing(point) or self._condition(point)
         if line_of_it is not None:
             return self._earned(point, line_of_it, "")
         compared = self._compared(point)
         if compared is not None:
             return self._earned(point, compared, "")
         if lost is None and point.principle == "angle":
-            # The components may go out of the equations of two laws together.
+            # The components may go out of the equations of two laws together, or the angle is
+            # worked out to another line first.
             sound = (each for each in self.lines if each.verdict in _SOUND and each.grounded)
-            divided = next((each for each in sound if self.values.has_angle(point, each)), None)
+            divided = next(
+                (
+                    each
+                    for each in sound
+                    if self.values.has_angle(point, each) or self.values.works_out_an_angle(each)
+                ),
+                None,
+            )
             if divided is not None:
                 return self._earned(point, divided, "")
         if lost is None and point.principle in ("solve", "condition", "method"):
@@ -198,6 +208,12 @@ class _Examiner:
             ),
             None,
         )
+
+    def _pointing(self, point: MarkPoint) -> JudgedLine | None:
+        """A line in which the vector stands along which something points."""
+        if not self.values.is_pointing(point):
+            return None
+        return next((line for line in self.lines if self.values.shows(point, line)), None)
 
     def _condition(self, point: MarkPoint) -> JudgedLine | None:
         """A true line that is the condition of the question, with values put in."""
@@ -293,7 +309,8 @@ class _Examiner:
             alike = [each for each in self.scheme.points if each.item == point.item]
             if self.values.left_out(point, sound) > len(alike) - 1 - alike.index(point):
                 last = replace(last, state="lost", why="another value is possible as well")
-        if last is None and (self.values.is_velocity(point) or self.values.is_direction(point)):
+        seen_alone = (self.values.is_velocity, self.values.is_direction, self.values.is_pointing)
+        if last is None and any(each(point) for each in seen_alone):
             seen = next((each for each in self.lines if self.values.shows(point, each)), None)
             last = None if seen is None else self._earned(point, seen, "")
         if last is None:
@@ -370,7 +387,15 @@ class _Examiner:
         )
 
     def _is_eliminated(self, line: JudgedLine) -> bool:
-        return self.values.is_solved(line) or self.values.is_eliminated(line)
+        if self.values.is_solved(line) or self.values.is_eliminated(line):
+            return True
+        own = self.values.unknowns(line)
+        above = (each for each in self.lines if each.line.number < line.line.number)
+        return (
+            line.verdict == "follows"
+            and len(own) == 1
+            and sum(own < self.values.unknowns(each) for each in above) > 1
+        )
 
     # --- what a line uses -----------------------------------------------------------------------
 

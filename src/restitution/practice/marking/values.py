@@ -17,7 +17,7 @@ from typing import Literal
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.explaining.derivation import FLIPPED
+from restitution.explaining.derivation import FLIPPED, Link
 from restitution.explaining.trees import exchanged
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import (
@@ -208,6 +208,26 @@ class Values:
         names = [self.velocities_in(claim, line) for chain in _chains(line) for claim in chain]
         return any(len(each) == 1 for each in names)
 
+    def unknowns(self, line: JudgedLine) -> frozenset[Expression]:
+        """The letters and quantities of a line that an impact decides."""
+        return frozenset[Expression]().union(
+            *(self.velocities_in(claim, line) for chain in _chains(line) for claim in chain)
+        )
+
+    def works_out_an_angle(self, line: JudgedLine) -> bool:
+        """Whether a line works out an angle from a ratio of two numbers."""
+        return any(
+            isinstance(each, Apply)
+            and each.function in ("arctan", "arcsin", "arccos")
+            and isinstance(each.argument, Binary)
+            and each.argument.op == "/"
+            and is_bare(each.argument)
+            for chain in _chains(line)
+            for claim in chain
+            for side in (claim.left, claim.right)
+            for each in walk(side)
+        )
+
     def velocities_in(self, claim: Claim, line: JudgedLine) -> frozenset[Expression]:
         """The letters and quantities of a claim that an impact decides; none of the statement."""
         meanings = self._meanings(line)
@@ -235,11 +255,26 @@ class Values:
             return False
         if self.is_direction(point):
             return line.verdict in ("true", "remark") and any(
-                self._is_angle(value, link.left, line) for value in line.line.values
+                self._is_angle(value, link.left, line) or self._is_towards(value, link, line)
+                for value in line.line.values
+            )
+        if link.sign == "parallel to":
+            return line.verdict in ("true", "remark") and any(
+                self._is_towards(value, link, line) for value in line.line.values
             )
         return line.verdict == "remark" and any(
             self._is_worth(value, link.left, line) for value in line.line.values
         )
+
+    def _is_towards(self, value: Expression, link: Link, line: JudgedLine) -> bool:
+        """Whether a vector has the direction that a relation gives."""
+        if link.sign != "parallel to":
+            return False
+        return self._is_parallel(value, link.right, self._meanings(line), line)
+
+    def is_pointing(self, point: MarkPoint) -> bool:
+        """Whether a point is for the vector along which something points."""
+        return point.link is not None and point.link.sign == "parallel to" and not point.shown
 
     def is_direction(self, point: MarkPoint) -> bool:
         """Whether a point is for a direction."""

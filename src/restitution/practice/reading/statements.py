@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from itertools import pairwise, product
+from itertools import pairwise, permutations, product
 
 from restitution.expression.tree import (
     Apply,
@@ -57,8 +57,12 @@ _ENDING = frozenset(("so", "hence", "therefore", "=>", ";", "thus"))
 _WAY = re.compile(
     r"\s+(along|parallel|perp|perpendicular|across|left|right|up|down)\b(?!\s+to\b)", re.IGNORECASE
 )
-# The phrase that is the name of a law as well: ``momentum: 2u - 3w = -u``.
-_LAW = "the momentum"
+# Phrases that are names of laws as well: ``momentum: 2u - 3w = -u``, ``restitution: 6e = 4``.
+_LAW, _LAW_OF_RESTITUTION = "the momentum", "the restitution"
+# Words before a way that say of what it is one: ``CLM along the line of centres: 6 - 4 = v + 2``.
+_NAMES_OF_LAWS = frozenset(
+    ("clm", "colm", "pclm", "momentum", "mom", "com", "nel", "nlr", "nell", "nli", "restitution")
+)
 _WAYS = frozenset(("along", "parallel", "perp", "perpendicular", "across"))
 _TANGENTS = frozenset(("tangent", "tangential", "common"))
 _CENTRES = frozenset(("centres", "centers", "centre", "loc"))
@@ -120,7 +124,7 @@ def read_statements(
     reader = _Reader(usage, problem, number, line, past, whose)
     for place, segment in enumerate(segments):
         try:
-            reader.segment(segment, segments[place + 1 : place + 2])
+            reader.segment(segment, segments[place + 1 :])
         except UnreadableError as error:
             if segment.has_relation and reader.statements.fault is None:
                 reader.statements.fault = f"expected {error.expected}"
@@ -179,6 +183,9 @@ class _Reader:
         self.last_label = ""
         self.declared = Declarations(usage, problem)
         self.pending_letters: list[Letter] = []
+        self.case: tuple[Claim, ...] = ()
+        self.behind: Sequence[Segment] = ()
+        self.of_law = False
 
     def finish(self) -> None:
         """Puts together what was read."""
@@ -208,6 +215,9 @@ class _Reader:
     def segment(self, segment: Segment, following: Sequence[Segment]) -> None:
         """Reads a segment: a label, a value, or relations."""
         words = set(segment.before)
+        self.behind = following
+        if ";" in words:
+            self.case = ()
         if words & DECLARES:
             self.declares = True
         elif words & {"so", "hence", "therefore", "=>", ";", "then"}:
@@ -223,6 +233,7 @@ class _Reader:
             return
         if segment.is_phrase and self._is_label(segment, following):
             self.label = segment.tokens[0]
+            self.of_law = bool(words & _NAMES_OF_LAWS)
             return
         if _is_power_of_phrase(segment) and self._is_label(segment, following):
             self.power = self.sides(segment.tokens)
@@ -245,6 +256,10 @@ class _Reader:
             return
         if self.supposes or segment.rejected:
             self.supposed(segment)
+            return
+        if self._opens_a_case(segment, following):
+            self.case = tuple(self._claims_of(segment))
+            self.statements.values += tuple(each.right for each in self.case)
             return
         if is_identity(segment.tokens):
             return
@@ -273,12 +288,31 @@ class _Reader:
 
     def supposed(self, segment: Segment) -> None:
         """What stands behind *when* or *if* is no claim; its sides are values of a remark."""
+        sides, _ = sides_of(segment.tokens)
+        read = [self.sides(tokens)[0].tree for tokens in sides if tokens]
+        self.statements.values += tuple(read)
+        if self.supposes:
+            self.statements.supposed += tuple(self._claims_of(segment))
+
+    def _claims_of(self, segment: Segment) -> Iterator[Claim]:
+        """The relations of a segment in their first reading."""
         sides, signs = sides_of(segment.tokens)
-        read = [self.sides(tokens)[0].tree if tokens else None for tokens in sides]
-        self.statements.values += tuple(each for each in read if each is not None)
-        for sign, (left, right) in zip(signs, pairwise(read), strict=False):
-            if self.supposes and left is not None and right is not None:
-                self.statements.supposed += (Claim(left, sign, right),)
+        for sign, (left, right) in zip(signs, pairwise(sides), strict=False):
+            if left and right:
+                yield Claim(self.sides(left)[0].tree, sign, self.sides(right)[0].tree)
+
+    def _opens_a_case(self, segment: Segment, following: Sequence[Segment]) -> bool:
+        """Whether a letter of the question has a value, or a bound, for what is behind a colon.
+
+        ``e = 0: v = u/2; e = 1: v = 2u`` claims neither that e is 0 nor that it is 1.
+        """
+        if not following or following[0].before[:1] != (":",) or not following[0].has_relation:
+            return False
+        claims_ = list(self._claims_of(segment))
+        return len(claims_) == 1 and any(
+            isinstance(one, Letter) and one.name in self.usage.letters and is_numeric(other)
+            for one, other in permutations((claims_[0].left, claims_[0].right))
+        )
 
     def joined(self, before: Segment, behind: Segment, first: int, rather: bool) -> None:
         """Adds the readings of ``w = 0.6u v = 2`` as a chain to those of two relations."""
@@ -560,6 +594,11 @@ class _Reader:
             return
         label, self.label = self.label, None
         first = read[0][0].tree
+        if label.kind == "phrase" and (later := self._calculations()):
+            own = {each.value for each in sides[-1] if each.kind == "number"}
+            used = any(each.value in own for tokens in later for each in tokens)
+            self.label = label if used else None
+            return
         if label.kind == "name" or isinstance(first, Letter | Apply):
             self.declared.body = self.statements.body = self.body_of(label)
         known = frozenset[str]().union(*(letters(each.tree) for each in read[0]))
@@ -570,16 +609,37 @@ class _Reader:
             if evaluates and not product and self._is_moving(first) and self.body_of(label):
                 self.link(_vectors_of(label.name), "=", read[0], sides[0], label)
             return
-        evaluates = evaluates and not (_is_way(label) and self._is_sum_of_letters(first))
-        if label.name == _LAW:
+        evaluates = evaluates and not (
+            _is_way(label) and (self.of_law or self._is_sum_of_letters(first))
+        )
+        if label.name == _LAW or (label.name == _LAW_OF_RESTITUTION and letters(first)):
             return
         if evaluates and not isinstance(first, Letter) and not is_function(first):
             self.link((Side(Letter(label.name)),), "=", read[0], sides[0], label)
 
+    def _calculations(self) -> list[list[Token]]:
+        """The first sides of relations further on that work out numbers, and have no label.
+
+        What a label names comes last, ``deflection: arctan(4/3) = 53.1, 180 - 53.1 - 45 = 81.9``,
+        or is none of them.
+        """
+        found: list[list[Token]] = []
+        for segment in self.behind:
+            (first, *_), _ = sides_of(segment.tokens)
+            numeric = any(each.kind == "number" for each in first)
+            if any(each.kind in ("phrase", "name") for each in segment.tokens):
+                break
+            named = any(
+                each.kind == "letter" and each.name not in self.usage.letters for each in first
+            )
+            if segment.has_relation and numeric and len(first) > 1 and not named:
+                found.append(first)
+        return found
+
     def _is_sum_of_letters(self, tree: Expression) -> bool:
-        """Whether a side adds letters of the student's own: it is no value of a component."""
+        """Whether a side adds a letter of the student's own: it is no value of a component."""
         own = letters(tree) - self.usage.letters
-        return isinstance(tree, Binary) and tree.op in ("+", "-") and len(own) > 1
+        return isinstance(tree, Binary) and tree.op in ("+", "-") and bool(own)
 
     def alternative(
         self, segment: Segment, read: Sequence[tuple[Side, ...]], signs: Sequence[Sign]
@@ -611,7 +671,8 @@ class _Reader:
         readings = tuple(distinct)[:MAX_CLAIMS]
         start = min((each.column for each in whole), default=1)
         end = max((self.line.column(each.end) for each in whole), default=start)
-        self.links.append(Link(readings, start, end, tuple(decimals(tokens, readings))))
+        figures = tuple(decimals(tokens, readings))
+        self.links.append(Link(readings, start, end, figures, self.case))
 
     def with_factor(self, read: Sequence[tuple[Side, ...]]) -> list[tuple[Side, ...]]:
         """``5 + 7.5 = 12.5mu²``: the factor of the last side may belong to the sums before it."""
