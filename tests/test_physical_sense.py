@@ -267,3 +267,39 @@ find time(1)
 """
     ((_, result),) = restitution.solve(restitution.parse(text)).items()
     assert "P strikes W first" in str(result.error)
+
+
+BELOW = ("(u/2, -sqrt(3)*u/4)", "2*sqrt(3)*a/(3*u)")
+EAST = ("(sqrt(3)*u/4, -u/2)", "4*sqrt(3)*a/(3*u)")
+WEST = ("(-sqrt(3)*u/4, -u/2)", "2*sqrt(3)*a/(3*u)")
+# A wall, a place and what follows: half the component into the wall comes back, and the time is
+# the distance over that component, √3 u/2.
+SIDES = [
+    ("along i, through (0, 2a)", "(-3a, a)", BELOW),
+    ("along i, through (0, 2a)", "(b, a)", BELOW),
+    ("along 0°, through (a, 2a)", "(b, a)", BELOW),
+    ("from (-9a, 2a) to (9a, 2a)", "(-3a, a)", BELOW),
+    ("along -j, through (-2a, a)", "(0, 0)", EAST),
+    ("along -j, through (-2a, a)", "(-3a, a)", WEST),
+]
+
+
+@pytest.mark.parametrize(("wall", "place", "expected"), SIDES)
+def test_a_sphere_comes_at_a_wall_from_where_it_is(
+    wall: str, place: str, expected: tuple[str, str]
+) -> None:
+    text = f"""wall W: {wall}
+sphere P: mass m, velocity u at 60° to W, at {place}
+P hits W: e = 1/2
+find velocity(P), time(1)"""
+    (part,) = restitution.solve(restitution.parse(text)).parts.values()
+    velocity, time = (str(item.answers[0].exact).replace("'", "") for item in part.items)
+    assert (velocity, time) == expected
+
+
+def test_it_comes_from_the_left_where_no_place_tells_the_side() -> None:
+    text = """wall W: along i, through (0, b)
+sphere P: velocity u at 60° to W, at (0, c)
+P hits W: e = 1/2
+find velocity(P)"""
+    assert str(answer(text).answers[0].exact).replace("'", "") == "(u/2, sqrt(3)*u/4)"
