@@ -177,6 +177,22 @@ P hits BC: e = f
 given tan(alpha) = 3
 find angle(velocity(P), BC)
 """
+WHOLE_COMPONENT = """
+wall W: along i
+sphere P: mass 2, velocity v at theta to W
+P hits W
+given velocity(P) = 4i + 3j, impulse = 18
+find v, theta, e
+"""
+WHOLE_COMPONENT_BELOW = """
+point T: (12, 0)
+wall W: along i, through (0, 6)
+sphere P: velocity v at theta to W, at (0, 0)
+P hits W: e = 1/2
+P reaches T
+given time(2) = 3
+find v, time(1)
+"""
 AWAY = """
 sphere A: mass m, velocity 2u i
 sphere B: mass 2m, at rest
@@ -230,6 +246,8 @@ READINGS = [
     (UPRIGHT_AT_AN_END, "= 90° if e = ¼"),
     (UPRIGHT_AT_AN_END, "also if e = ¼, where δ = 90° − 45°"),
     (ANY_ANGLE, ", for f ≠ 0"),
+    (WHOLE_COMPONENT, " 3 = 6e "),
+    (WHOLE_COMPONENT_BELOW, "Substituting for v sin θ in (1):"),
     (AT_REST, "= ⅓, for f ≠ 0"),
     (AWAY, "tan δ = (√3 u/8)/(7u/8) = √3/7"),
     (AGAIN, "v₂ = 3u/4 < 9u/4 = w₂"),
@@ -274,6 +292,11 @@ def test_a_working_says(statement: str, words: str) -> None:
 
 def test_an_angle_that_is_always_acute_is_not_said_to_be_90() -> None:
     assert "90° if" not in text(NEVER_UPRIGHT)
+
+
+@pytest.mark.parametrize("statement", [WHOLE_COMPONENT, WHOLE_COMPONENT_BELOW])
+def test_a_component_that_is_known_is_not_taken_apart(statement: str) -> None:
+    assert "    sin θ = " not in text(statement)
 
 
 def test_impacts_of_other_bodies_are_not_counted() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
@@ -29,7 +29,7 @@ from restitution.explaining.derivation import (
     scopes_of,
 )
 from restitution.explaining.trees import statement_of
-from restitution.expression.tree import Expression, Quantity
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity
 from restitution.planning.forms import UnwrittenError, alike
 
 # These moves start from the line that is cited first.
@@ -284,6 +284,15 @@ class Desk:
             if all(self.holds(ref) for ref in each.refs):
                 return each
         return None
+
+    def components(self) -> Iterator[tuple[Expression, Source]]:
+        """The products of a letter and a ratio of an angle, such as v cos θ, that are known."""
+        for quantity in self._sources:
+            match quantity:
+                case Binary("*", Letter(), Apply("cos" | "sin")):
+                    source = self.known(quantity)
+                    if source is not None:
+                        yield quantity, source
 
     def loosen(self, letter: Expression, source: Source) -> None:
         """A letter that is known by a line is open again, and the line is an equation for it."""

@@ -117,6 +117,8 @@ def _polar(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     )
     if first is None or second is None or parts[0] == 0:
         return False
+    for line, kind, value in zip((first, second), ("cos", "sin"), parts, strict=True):
+        scene.desk.know(_product(v, theta, kind), value, (line,))
     tangent = tidy(parts[1] / parts[0])
     subject = Apply("tan", Letter(theta.name))
     quotient = chain(subject, (tree_of(tangent), None))
@@ -159,7 +161,7 @@ def _parted(scene: Scene, lines: Pair, v: sp.Symbol, theta: sp.Symbol) -> Pair:
         ((b * f - d * e) / whole, "cos", "sin"),
         ((c * e - a * f) / whole, "sin", "cos"),
     ):
-        tree = product(Letter(v.name), Apply(name, Letter(theta.name)))
+        tree = _product(v, theta, name)
         move = Move("combine", eliminated=f"{other}({theta.name})")
         parts.append(_write(scene, move, lines, chain(tree, (tree_of(tidy(value)), None))))
     first, second = parts
@@ -170,12 +172,16 @@ def _as_product(
     scene: Scene, line: int, v: sp.Symbol, theta: sp.Symbol, kind: str, value: sp.Expr
 ) -> int | None:
     """The line as ``V cos θ = A``."""
-    tree = product(Letter(v.name), Apply(kind, Letter(theta.name)))
+    tree = _product(v, theta, kind)
     relation = chain(tree, (tree_of(value), None))
     link = scene.desk.last_link(line)
     if tree == link.left:
         return line
     return _write(scene, Move("rearrange"), (line,), relation)
+
+
+def _product(v: sp.Symbol, theta: sp.Symbol, kind: str) -> Expression:
+    return product(Letter(v.name), Apply(kind, Letter(theta.name)))
 
 
 # --- one expressed by the other -----------------------------------------------------------------

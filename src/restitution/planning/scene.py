@@ -293,6 +293,8 @@ class Scene:
     def _with_values(self, own: sp.Expr) -> tuple[sp.Expr, tuple[Ref, ...]]:
         refs: list[Ref] = []
         times: dict[sp.Basic, int] = {}
+        own, whole = self._with_components(own)
+        refs += whole
         for _ in range(12):
             changes: dict[sp.Basic, sp.Expr] = {}
             ratios, bare = _ratios_and_letters(own)
@@ -317,6 +319,16 @@ class Scene:
                 break
             own = own.xreplace(changes)
         return own, together(refs)
+
+    def _with_components(self, own: sp.Expr) -> tuple[sp.Expr, Sequence[Ref]]:
+        """With the products v cos θ that are known put in whole, where nothing else has v and θ."""
+        refs: list[Ref] = []
+        for tree, source in self.desk.components():
+            component = self.scalar(tree)
+            put = own.subs(component, source.value)
+            if put != own and not component.free_symbols & put.free_symbols:
+                own, refs = put, [*refs, *source.refs]
+        return own, refs
 
     def _is_basic(self, symbol: sp.Basic) -> bool:
         """Whether a part says everything in terms of a letter, whatever other parts find it is."""
