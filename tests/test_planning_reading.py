@@ -236,7 +236,7 @@ READINGS = [
     (SHOWN, "magnitude of the impulse = √((9mu/2)² + (9mu/2)²)"),
     (OPPOSITE, "Comparing the two vectors: 𝐯_A = −2𝐯_B"),
     (UNKNOWN, "Let 𝐧₂ = (𝐢 + 2𝐣)/√5 be a unit vector perpendicular to X,"),
-    (SLANTED, "component of 𝐯₁ towards W = −(√3 u/5) cos 75° + (u/2) sin 75°"),
+    (SLANTED, "component of 𝐯₁ towards W = (u/2) sin 75° − (√3 u/5) cos 75°"),
     (COSINE, "the component in the direction of 𝐣 stays 40 × 0.8 = 32 m s⁻¹."),
     (START, "x-coordinate of P at the impact = h((u cos 45°)/(u sin 45°)) = h"),
     (LATER, "T = √5 ≈ 2.24 s"),
