@@ -82,6 +82,52 @@ find tan(alpha), speed(P)
         + "given energy(B) = energy(B, 0)\nfind e",
         ("e = (27√3 − 20)/(20 + 15√3) or e = −1",),
     ),
+    "a deflection that an offset tells, and its greatest value": (
+        """
+sphere A: mass m, velocity u i, radius a
+sphere B: mass m, at rest, radius a
+A hits B: offset d, e = 1/2
+find maximum of deflection(A) over d
+""",
+        (
+            "tan δ = (4d/√(4a² − d²) − d/√(4a² − d²))/(1 + 4d²/(4a² − d²))",
+            "tan δ ≤ ¾, as (4a² − 5d²)² ≥ 0",
+        ),
+    ),
+    "bounds of a square, and what it is the square of": (
+        """
+sphere A: mass m, velocity u i, radius a
+sphere B: mass m, at rest, radius a
+A hits B: offset d, e = 1/2
+given deflection(A) >= 30°
+find range of d
+""",
+        (
+            "4a⁴ − 21a²d² + 9d⁴ ≤ 0",
+            "(7 − √33)a²/6 ≤ d² ≤ (7 + √33)a²/6",
+            "((√33 − 3)a/6)² ≤ d² ≤ ((3 + √33)a/6)²",
+        ),
+    ),
+    "a component that is zero, and not what is the negative of it": (
+        """
+wall W: along theta
+sphere P: mass 1, velocity 2 i
+P hits W: e = 1/2
+given velocity(P) parallel to j
+find theta
+""",
+        ("2 cos²θ − sin²θ = 0",),
+    ),
+    "degrees by their tangent": (
+        """
+wall W: along j
+sphere P: mass 0.5, velocity 4 at 40° to W
+P hits W
+given angle(velocity(P), W) = 26°
+find e
+""",
+        ("e = (tan 26°)/tan 40°",),
+    ),
 }
 
 

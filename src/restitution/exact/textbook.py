@@ -159,13 +159,30 @@ def _with_bars(value: Mul) -> Expr:
 
 
 def _oriented(value: Expr) -> Expr:
-    """(1 − e)² for (e − 1)² throughout."""
+    """(1 − e)² for (e − 1)² throughout, and (2 − k²)/(1 + k²) for (k² − 2)/(−1 − k²)."""
     if value.is_Atom or not value.has(Add):
         return value
     arguments = [_oriented(argument) for argument in value.args]
+    if isinstance(value, Mul):
+        arguments = _without_minuses_below(arguments)
     if isinstance(value, Pow) and value.exp.is_even and isinstance(arguments[0], Add):
         arguments[0] = forward(arguments[0])
     return value if tuple(arguments) == value.args else rebuilt(value, arguments)
+
+
+def _without_minuses_below(factors: list[Expr]) -> list[Expr]:
+    """A sum of negative terms below a line changes its sign with a sum above the line."""
+    for n, below in enumerate(factors):
+        base, power = below.as_base_exp()
+        above = [m for m, each in enumerate(factors) if isinstance(each, Add)]
+        if (
+            above
+            and power == -1
+            and isinstance(base, Add)
+            and all(term.could_extract_minus_sign() for term in base.args)
+        ):
+            factors[n], factors[above[0]] = 1 / -base, -factors[above[0]]
+    return factors
 
 
 def forward(total: Expr) -> Expr:

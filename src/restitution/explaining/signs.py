@@ -177,8 +177,8 @@ def ratio(world: World, line: Quotient, expected: Quotient) -> Quotient | None:
     if by_root is not None:
         return by_root
     above, below = without_common(line.above, expected.above)
-    if below == expected.above:
-        return _squared(world, line, expected)  # they have no factor in common that could vanish
+    if below == expected.above:  # they have no factor in common that could vanish
+        return _ratio_with_a_root(world, line, expected) or _squared(world, line, expected)
     under, over = without_common(line.below, expected.below)
     return Quotient(*without_common(above * over, below * under))
 
@@ -220,6 +220,27 @@ def _ratio_of_leads(world: World, line: Quotient, expected: Quotient) -> Quotien
     if world.reduced(Quotient(a * lead_b - b * lead_a, a.ring.one)).vanishes:
         above, below = without_common(lead_a * expected.below, lead_b * line.below)
         return Quotient(above, below)
+    return None
+
+
+def _ratio_with_a_root(world: World, line: Quotient, expected: Quotient) -> Quotient | None:
+    """K where one of two is the other times roots that stand in it: their squares are no roots."""
+    one = line.above.ring.one
+    keys = world.keys(line.above, expected.above)
+    roots = [n for n, key in keys.items() if key[0] == "root" and not key[1].is_ground]
+    for own in (roots, *([n] for n in roots if len(roots) > 1)) if roots else ():
+        factor = one
+        for n in own:
+            factor *= line.above.ring.gens[n]
+        for a, b in ((factor, one), (one, factor)):
+            sides = [
+                world.reduced(Quotient(each.above * times, one))
+                for each, times in ((line, a), (expected, b))
+            ]
+            k = _ratio_of_leads(world, *sides)
+            if k is not None:
+                above, below = k.above * b * expected.below, k.below * a * line.below
+                return Quotient(*without_common(above, below))
     return None
 
 

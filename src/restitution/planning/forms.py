@@ -55,7 +55,7 @@ def neat(value: Any) -> Any:
         if not atom.args[0].is_Symbol and len(atom.args[0].free_symbols) == 1
     }
     if not multiples:
-        return tidy(own)
+        return _with_tangents(tidy(own))
     names = {
         multiple: sp.Dummy("angle", number, positive=True)
         for number, multiple in enumerate(sorted(multiples, key=sp.default_sort_key))
@@ -67,6 +67,24 @@ def neat(value: Any) -> Any:
     }
     back = {dummy: angle for angle, dummy in names.items()}
     return tidy(own.xreplace(functions)).xreplace(back)
+
+
+def _with_tangents(value: Any) -> Any:
+    """Tan 26° for sin 26°/cos 26°, in products of numbers."""
+    if not isinstance(value, sp.Expr) or value.is_Atom:
+        return value
+    if not any(not each.free_symbols for each in value.atoms(sp.cos)):
+        return value
+    if not isinstance(value, sp.Mul):
+        return value.func(*map(_with_tangents, value.args))
+    powers = value.as_powers_dict()
+    for sine in [each for each in powers if isinstance(each, sp.sin) and not each.free_symbols]:
+        cosine = sp.cos(sine.args[0])
+        if powers[sine] * powers.get(cosine, 0) == -1:
+            tangent = sp.tan(sine.args[0], evaluate=False)
+            value = value / sine ** powers[sine] / cosine ** powers[cosine]
+            value = value * tangent ** powers[sine]
+    return value
 
 
 def tree_of(value: Any, *, angle: bool = False, as_it_is: bool = False) -> Expression:

@@ -169,6 +169,13 @@ def _multiple(factor: sp.Expr, component: sp.Expr) -> Expression:
     return product(a, b) if factor != 0 else ZERO
 
 
+def _share(factor: sp.Expr, component: sp.Expr) -> Expression:
+    """The share of a component in a direction: −sin²θ, and not sin θ sin θ."""
+    if (component / factor).is_number:
+        return tree_of(tidy(factor * component))
+    return product(tree_of(factor), tree_of(component))
+
+
 def _across_a_frame(
     scene: Scene,
     each: GivenEquation,
@@ -188,7 +195,7 @@ def _across_a_frame(
     shares = [tidy(direction.dot(each)) for each in (frame.n, frame.t)]
     used = [(s, w) for s, w in zip(sources, shares, strict=True) if w != 0]
     used.sort(key=lambda term: tidy(term[0].value * term[1]).could_extract_minus_sign())
-    tree = total(product(tree_of(w), tree_of(s.value)) for s, w in used)
+    tree = total(_share(w, s.value) for s, w in used)
     refs = together(each.refs, about, *(s.refs for s, _ in used), frame.refs)
     return scene.desk.write(move, refs, Relation(((link(tree, ZERO),),)))
 
