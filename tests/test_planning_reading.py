@@ -193,6 +193,27 @@ P reaches T
 given time(2) = 3
 find v, time(1)
 """
+UPRIGHT_WITH_A_TANGENT = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+given tan(alpha) = 1/2, deflection(A) > 30°
+find range of e
+"""
+UPRIGHT_WHEN_INELASTIC = """
+sphere A, B: mass m
+sphere A: velocity u at 60°
+sphere B: velocity u at 120°
+A hits B: along i
+given angle(velocity(A), velocity(B)) = arctan(4/3)
+find e
+"""
+LATER_THAN = """
+wall W: along j, through (d, 0)
+sphere A: mass m, at (0, 0), velocity u i
+A hits W: e = e
+find time(1), position(A, at T)
+"""
 AWAY = """
 sphere A: mass m, velocity 2u i
 sphere B: mass 2m, at rest
@@ -249,6 +270,9 @@ READINGS = [
     (WHOLE_COMPONENT, " 3 = 6e "),
     (WHOLE_COMPONENT_BELOW, "Substituting for v sin θ in (1):"),
     (AT_REST, "= ⅓, for f ≠ 0"),
+    (UPRIGHT_WITH_A_TANGENT, "= (1 + e)/(3 − 2e), also if e = 1, where δ = 90° − α"),
+    (UPRIGHT_WHEN_INELASTIC, "/e, and β = 90° if e = 0"),
+    (LATER_THAN, "= (d + e(d − Tu))𝐢 for T ≥ d/u"),
     (AWAY, "tan δ = (√3 u/8)/(7u/8) = √3/7"),
     (AGAIN, "v₂ = 3u/4 < 9u/4 = w₂"),
     (BOUNDED, " m s⁻¹ < speed of B < "),

@@ -267,3 +267,85 @@ A hits B: along i, e = 1/3
 find energy_lost(1), energy_lost(2), total_energy_lost
 """
     assert said(text)[-1] == "total_energy_lost(2) = 12 + 16/3 = 52/3 [rearrange]"
+
+
+def test_a_component_that_is_known_is_put_in_as_it_is() -> None:
+    text = """
+sphere A: mass 3m, velocity v at theta
+sphere B: mass m, velocity -2u i
+A hits B: along i, e = 1/2
+given velocity(A) = u j
+find v, theta, velocity(B)
+"""
+    own = said(text)
+    assert own[-2] == "x = 8u/5"
+    assert not any(each.startswith("cos(theta) =") for each in own)
+    assert "Substituting for v cos θ in (2)" in printed(text)
+
+
+def test_a_time_is_that_of_the_whole_way_where_no_impact_changes_a_component() -> None:
+    text = """
+point N: (8, 2)
+wall W: along i, through (0, 0)
+sphere P: at (0, 2), velocity u at -alpha
+P hits W: e = 1/2
+P reaches N
+find alpha, time(2)
+"""
+    assert said(text)[-1] == "time(2) = 8/(4u/5) = 10/u [rearrange]"
+    assert "which no impact changes: t = 8/(4u/5)" in printed(text)
+
+
+def test_a_time_is_added_of_ways_of_which_one_is_asked() -> None:
+    text = """
+point N: (8, 2)
+wall W: along i, through (0, 0)
+sphere P: at (0, 2), velocity u at -alpha
+P hits W: e = 1/2
+P reaches N
+find alpha, time(1), time(2)
+"""
+    assert said(text)[-1] == "time(2) = 10/(3u) + 20/(3u) = 10/u [rearrange]"
+
+
+def test_squares_on_both_sides_are_not_multiplied_out() -> None:
+    text = """
+sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+A hits B: along i, e = 1/2
+given speed(A) = u/3
+find k
+"""
+    own = said(text)
+    assert "(2(1 + k) - 3(2 - k)) (2(1 + k) + 3(2 - k)) = 0" in own
+    assert "(5k - 4) (8 - k) = 0" in own
+    assert own[-1] == "k = 8 or k = 4/5"
+
+
+def test_a_square_below_a_line_is_made_the_subject() -> None:
+    text = """
+sphere A: mass m, velocity u at 45°
+sphere B: mass 2m, at rest
+A hits B: along i
+find velocity(A) in terms of u, e
+given angle(velocity(A), line_of_centres) = arctan(4)
+find e
+"""
+    assert "(1 - 2e)^2 = 9/16" in said(text)
+
+
+def test_a_factor_that_both_parts_of_a_quotient_have_goes_before_roots_are_sought() -> None:
+    text = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given deflection(P) = 90°, energy_lost = 1/4 energy(0)
+find e
+"""
+    own = said(text)
+    assert own[-4:] == [
+        "sin^2(alpha) = 1/(1 + e)",
+        "(1 - e^2)/(1 + e) = 1/4",
+        "1 - e = 1/4",
+        "e = 3/4",
+    ]

@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 import sympy as sp
 from answers import disagreements, expected
 
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import read_relation
 from restitution.export.answers import answers
 from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
 from restitution.solving import solve
+from restitution.solving.letters import roles
+from restitution.workings import explain, to_text
 
 WALL = "wall W: along i\nsphere P: mass m, velocity u at theta to W\nP hits W\n"
 REST = """sphere A: mass {}, velocity u at theta
@@ -160,6 +168,49 @@ find range of v/u
 @pytest.mark.parametrize("text", CASES.values(), ids=CASES.keys())
 def test_ends(text: str) -> None:
     assert disagreements(solve(parse(text)), expected(text)) == []
+
+
+def test_where_a_least_value_is_reached_has_to_exist() -> None:
+    """A goes on with (1 - ek)u cos(alpha)/(1 + k), which vanishes for no k where e = 0."""
+    text = """sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i
+find minimum of speed(A) over k"""
+    solution = solve(parse(text))
+    (result,) = solution.parts[None].items
+    (answer,) = result.answers
+    assert answer.condition == ("0 < e",)
+    assert answer.display == "u sin α when k = 1/e, for e > 0"
+    assert "when k = 1/e A1 This holds for e > 0 only." in " ".join(
+        to_text(explain(solution)).split()
+    )
+
+
+def test_an_extreme_that_is_reached_at_both_ends() -> None:
+    """A has (1 - 2e)u/6 along the line of centres: as fast where e = 0 as where e = 1."""
+    text = """sphere A: mass m, velocity u at 60°
+sphere B: mass 2m, at rest
+A hits B: along i
+find maximum of speed(A) over e, minimum of speed(A) over e"""
+    solution = solve(parse(text))
+    greatest, least = solution.parts[None].items
+    assert greatest.display == "√7 u/3 = 0.882u when e = 0 or e = 1"
+    assert least.display.endswith(" when e = ½")
+    assert "≈ 0.882u, when e = 0 or e = 1" in to_text(explain(solution))
+    derivation = plan(solution)
+    oracle = Oracle(roles(solution.problem))
+    assert follow(derivation, oracle) == ()
+    last = next(e.line for e in derivation.items if e.item == "1")
+    wrong = [
+        replace(
+            each,
+            relation=read_relation("e != 1/3 or speed(A, 1) = sqrt(7) u/3", {"A": "sphere"}),
+        )
+        if each.number == derivation.lines[last - 1].premises[-1]
+        else each
+        for each in derivation.lines
+    ]
+    assert follow(replace(derivation, lines=tuple(wrong)), oracle)
 
 
 # Both grow with what they are sought over, which has no upper end.

@@ -385,8 +385,11 @@ class Reader:
     def _is_condition(self, line: Line, ref: Ref) -> bool:
         """Whether a premise is a condition that is given, among those that a line joins.
 
-        It is one of them even if the others imply it.
+        It is one of them even if the others imply it. So is one of several places at which a
+        greatest or least value is reached.
         """
+        if line.move.id == "answer" and line.move.record in ("greatest", "least"):
+            return len(line.premises) > 2 and ref != line.premises[0]
         if line.move.id != "compare" or not isinstance(ref, int):
             return False
         if self._keeps_its_range(line, ref):

@@ -290,8 +290,16 @@ def _sought(work: Work, line: Line) -> bool:
 
 
 def _of_facts(work: Work, line: Line) -> bool:
-    """It rests on the statement alone, and on what letters stand for."""
-    return all(isinstance(each.relation, Meaning) for each in work.cited(line))
+    """It rests on the statement alone, and on what letters stand for.
+
+    The energy of all may rest on that of each that the statement tells.
+    """
+    whole = line.move.record == "total"
+    return all(
+        isinstance(each.relation, Meaning)
+        or (whole and each.move.record == "energy" and _of_facts(work, each))
+        for each in work.cited(line)
+    )
 
 
 def _in_letters(work: Work, line: Line) -> bool:

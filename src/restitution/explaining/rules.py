@@ -101,6 +101,8 @@ class Rules:
             others = [k for k in keys.values() if k != key and k[0] not in roots]
             if single and (not others or key[0] == "sin"):
                 return n, power
+            if single and key[0] == "cos" and all(k[0] == "letter" for k in others):
+                return n, power
             if not single and plane and key[0] in ("x", "y") and power == 1:
                 return n, power
         return None

@@ -770,7 +770,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "derived.either": "{values:or}",
     "derived.both": "{values:and}",
-    "derived.for": "when {place}",
+    "derived.for": "when {places:or}",
+    "derived.from-then": "for {time}",
     "derived.acute": "{angle} is acute",
     "derived.positive": "{letter} is positive",
     "derived.fact": "{fact}",
@@ -808,6 +809,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "velocity times the time since."
     ),
     "distance.coordinates": "Distance, from the coordinates",
+    "flight.whole-way": "Time = distance ÷ speed in that direction, which no impact changes",
     "flight.time": "Time = distance ÷ speed in that direction",
     "flight.time-of": "Time = distance ÷ speed in that direction, for {body}",
     "flight.at-once": "{bodies:and} are at one place at the start",

@@ -43,9 +43,12 @@ from restitution.solving.solution import Answer, ItemResult
 _TO_FORM = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
 
 
-def only_answer(result: ItemResult) -> Answer:
-    """The one answer of an item. Raises NotPlannedError where there are several, or conditions."""
-    if len(result.distinct) != 1 or result.distinct[0].condition:
+def only_answer(result: ItemResult, *, always: bool = False) -> Answer:
+    """The one answer of an item, which is one ``always``, for all letters, if so wanted.
+
+    Raises NotPlannedError where there is none.
+    """
+    if len(result.distinct) != 1 or (always and result.distinct[0].condition):
         raise NotPlannedError("an answer in cases")
     return result.distinct[0]
 
@@ -340,11 +343,28 @@ class _Extremum:
         there = self._place(line, self.end.left, self.lets)
         if there is None or not self.judge.follows(self.move, [bound, there], self._relation):
             return None
-        return self.scene.desk.write(self.move, [bound, there], self._relation)
+        others = self._other_places(line, there)
+        return self.scene.desk.write(self.move, [bound, there, *others], self._relation)
 
-    def _place(self, line: int, subject: Expression, named: Sequence[Ref] = ()) -> int | None:
-        """The line that says what the value is at the place where it is greatest or least."""
+    def _other_places(self, line: int, there: int) -> list[int]:
+        """The lines of the other places at which the value is reached, those of numbers."""
+        if self.angle or not self.attained:
+            return []
+        own = self.scene.desk.relation(there).options[0][0]
+        others: list[int] = []
         for place in self._places(line):
+            if place.left != own.left or place.right == own.right or letters(place.right):
+                continue
+            more = self._place(line, self.end.left, self.lets, place)
+            if more is not None and more not in (there, *others):
+                others.append(more)
+        return others
+
+    def _place(
+        self, line: int, subject: Expression, named: Sequence[Ref] = (), only: Link | None = None
+    ) -> int | None:
+        """The line that says what the value is at the place where it is greatest or least."""
+        for place in self._places(line) if only is None else (only,):
             form = self.end.right if self.end.left == subject else tree_of(self.value)
             value = Link(subject, "=", form)
             unless = Link(place.left, "!=", place.right)

@@ -21,6 +21,7 @@ from restitution.planning.places import (
     time_of,
 )
 from restitution.planning.scene import Scene
+from restitution.planning.steady import time_at_one_pace
 from restitution.planning.whereabouts import are_apart, standing, without_walls
 from restitution.vector import Vector
 
@@ -52,7 +53,7 @@ def write(scene: Scene, asked: Expression) -> tuple[int, Any]:
     """
     match asked:
         case Quantity("time", (), int(number)):
-            source = time_of(scene, number)
+            source = time_at_one_pace(scene, number) or time_of(scene, number)
         case Quantity("along", (Quantity("position", (Name(body),), int(stage)), Unit(axis))):
             source = coordinate(scene, body, stage, axis)
             if not any(isinstance(ref, int) for ref in source.refs):

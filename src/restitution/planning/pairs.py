@@ -20,7 +20,7 @@ from restitution.planning.closing import close, with_known
 from restitution.planning.collecting import multiplied_out
 from restitution.planning.desk import NotPlannedError, chain
 from restitution.planning.forms import ONE, product, square, swept, total, tree_of
-from restitution.planning.impacts import residual
+from restitution.planning.impacts import residual, scene_value
 from restitution.planning.polynomials import numerator
 from restitution.planning.premises import background
 from restitution.planning.ratios import inside_functions, inverse
@@ -247,9 +247,36 @@ def _square_expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
             continue
         subject = square(Apply(type(ratio).__name__, Letter(x.name)))
         move = Move("identity", "pythagoras")
-        if _put_in(scene, lines, unknowns, subject, value, move):
+        whole = _as_multiple(scene, lines[1], other, 1 - place, subject)
+        if _put_in(scene, (lines[0], whole), unknowns, subject, value, move):
             return True
     return False
+
+
+def _as_multiple(scene: Scene, line: int, own: sp.Poly, place: int, subject: Expression) -> int:
+    """An equation of one square of a ratio as a multiple of that, in factors; else as it stands.
+
+    It is written from the line that was multiplied out, where that was done.
+    """
+    above = own.coeff_monomial(own.gens[place] ** 2)
+    rest = own.coeff_monomial(1)
+    factor = sp.factor(above)
+    if len(own.monoms()) != 2 or rest == 0 or not factor.is_Mul or not above.is_Add:
+        return line
+    size = sp.factor_list(above)[0]
+    size = -size if scene.model.sign(-rest / size) < 0 else size
+    multiple = sp.expand(above / size)
+    tree = product(tree_of(multiple), subject)
+    relation = chain(tree, (tree_of(tidy(-rest / size)), None))
+    source = scene.desk.line(line)
+    first = [ref for ref in source.premises if isinstance(ref, int)]
+    start = first[0] if source.move.id in ("rearrange", "cancel") and len(first) == 1 else line
+    for each in (start, line):
+        for move in (Move("rearrange"), Move("cancel")):
+            written = _write(scene, move, (each,), relation)
+            if written is not None:
+                return written
+    return line
 
 
 def _put_in(
@@ -271,9 +298,29 @@ def _put_in(
     put = _write(scene, Move("put"), (lines[1], expressed), relation)
     if put is None:
         return False
-    close(scene, put, y)
+    close(scene, _reduced(scene, put), y)
     close(scene, expressed, x)
     return True
+
+
+def _reduced(scene: Scene, line: int) -> int:
+    """An equation without a factor that stands above and below a line on one side of it."""
+    link = scene.desk.last_link(line)
+    sides = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
+    if not all(each.is_rational_function() for each in sides):
+        return line
+    plain = [sp.cancel(each) for each in sides]
+    if not any(
+        not sp.fraction(sp.together(a))[1].is_number and sp.fraction(b)[1].is_number
+        for a, b in zip(sides, plain, strict=True)
+    ):
+        return line
+    relation = Relation(((Link(tree_of(tidy(plain[0])), "=", tree_of(tidy(plain[1]))),),))
+    for move in (Move("rearrange"), Move("cancel")):
+        written = _write(scene, move, (line,), relation)
+        if written is not None:
+            return written
+    return line
 
 
 def _with(tree: Expression, subject: Expression, value: Expression) -> Expression:

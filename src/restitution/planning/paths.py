@@ -34,6 +34,7 @@ from restitution.planning.places import (
 from restitution.planning.premises import background
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.steady import steady_axis
 from restitution.planning.whereabouts import (
     axis_for,
     contact_of,
@@ -145,26 +146,16 @@ def _steady(scene: Scene, body: str, number: int) -> Steady | None:
 
     None on a way without an impact: there both directions are alike.
     """
-    since = last_move(scene, body, number)
     times = [
         each
         for each in scene.given
         if each.link == Link(time_tree(number), "=", each.link.right)
         and not has_quantity(each.link.right)
     ]
-    if not since or not times or "start" not in scene.facts or start(scene)[0]:
+    if not times or _by_a_circle(scene, body, number):
         return None
-    if _by_a_circle(scene, body, number) or scene.model.story.place(body, 0) is None:
-        return None
-    for axis in AXES:
-        paces, stage = [], since
-        while stage:
-            paces.append(without_walls(scene, value_of_velocity(scene, body, stage, axis)))
-            stage = last_move(scene, body, stage)
-        first = value_of_velocity(scene, body, 0, axis)
-        if first != 0 and all(pace == first for pace in paces):
-            return Steady(axis, times[0])
-    return None
+    axis = steady_axis(scene, body, number)
+    return None if axis is None else Steady(axis, times[0])
 
 
 def _over_the_whole_time(scene: Scene, body: str, number: int, steady: Steady) -> sp.Expr:

@@ -122,7 +122,7 @@ class _Refutation:
                 sides = relation_of(asked, self.result).options[0]
                 write_range(scene, solver, asked, relation_of(asked, self.result), name)
             case Extremum():
-                true = only_answer(self.result)
+                true = only_answer(self.result, always=True)
                 sides = (Link(asked, "=", tree_of(true.value, angle=true.angle)),)
                 write_extremum(
                     scene, solver, subject.kind, asked, subject.over, true, true.value, name

@@ -51,7 +51,7 @@ def _of_one_square(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     if any(symbol.name in letters(each) for each in sides):
         return None
     left, right = (scene_value(scene, each, {"_sum": x}) for each in sides)
-    gap = sp.expand(left - right)
+    gap = sp.expand(sp.fraction(sp.together(left - right))[0])
     if not gap.is_polynomial(x):
         return None
     power = int(sp.degree(gap, x))
@@ -165,7 +165,33 @@ def _of_two_squares(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     if left is None or right is None:
         return None
     relation = Relation(((Link(left, "=", swept(right)),),))
-    return _write(scene, number, relation)
+    return _write(scene, number, relation) or _as_a_product(scene, number, symbol, left, right)
+
+
+def _as_a_product(
+    scene: Scene, number: int, symbol: sp.Symbol, left: Expression, right: Expression
+) -> int | None:
+    """Where either root may be meant: the difference of two squares as a product that is zero."""
+    one, other = (sp.sympify(scene_value(scene, each), strict=True) for each in (left, right))
+    below = sp.lcm(*(sp.fraction(sp.together(each))[1] for each in (one, other)))
+    parts = [sp.cancel(each * below) for each in (one, other)]
+    common = sp.gcd(*parts)
+    parts = [sp.cancel(each / common) for each in parts]
+    if not all(each.is_polynomial(symbol) and sp.degree(each, symbol) <= 1 for each in parts):
+        return None
+    if any(each.free_symbols - {symbol} or not each.has(symbol) for each in parts):
+        return None
+    trees = [tree_of(sp.factor_terms(each)) for each in parts]
+    factors = Binary("-", *trees), Binary("+", *trees)
+    zero = Number(Fraction(0))
+    line = _write(scene, number, Relation(((Link(Binary("*", *factors), "=", zero),),)))
+    if line is None:
+        return None
+    sums = (sp.expand(parts[0] - parts[1]), sp.expand(parts[0] + parts[1]))
+    if not all(sp.degree(each, symbol) == 1 for each in sums):
+        return line
+    plain = Binary("*", *(tree_of(each.primitive()[1]) for each in sums))
+    return _write(scene, line, Relation(((Link(plain, "=", zero),),))) or line
 
 
 def _root_of(tree: Expression) -> Expression | None:

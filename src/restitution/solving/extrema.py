@@ -12,8 +12,10 @@ from restitution.errors import ContradictionError, ImpossibleError, UnsupportedE
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.oracle import BeyondError, Oracle, Proof, Relation
+from restitution.oracle.roles import Role
 from restitution.problem import Extremum
 from restitution.render.layout import (
+    Layout,
     Phrase,
     Words,
     display,
@@ -32,9 +34,13 @@ from restitution.solving.ranges import require_stated, values_of_trials
 from restitution.solving.regions import DRAWS, DRAWS_TRIED, Region
 from restitution.solving.setting import Trial
 from restitution.solving.solution import Answer, ItemResult
+from restitution.solving.validity import defined, with_condition
 
 Extreme = tuple[Candidate, bool, Enclosed, Sample]
 """The best candidate, whether it is reached, its value at some data, and these data."""
+
+Best = tuple[Extreme, tuple[sp.Expr, ...]]
+"""The extreme of one solution, and the further numbers at which it is reached."""
 
 
 def find_extremum(
@@ -55,7 +61,7 @@ def find_extremum(
     angles = {n for n, role in setting.roles.items() if role.kind == "angle"}
     angle = is_angle(item.expression, angles, walls)
     sign = 1 if item.kind == "maximum" else -1
-    candidates: list[tuple[Trial, Extreme]] = []
+    candidates: list[tuple[Trial, Best]] = []
     values: dict[int, sp.Expr] = {}
     for trial, value in values_of_trials(outcome, item.expression, now, f"the {item.kind}"):
         values[id(trial)] = value
@@ -64,7 +70,9 @@ def find_extremum(
             candidates.append((trial, best))
     if not candidates:
         raise ContradictionError("no values satisfy all that is told")
-    trial, (candidate, reached, _, _) = max(candidates, key=lambda each: sign * each[1][2])
+    trial, ((candidate, reached, _, _), further) = max(
+        candidates, key=lambda each: sign * each[1][0][2]
+    )
     if candidate.value.is_infinite:
         grows = "grows" if candidate.value == sp.oo else "falls"
         raise ImpossibleError(f"it has no {item.kind}: it {grows} without bound")
@@ -74,13 +82,15 @@ def find_extremum(
     place = forms.bound(candidate.where[name])
     role = setting.roles[name]
     symbol = role.symbol(name)
-    where = (
+    there = (
         equation(symbol, from_sympy(place))
         if place.is_infinite
         else display_named(symbol, place, angle=role.kind == "angle")
     )
-    if not reached:
-        where = replace(where, signs=("→", *where.signs[1:]))
+    where: Layout = there if reached else replace(there, signs=("→", *there.signs[1:]))
+    if further:
+        others = (display_named(symbol, each, angle=role.kind == "angle") for each in further)
+        where = Phrase((where, *others), " or ")
     most = display(value, angle=angle, percentage=item.percentage)
     layout = Phrase((most, Words("when" if reached else "approached as"), where))
     answer = Answer(
@@ -94,6 +104,8 @@ def find_extremum(
         angle,
         layout,
     )
+    if reached and not place.is_infinite:
+        answer = with_condition(answer, layout, defined(outcome, trial, (place,)))
     proof = _proved(replace(outcome, trials=(trial,)), values[id(trial)], candidate, reached, sign)
     return ItemResult(item, line, item.text, "extremum", (answer,), proof=proof)
 
@@ -116,19 +128,27 @@ def _proved(outcome: Outcome, value: sp.Expr, best: Candidate, reached: bool, si
     return verdict.proof if verdict else "undecided"
 
 
-def _best(outcome: Outcome, value: sp.Expr, name: str, sign: int) -> Extreme | None:
+def _further(
+    region: Region, candidates: list[Candidate], best: Candidate, data: Sample
+) -> tuple[sp.Expr, ...]:
+    """The other numbers at which an extremum is reached: both ends, say."""
+    places: list[sp.Expr] = []
+    for candidate in candidates:
+        place = candidate.where[region.letter]
+        if place == best.where[region.letter] or not place.is_number or place.is_infinite:
+            continue
+        same = candidate.value == best.value and is_near(region, candidate, data)
+        if same and is_reached(region, candidate, data) and place not in places:
+            places.append(place)
+    return tuple(places)
+
+
+def _best(outcome: Outcome, value: sp.Expr, name: str, sign: int) -> Best | None:
     region = Region(outcome, name)
-    roles = {**outcome.setting.roles, **outcome.letters.hidden_roles}
-    symbol = region.symbol
-    if not value.has(symbol):
+    roles = _roles(outcome)
+    if not value.has(region.symbol):
         raise UnsupportedError(f"the quantity does not depend on {name}")
-    points = turning(value, symbol, roles)
-    points += region.critical
-    points += [-sp.oo] * (region.role.low is None) + [sp.oo] * (region.role.high is None)
-    candidates = []
-    for point in dict.fromkeys(points):
-        for at_point, sides in limits(value, symbol, point, region.role):
-            candidates.append(Candidate(at_point, {name: point}, sides))
+    candidates = _candidates(region, value)
     data = region.data()
     rng = random.Random(31)
     winners: list[Extreme] = []
@@ -144,7 +164,24 @@ def _best(outcome: Outcome, value: sp.Expr, name: str, sign: int) -> Extreme | N
     first = winners[0]
     if any(winner[0] != first[0] for winner in winners[1:]):
         raise UnsupportedError("where the extremum lies depends on the values of the data")
-    return first
+    best, reached, _, drawn = first
+    return first, _further(region, candidates, best, drawn) if reached else ()
+
+
+def _roles(outcome: Outcome) -> dict[str, Role]:
+    return {**outcome.setting.roles, **outcome.letters.hidden_roles}
+
+
+def _candidates(region: Region, value: sp.Expr) -> list[Candidate]:
+    """What a quantity comes to where it may be greatest or least: it turns, or is at an end."""
+    points = turning(value, region.symbol, _roles(region.outcome))
+    points += region.critical
+    points += [-sp.oo] * (region.role.low is None) + [sp.oo] * (region.role.high is None)
+    return [
+        Candidate(at_point, {region.letter: point}, sides)
+        for point in dict.fromkeys(points)
+        for at_point, sides in limits(value, region.symbol, point, region.role)
+    ]
 
 
 def _winner(

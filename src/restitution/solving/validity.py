@@ -7,8 +7,9 @@ of one letter, with ends in the others.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import sympy as sp
 
@@ -78,6 +79,32 @@ def range_limitations(outcome: Outcome, region: Region, values: sp.Set) -> tuple
     if base.decide(gap.formula):
         return ()
     return tuple(_limits(outcome, region.trials[0], base, [gap]))
+
+
+def defined(outcome: Outcome, trial: Trial, values: Iterable[sp.Expr]) -> tuple[Limitation, ...]:
+    """For which letters values exist: no divisor is zero, and no root is that of less than zero."""
+    demands: list[Demand] = []
+    for power in {each for value in values for each in value.atoms(sp.Pow)}:
+        inside, exponent = power.as_base_exp()
+        if not inside.free_symbols or not exponent.is_Rational:
+            continue
+        if exponent < 0 or not exponent.is_Integer:
+            sign: Literal[">=", "!=", ">"] = (
+                ">=" if exponent > 0 else "!=" if exponent.is_Integer else ">"
+            )
+            demands.append(Demand(Relation(inside, sign), "", "fact"))
+    admission = trial.admission
+    if not demands or admission is None:
+        return ()
+    base = Oracle(admission.roles, presupposed(outcome))
+    rest = [
+        each
+        for each in demands
+        if _is_of_visible_letters(each)
+        and letters_of(each.formula) <= admission.roles.keys()
+        and not base.decide(each.formula)
+    ]
+    return tuple(_limits(outcome, trial, base, _needed(base, rest)))
 
 
 def _gap(values: sp.Interval) -> Demand | None:

@@ -40,10 +40,8 @@ def extreme(
     places = [place for place, _ in reached_there]
     if line.move.record != "approached":
         called = operand(naming.extreme(link.left, greatest=greatest))
-        where = tuple(
-            say("derived.for", place=naming.relation(Relation(((place,),)))) for place in places
-        )
-        return called, "=", where
+        where = tuple(naming.relation(Relation(((place,),))) for place in places)
+        return called, "=", (say("derived.for", places=where),) if where else ()
     none: SentenceId = "extremum.no-greatest" if greatest else "extremum.no-least"
     name: SentenceId = "extremum.approached" if shown else none
     return (

@@ -27,6 +27,8 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
     one = naming.movers == 1
     if is_time(left) and is_zero(line.relation.options[0][-1].right):
         return say("flight.at-once", bodies=naming.events[line.move.event or 0].bodies)
+    if _is_of_the_whole_way(naming, line, left):
+        return say("flight.whole-way")
     if is_time(left) or (isinstance(left, Letter) and _names_a_time(derivation, left)):
         return say("flight.time") if one else say("flight.time-of", body=body)
     if isinstance(left, Quantity) and left.kind == "position":
@@ -41,6 +43,15 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
     if _tells_a_time(derivation, line):
         return say("flight.title") if one else say("flight.title-of", body=body)
     return say("flight.same-time")
+
+
+def _is_of_the_whole_way(naming: Naming, line: Line, left: Expression) -> bool:
+    """Whether a time from the start is that of several ways at one component."""
+    if not (isinstance(left, Quantity) and left.kind == "time" and "start" in line.premises):
+        return False
+    body, number = line.move.bodies[0], line.move.event or 0
+    events = (each for each in naming.events.values() if each.number < number)
+    return any(body in each.bodies and each.kind != "arrival" for each in events)
 
 
 def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:

@@ -47,6 +47,7 @@ from restitution.workings.equality import place_of_zero
 from restitution.workings.factors import factor_cancelled
 from restitution.workings.grounds import grounds_of, motion_of
 from restitution.workings.growing import growth, limit_at_an_end, way_of
+from restitution.workings.later_times import later_than
 from restitution.workings.naming import Naming
 from restitution.workings.right_angles import RightAngles
 from restitution.workings.seen import growth_said
@@ -80,6 +81,9 @@ class Reasons:
         vertical = self._right_angles.of(line)
         if vertical is not None:
             return (vertical,)
+        since = later_than(self._derivation, self._naming, line)
+        if since is not None:
+            return (since,)
         grounds = tuple(map(self._ground, grounds_of(self._derivation, self._roles, line)))
         reasoned = line.move.id in _REASONED or self._ordered(line) or self._is_root(line)
         reasoned = reasoned or any(self._cleared(line))

@@ -94,7 +94,7 @@ class RightAngles:
             return None
         tangent = sp.tan(sp.expand(at)) if at.has(sp.pi) else None
         known = value.subs(sp.Symbol(vertical.left.name), root)
-        if tangent is None or tidy(sp.expand_trig(tangent) - known) != 0:
+        if tangent is None or tidy(self._given_in(sp.expand_trig(tangent), line) - known) != 0:
             return None
         where = Relation(((vertical,),))
         turned = Relation(((Link(turn, "=", there),),))
@@ -103,6 +103,18 @@ class RightAngles:
             at=self._naming.relation(where),
             angle=self._naming.relation(turned),
         )
+
+    def _given_in(self, value: sp.Expr, line: Line) -> sp.Expr:
+        """A value in tangents of letters, those put in that a line takes from the data."""
+        facts = [self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str)]
+        for fact in facts:
+            match None if fact is None else fact.relation:
+                case Relation(((Link(Apply("tan", Letter(name)), "=", right),),)):
+                    known = in_letters_alone(right)
+                    if known is not None:
+                        angle = sp.Symbol(name)
+                        value = value.subs({sp.tan(angle): known, sp.cot(angle): 1 / known})
+        return sp.sympify(value, strict=True)
 
     def _pole(self, line: Line) -> _Pole | None:
         """Where the angle whose tangent a line gives has none, if the letters may be so."""

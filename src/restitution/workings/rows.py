@@ -87,7 +87,7 @@ class Rows:
             place, value = reached
             row = self._chain(line, value)
             where = self._naming.relation(Relation(((place,),)))
-            yield replace(row, reasons=(say("derived.for", place=where),))
+            yield replace(row, reasons=(say("derived.for", places=(where,)),))
             return
         if len(options) > 1:
             yield self._alternatives(options, self._ends.of(line) is not None)

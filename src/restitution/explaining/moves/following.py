@@ -208,12 +208,16 @@ def stands(step: Step, relation: Relation) -> bool:
     """The answer of an item: what the line before it says.
 
     That a value is the greatest or the least takes two lines: a bound, and where it is reached.
+    It may be reached at several places, a line each.
     """
     base = base_of(step)
-    if base is None or len(step.cited) != (2 if step.move.record else 1):
+    places = step.cited[1:]
+    if base is None or bool(places) != bool(step.move.record):
         return False
     if step.move.record:
-        return relation == base and is_attained(step, relation, step.cited[1].relation)
+        return relation == base and all(
+            is_attained(step, relation, each.relation) for each in places
+        )
     return relation == base or _by_links(step.under(move=replace(step.move, id="put")), relation)
 
 
