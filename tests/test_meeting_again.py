@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from restitution.errors import RestitutionError
 from restitution.language import parse
 from restitution.solving import ItemResult, solve
 
@@ -114,3 +115,31 @@ def test_several_walls() -> None:
     text = walls.format("i").replace("P hits V\nP hits W", "P hits V: e = 1/2\nP hits W: e = 1/2")
     assert only(text + "show P hits V again").holds is False
     assert only(text + "show P hits W again").holds is False
+
+
+BACK_FROM_A_WALL = """
+wall W: {wall}
+sphere A: mass 3m, velocity 2u i
+sphere B: mass m, {before}
+A hits B: along i, e = 1/3
+B hits W: e = 1/2
+A hits B: e = 0
+find velocity(A), velocity(B)
+"""
+
+
+def test_spheres_that_keep_to_their_line_meet_again_on_it() -> None:
+    # 4u/3 and 2u, back with -u; together 3m * 4u/3 - mu = 4m * 3u/4.
+    text = BACK_FROM_A_WALL.format(wall="along j", before="at rest")
+    (part,) = solve(parse(text)).parts.values()
+    assert [str(item.answers[0].exact) for item in part.items] == ["('3*u/4', '0')"] * 2
+
+
+@pytest.mark.parametrize(
+    ("wall", "before"),
+    [("along j", "velocity u j"), ("along 60°", "at rest")],
+    ids=["they pass each other", "the wall turns one aside"],
+)
+def test_spheres_that_leave_their_line_have_another(wall: str, before: str) -> None:
+    (part,) = solve(parse(BACK_FROM_A_WALL.format(wall=wall, before=before))).parts.values()
+    assert all(isinstance(item.error, RestitutionError) for item in part.items)

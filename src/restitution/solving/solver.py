@@ -10,8 +10,8 @@ from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.language.checking import check
 from restitution.problem import Compare, Given, Problem, Relation, Show, trees_of_step
 from restitution.solving.part import Desk
-from restitution.solving.sides import with_sides
 from restitution.solving.solution import ItemResult, PartSolution, Solution
+from restitution.solving.unsaid import with_unsaid
 from restitution.solving.worker import Worker, asks
 
 
@@ -27,7 +27,7 @@ def solve(problem: Problem, time_limit: float | None = None) -> Solution:
     check(problem)
     limit = None if time_limit is None else f"no answer within the time limit of {time_limit:g} s"
     with work.limited(time_limit, error=None if limit is None else TimeLimitError(limit)):
-        return _solved(with_sides(problem))
+        return _solved(with_unsaid(problem))
 
 
 def _solved(problem: Problem) -> Solution:
