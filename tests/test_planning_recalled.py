@@ -349,3 +349,18 @@ find e
         "1 - e = 1/4",
         "e = 3/4",
     ]
+
+
+def test_a_speed_that_was_asked_is_what_is_given_of_it_later() -> None:
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, velocity -u i
+A hits B: along i
+given cos(alpha) = 4/5
+part a
+find speed(A) in terms of u, e
+part b
+given speed(A) = sqrt(13)/5 u
+find e
+"""
+    assert "(sqrt(13)/5 u)^2 = u^2(13 + 24e + 36e^2)/25" in said(text)

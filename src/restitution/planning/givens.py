@@ -29,7 +29,7 @@ from restitution.planning import journeys, place_trees
 from restitution.planning.angle_sums import is_sum, stated, write_sum
 from restitution.planning.between import terms_between
 from restitution.planning.deflections import cosine_of_deflection, write_deflection
-from restitution.planning.desk import NotPlannedError, chain, link, together
+from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.equal_angles import write_equal_angles
 from restitution.planning.expressions import outermost, size_of
 from restitution.planning.forms import (
@@ -194,8 +194,10 @@ def _quoted_as(scene: Scene, each: GivenEquation, subject: Expression) -> int | 
     if has_quantity(each.link.right):
         return None
     known = scene.desk.known(subject)
-    if known is None or not scene.unknown(known.value) or _has_root(known.value):
+    if known is None or not scene.unknown(known.value):
         return None
+    if _has_root(known.value):
+        return _squared_as(scene, each, subject, known)
     value, refs = scene.put(known.value)
     right, more = scene.put(scene.scalar(each.link.right))
     if turned and (more or right == sp.pi / 2):
@@ -213,6 +215,28 @@ def _quoted_as(scene: Scene, each: GivenEquation, subject: Expression) -> int | 
         together(each.lets, lets, refs, more),
     )
     return None if premises is None else scene.desk.write(Move("put"), premises, relation)
+
+
+def _squared_as(
+    scene: Scene, each: GivenEquation, subject: Expression, known: Source
+) -> int | None:
+    """What is given of a speed that stands as one root: the squares are equal; None of another."""
+    value, refs = scene.put(known.value)
+    squared = tidy(value**2)
+    _, more = scene.put(scene.scalar(each.link.right))
+    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    if refs or more or _has_root(squared) or len(lines) != 1:
+        return None
+    if not isinstance(subject, Quantity) or subject.kind != "speed":
+        return None
+    names = {symbol.name for symbol in squared.free_symbols}
+    pool = (lines[0], *background(scene, names))
+    relation = chain(square(subject), (tree_of(squared), None))
+    line = scene.judge.write((Move("rearrange"),), pool, relation)
+    if line is None:
+        return None
+    relation = chain(square(each.link.right), (tree_of(squared), None))
+    return scene.judge.write((Move("put"),), (line, each.fact.id, *each.lets), relation)
 
 
 def _in_cosines(each: GivenEquation) -> GivenEquation:
