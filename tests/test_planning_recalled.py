@@ -363,4 +363,18 @@ part b
 given speed(A) = sqrt(13)/5 u
 find e
 """
-    assert "(sqrt(13)/5 u)^2 = u^2(13 + 24e + 36e^2)/25" in said(text)
+    assert "It is given that the speed of A is (√13/5)u: ((√13/5)u)² = u²(13 + 24e" in printed(text)
+
+
+def test_the_angle_of_the_data_with_a_radius_has_no_other_letter() -> None:
+    text = """
+wall C: circle centre (0, 0) radius a
+sphere P: mass m, at (a, 0), velocity u at 180° - theta
+P hits C: e = e
+P hits C: e = e
+P reaches (a, 0)
+find tan(theta)
+"""
+    told = printed(text)
+    assert "θ + φ = 90° − ψ" in told
+    assert "Let β" not in told

@@ -8,13 +8,13 @@ before it over the coefficient of restitution between.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, Ref
+from restitution.explaining.derivation import Meaning, Move, Ref
 from restitution.explaining.trees import exchanged
 from restitution.expression.tree import (
     Apply,
@@ -144,7 +144,13 @@ def _same_angle(
     relation = chain(Letter(letter), (other, None))
     pool = [f"0° <= {letter} <= 90°", f"acute: {other.name}"]
     refs = scene.judge.enough(Move("inverse"), (line,), relation, pool)
-    return None if refs is None else (other, scene.desk.write(Move("inverse"), refs, relation))
+    if refs is None:
+        return None
+    lines = scene.desk.lines
+    for n, each in enumerate(lines):
+        if isinstance(each.relation, Meaning) and each.relation.letter == letter:
+            lines[n] = replace(each, shown="silent")
+    return other, scene.desk.write(Move("inverse"), refs, relation, "silent")
 
 
 def _tangent(
@@ -170,6 +176,8 @@ def _tangent(
         Move("define", "tan", event, (body,)),
         together(refs),
         chain(Apply("tan", Letter(letter)), (right, None), (tree_of(worth), "rearrange")),
+        # The angle is that of the data, with which the components are written.
+        "silent" if isinstance(worth, sp.tan) and worth.args[0].is_Symbol else "line",
     )
     return worth, number
 
