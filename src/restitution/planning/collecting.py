@@ -6,14 +6,24 @@ common factor, brackets, an unknown in several terms or below a line) gets a lin
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import permutations
 
 import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Negate, is_zero, walk
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    is_zero,
+    letters,
+    walk,
+)
 from restitution.planning.desk import chain
 from restitution.planning.forms import (
     alike,
@@ -41,22 +51,84 @@ def multiplied_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
     link = scene.desk.last_link(line)
     if link.sign != "=" or any(_is_plain(link, each.name) for each in symbols):
         return line
+    line = _with_plain_squares(scene, line)
+    link = scene.desk.last_link(line)
     sides = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
     generators = _of_all(sides, symbols)
     if generators is None:
         return line
+    tangents = _tangents(link, sides, symbols)
+    for angle, t in tangents.items():
+        c = sp.cos(angle)
+        sides = [sp.cancel(each.xreplace({sp.sin(angle): t * c})) for each in sides]
     for ratios in (True, False):
         polynomials = _without_common(tuple(sides), generators, ratios)
-        own = None if polynomials is None else _written(scene, line, polynomials, symbols)
+        own = None if polynomials is None else _written(scene, line, polynomials, symbols, tangents)
         if own is not None:
             return own
     return line
 
 
+def _tangents(
+    link: Link, sides: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]
+) -> dict[sp.Symbol, sp.Symbol]:
+    """Letters for the tangents of other angles, of which no sine and no cosine is written."""
+    ratios = [
+        node
+        for side in (link.left, link.right)
+        for node in walk(side)
+        if isinstance(node, Apply) and isinstance(node.argument, Letter)
+    ]
+    others = {node.argument for node in ratios if node.function in ("sin", "cos")}
+    names = {e.argument.name for e in ratios if e.function == "tan" and e.argument not in others}
+    inside = {symbol for side in sides for symbol in side.free_symbols} - set(symbols)
+    own = [symbol for symbol in inside if symbol.name in names]
+    return {symbol: sp.Symbol(f"tan {symbol}", positive=True) for symbol in own}
+
+
+def _with_plain_squares(scene: Scene, line: int) -> int:
+    """The line with what is squared in its shortest form, where a quotient was put into it."""
+    link = scene.desk.last_link(line)
+
+    def plain(node: Expression) -> Expression:
+        if not isinstance(node, Binary) or node.op != "^" or node.right != number(2):
+            return node
+        if not _has_quotient_in_a_sum(node.left):
+            return node
+        own = tree_of(tidy(sp.expand(cancelled(scene_value(scene, node.left)))))
+        own = own.operand if isinstance(own, Negate) else own
+        return Binary("^", own, node.right) if len(walk(own)) < len(walk(node.left)) else node
+
+    left, right = (rebuilt(each, plain) for each in (link.left, link.right))
+    if (left, right) == (link.left, link.right):
+        return line
+    names = {each.name for each in residual(scene, line).free_symbols}
+    relation = chain(left, (right, None))
+    refs = scene.judge.enough(Move("rearrange"), (line,), relation, background(scene, names))
+    return line if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
+
+
+def _has_quotient_in_a_sum(tree: Expression) -> bool:
+    """Whether a quotient with letters below stands in a sum."""
+    return any(
+        isinstance(node, Binary)
+        and node.op in ("+", "-")
+        and any(isinstance(e, Binary) and e.op == "/" and letters(e.right) for e in walk(node))
+        for node in walk(tree)
+    )
+
+
 def _written(
-    scene: Scene, line: int, polynomials: Polynomials, symbols: Sequence[sp.Symbol]
+    scene: Scene,
+    line: int,
+    polynomials: Polynomials,
+    symbols: Sequence[sp.Symbol],
+    tangents: Mapping[sp.Symbol, sp.Symbol],
 ) -> int | None:
-    """The line with both sides as these polynomials; None where it does not follow."""
+    """The line with both sides as these polynomials; None where it does not follow.
+
+    ``tangents`` are letters that stand for those of angles.
+    """
     link = scene.desk.last_link(line)
     sides = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
     generators = polynomials[0].gens
@@ -66,7 +138,11 @@ def _written(
     (symbol, *others) = symbols
     if not others and len(generators) == 2 and _is_of_tangents(link, symbol.name):
         polynomials, generators = _in_tangents(polynomials), (sp.tan(symbol),)
-    left, right = _sides(scene, polynomials, generators)
+    back = {Letter(t.name): Apply("tan", Letter(angle.name)) for angle, t in tangents.items()}
+    left, right = (
+        rebuilt(side, lambda each: back.get(each, each))  # type: ignore[call-overload]
+        for side in _sides(scene, polynomials, generators)
+    )
     relation = chain(left, (right, None))
     if (
         is_zero(left)
