@@ -26,6 +26,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.desk import chain
 from restitution.planning.forms import (
+    ONE,
     alike,
     difference,
     number,
@@ -52,6 +53,7 @@ def multiplied_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
     if link.sign != "=" or any(_is_plain(link, each.name) for each in symbols):
         return line
     line = _with_plain_squares(scene, line)
+    line = _across(scene, line, symbols)
     link = scene.desk.last_link(line)
     sides = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
     generators = _of_all(sides, symbols)
@@ -106,6 +108,31 @@ def _with_plain_squares(scene: Scene, line: int) -> int:
     relation = chain(left, (right, None))
     refs = scene.judge.enough(Move("rearrange"), (line,), relation, background(scene, names))
     return line if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
+
+
+def _across(scene: Scene, line: int, symbols: Sequence[sp.Symbol]) -> int:
+    """The line without a quotient that has a square with the unknown above, and it below too."""
+    link = scene.desk.last_link(line)
+    for near, far in ((link.left, link.right), (link.right, link.left)):
+        match near:
+            case Binary("/", above, below) if all(
+                _has(each, symbol.name) for each in (above, below) for symbol in symbols
+            ):
+                pass
+            case _:
+                continue
+        squares = [e for e in walk(above) if isinstance(e, Binary) and e.op == "^"]
+        sums = [e for e in squares if isinstance(e.left, Binary) and e.left.op in ("+", "-")]
+        if not sums or any(_has(far, symbol.name) for symbol in symbols):
+            continue
+        top, bottom = (
+            (far.left, far.right) if isinstance(far, Binary) and far.op == "/" else (far, ONE)
+        )
+        relation = chain(product(top, below), (product(bottom, above), None))
+        names = {each.name for each in residual(scene, line).free_symbols}
+        refs = scene.judge.enough(Move("rearrange"), (line,), relation, background(scene, names))
+        return line if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
+    return line
 
 
 def _has_quotient_in_a_sum(tree: Expression) -> bool:

@@ -40,7 +40,7 @@ from restitution.planning.forms import (
 from restitution.planning.frames import Frame
 from restitution.planning.scene import Scene
 from restitution.planning.vectors import velocity_given
-from restitution.problem import Impact
+from restitution.problem import Find, Impact, Value
 from restitution.vector import Vector
 
 # --- components ---------------------------------------------------------------------------------
@@ -278,7 +278,11 @@ def settled(scene: Scene, tree: Expression) -> Source | None:
     if value == known.value or len(lines) != 1:
         return known
     (line,) = lines
-    if _is_plain(known.value, value) and scene.desk.is_of_this_part(line):
+    if (
+        _is_plain(known.value, value)
+        and scene.desk.is_of_this_part(line)
+        and not _is_asked(scene, tree)
+    ):
         return known
     link = scene.desk.last_link(line)
     if link.left != tree and (link.right != tree or value.free_symbols):
@@ -286,6 +290,13 @@ def settled(scene: Scene, tree: Expression) -> Source | None:
     move = Move("put")
     line = scene.desk.write(move, (line, *refs), chain(tree, (tree_of(value), None)))
     return scene.desk.know(tree, value, (line,))
+
+
+def _is_asked(scene: Scene, tree: Expression) -> bool:
+    """Whether a letter is asked: its value then stands before it is used."""
+    asked = [item for step in scene.part.steps if isinstance(step, Find) for item in step.items]
+    values = [item.expression for item in asked if isinstance(item, Value)]
+    return isinstance(tree, Letter) and tree in values
 
 
 # With a denominator up to this, numbers are multiplied in one's head.

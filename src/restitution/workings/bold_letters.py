@@ -412,6 +412,12 @@ def _value(tree: Expression, known: Mapping[str, Role], values: Mapping[str, sp.
     return sp.sympify(evaluate(tree, symbol), strict=True)
 
 
+def unit_vector(tree: Expression) -> Expression | None:
+    """A unit vector as multiples of **i** and **j** over its length; None of what is no vector."""
+    direction = _in_numbers(tree)
+    return None if direction is None else _tree_of_unit(direction)
+
+
 def _tree_of_unit(direction: Vector) -> Expression:
     """A unit vector as whole numbers of **i** and **j** over its length, where it is one."""
     whole, length = _whole(direction)
@@ -427,4 +433,4 @@ def _whole(direction: Vector) -> tuple[Vector, sp.Expr]:
     return Vector(*(tidy(each * length) for each in direction)), length
 
 
-__all__ = ["BoldLetters", "Used"]
+__all__ = ["BoldLetters", "Used", "unit_vector"]

@@ -32,6 +32,7 @@ from restitution.problem import Value
 from restitution.render import layout as lay
 from restitution.render.text import to_text
 from restitution.solving.letters import roles
+from restitution.workings.bold_letters import unit_vector
 from restitution.workings.ends import Ends
 from restitution.workings.extremes import EXTREMA, extreme, value_reached
 from restitution.workings.measured import (
@@ -209,6 +210,9 @@ class Rows:
                 self._measures.decimals
             ):
                 trees[1] = Binary("/", as_decimal(above), as_decimal(below))
+        match links[0]:
+            case Link(Quantity("line_of_centres"), "=") if not self._measures.decimals:
+                trees[1:] = [unit_vector(each) or each for each in trees[1:]]
         sides = [self._naming.layout(tree) for tree in trees]
         match trees:
             case [Binary("/", Quantity(), Quantity()), Binary("/", Number() as above, below), *_]:
