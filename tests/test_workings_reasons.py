@@ -246,6 +246,62 @@ SAYS = {
         ),
         ["is opposite to 𝐮, as e > 0, as required."],
     ),
+    # 𝐯_A = (√2u/6)(−𝐢 + 3𝐣) and 𝐯_B = (√2u/3)𝐢, with e = 1, k = 2 and α = 45°.
+    "two velocities that are not perpendicular have a scalar product": (
+        REST.format(angle="alpha", m="k m", e="") + "show velocity(A) perpendicular to velocity(B)",
+        ["is not perpendicular to 𝐯_B in general: with", "so 𝐯_A · 𝐯_B = ", "≠ 0."],
+    ),
+    # sin γ = 3/5 = d/10.
+    "a unit vector has one form": (
+        (
+            "sphere A: mass 2m, velocity 3u i, radius 5\nsphere B: mass m, at rest, radius 5\n"
+            "A hits B: offset d, e = 1/4\ngiven angle(line_of_centres, i) = arcsin(3/5), d > 0\n"
+            "find d, velocity(B)"
+        ),
+        ["unit vector along the line of centres = (4𝐢 + 3𝐣)/5", "((4𝐢 + 3𝐣)/5)"],
+    ),
+    "a unit vector has another letter than the time": (
+        (
+            "wall W: along 4i + 3j, through (0, 0)\nsphere P: mass 1, at (0, 2), velocity i - j\n"
+            "P hits W: e = 1/2\nfind time(1), velocity(P)"
+        ),
+        ["𝐧 = (3𝐢 − 4𝐣)/5", "𝐬 = (4𝐢 + 3𝐣)/5", "𝐮_P · 𝐬 = (4 − 3)/5 = ⅕ m s⁻¹"],
+    ),
+    # The angle of 𝐮 = u𝐢 + 2u𝐣 and 𝐯_A = v𝐢 + 2u𝐣, before u² goes.
+    "a quotient of squares is multiplied by what stands below": (
+        (
+            "sphere A: mass m, velocity u i + 2u j\nsphere B: mass m, velocity -3u i\n"
+            "A hits B: along i\ngiven cos(deflection(A)) = 1/sqrt(10)\nfind e"
+        ),
+        ["(u² + (2u)²)(v² + (2u)²) = 10(uv + 2u × 2u)²", "v² + 16uv + 28u² = 0"],
+    ),
+    # tan 2α = tan β, where tan β = (1 + k) tan α/(1 − ek).
+    "tangents stay tangents where an equation is multiplied out": (
+        REST.format(angle="alpha", m="k m", e="")
+        + "given deflection(A) = alpha\nfind k in terms of e, alpha",
+        ["tan²α + 1 + (tan²α − e)k = (1 + e)k", "k = 1/(2(1 + e) cos²α − 1)"],
+    ),
+    # e = 3/(2 cos α) − 1, so v = 5 cos α − 5.
+    "what is squared is in its shortest form first": (
+        (
+            "sphere A: mass m, velocity 5 at alpha\nsphere B: mass 2m, at rest\nA hits B: along i\n"
+            "given speed(A) = 3, speed(B) = 5/2\nfind e, alpha"
+        ),
+        ["= (5(1 − cos α))² + (5 sin α)²", "50 cos α = 41"],
+    ),
+    "a letter that is asked stands before it is used": (
+        (
+            "sphere A: mass m, velocity u at 60°\nsphere B: mass m, at rest\nA hits B: along i\n"
+            "let v = along(velocity(A), i)\nlet w = along(velocity(B), i)\ngiven w = 3v\n"
+            "find e, v, w"
+        ),
+        ["v = u/8", "w = 3u/8", "3u/8 − u/8 = eu cos 60°"],
+    ),
+    # 𝐯_P = (k² − 2, 3k)u/(2(1 + k²)), with the other sign along i.
+    "nothing but minuses stands below a line": (
+        "wall W: along i + k j\nsphere P: velocity u i\nP hits W: e = 1/2\nfind velocity(P)",
+        ["𝐯_P = ", "(u(2 − k²)/(2(k² + 1)))𝐢"],
+    ),
     "an extremum that is only approached is a bound": (
         (
             "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W: e = 1/2\n"

@@ -529,6 +529,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "refuted.direction-instance": (
         "{claim} in general: with {values:and}, for instance, {sides:and}."
     ),
+    "refuted.product-instance": (
+        "{claim} in general: with {values:and}, for instance, {sides:and}, so {product}."
+    ),
     "refuted.opposite": "So {claim}, and the claim is not true.",
     "refuted.opposite-above": "It is not true that {claim}, as shown above.",
     "refuted.plainly": "It is not true that {claim}.",

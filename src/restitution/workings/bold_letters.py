@@ -56,6 +56,8 @@ _UNITS = {
     (True, "along"): "units.along-wall",
     (True, "across"): "units.across-wall",
 }
+# The letters of unit vectors, along a line and across it.
+_LETTERS = {"along": ("n", "p", "q"), "across": ("t", "s", "r")}
 _FROM_THE_FIRST = {"both": "units.both-from", "along": "units.along-from"}
 _RADIAL = {
     "both": "units.both-circle",
@@ -179,7 +181,7 @@ class BoldLetters:
 
     def has_unit(self, number: int) -> bool:
         """Whether the line of an event has unit vectors."""
-        if self._directions.get(number) is None or {"n", "t"} & self.taken:
+        if self._directions.get(number) is None or None in map(self._free, _LETTERS):
             return False
         event = self._events[number]
         if event.wall and not self._is_told_by_the_wall(event.bodies[0]):
@@ -191,6 +193,10 @@ class BoldLetters:
             if other.wall == event.wall and self._directions.get(other.number) is not None
             for body in other.bodies
         )
+
+    def _free(self, kind: str) -> str | None:
+        """The letter of a unit vector: another one where the first stands for a time."""
+        return next((each for each in _LETTERS[kind] if each not in self.taken), None)
 
     def _is_told_by_the_wall(self, body: str) -> bool:
         """Whether a velocity at the start is given by its angle with a wall."""
@@ -276,7 +282,7 @@ class BoldLetters:
         subscript = str(number) if len(events) > 1 else ""
         equations: list[lay.Layout] = []
         for kind in kinds:
-            letter = lay.Bold("n" if kind == "along" else "t", subscript)
+            letter = lay.Bold(self._free(kind) or "", subscript)
             self._units[number, kind] = letter
             axis = direction if kind == "along" else direction.turned_left()
             value = self.layout(_tree_of_unit(axis))

@@ -16,7 +16,7 @@ from restitution.explaining.trees import rebuilt
 from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import Expression, Negate, Quantity, has_quantity, letters
 from restitution.oracle import REAL, Oracle, compared
-from restitution.planning.forms import product, tree_of
+from restitution.planning.forms import ZERO, product, tree_of
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Show
 from restitution.render import layout as lay
 from restitution.render.text import to_text
@@ -102,7 +102,12 @@ def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -
             if not note.instance:
                 return _apart(denied, how, trees, note, derivation, naming)
             if values and sides:
-                return say("refuted.direction-instance", claim=denied, values=values, sides=sides)
+                slots: dict[str, Any] = {"claim": denied, "values": values, "sides": sides}
+                product = _scalar_product(note) if how == "perpendicular to" else None
+                if product is not None:
+                    slots["product"] = naming.relation(Relation((product,)))
+                    return say("refuted.product-instance", **slots)
+                return say("refuted.direction-instance", **slots)
             return say("refuted.direction", claim=denied)
         case Meets() if not values and note.lines:
             line = derivation.line(note.lines[-1])
@@ -255,6 +260,23 @@ def _may_agree(claimed: Expression, value: Expression) -> bool:
     if not all(isinstance(end, sp.Expr) and end != 0 for end in ends):
         return True
     return bool(tidy(ends[0] / ends[1]).free_symbols)
+
+
+def _scalar_product(note: Note) -> tuple[Link, ...] | None:
+    """The scalar product of the two velocities of an instance, which is not zero."""
+    if len(note.sides) != 2 or any(not isinstance(e.left, Quantity) for e in note.sides):
+        return None
+    try:
+        vectors = [in_letters(each.right, positive=True) for each in note.sides]
+    except RestitutionError:
+        return None
+    if not all(isinstance(each, Vector) for each in vectors):
+        return None
+    value = tidy(vectors[0].dot(vectors[1]))
+    whole = Quantity("dot", tuple(each.left for each in note.sides))
+    if value == 0:
+        return None
+    return Link(whole, "=", tree_of(value)), Link(tree_of(value), "!=", ZERO)
 
 
 def _differ(claimed: Expression, value: Expression, naming: Naming) -> bool:
