@@ -156,7 +156,7 @@ SAYS = {
             "wall W: along theta\nsphere P: mass 1, velocity 2i\nP hits W: e = 1/2\n"
             "given theta > 0°, theta < 90°, velocity(P) parallel to j\nfind tan(theta)"
         ),
-        ["so the component in the direction of 𝐢 is\nzero:", "cos θ × 2 cos θ − sin θ sin θ = 0"],
+        ["so the component in the direction of 𝐢 is\nzero:", "2 cos²θ − sin²θ = 0"],
     ),
     # (1 + e)² k cos²α = (1 − ek)² cos²α + (1 + k)² sin²α.
     "terms of one ratio stand on one side before its tangent": (

@@ -75,14 +75,13 @@ def _tangents(
     link: Link, sides: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]
 ) -> dict[sp.Symbol, sp.Symbol]:
     """Letters for the tangents of other angles, of which no sine and no cosine is written."""
-    ratios = [
-        node
-        for side in (link.left, link.right)
-        for node in walk(side)
-        if isinstance(node, Apply) and isinstance(node.argument, Letter)
-    ]
-    others = {node.argument for node in ratios if node.function in ("sin", "cos")}
-    names = {e.argument.name for e in ratios if e.function == "tan" and e.argument not in others}
+    names: set[str] = set()
+    others: set[str] = set()
+    for node in (*walk(link.left), *walk(link.right)):
+        match node:
+            case Apply(function, Letter(name)):
+                (names if function == "tan" else others).add(name)
+    names -= others
     inside = {symbol for side in sides for symbol in side.free_symbols} - set(symbols)
     own = [symbol for symbol in inside if symbol.name in names]
     return {symbol: sp.Symbol(f"tan {symbol}", positive=True) for symbol in own}
@@ -165,9 +164,11 @@ def _written(
     (symbol, *others) = symbols
     if not others and len(generators) == 2 and _is_of_tangents(link, symbol.name):
         polynomials, generators = _in_tangents(polynomials), (sp.tan(symbol),)
-    back = {Letter(t.name): Apply("tan", Letter(angle.name)) for angle, t in tangents.items()}
+    back: dict[Expression, Expression] = {
+        Letter(t.name): Apply("tan", Letter(angle.name)) for angle, t in tangents.items()
+    }
     left, right = (
-        rebuilt(side, lambda each: back.get(each, each))  # type: ignore[call-overload]
+        rebuilt(side, lambda each: back.get(each, each))
         for side in _sides(scene, polynomials, generators)
     )
     relation = chain(left, (right, None))
