@@ -378,3 +378,14 @@ find tan(theta)
     told = printed(text)
     assert "θ + φ = 90° − ψ" in told
     assert "Let β" not in told
+
+
+def test_a_decimal_that_is_the_exact_value_is_shown_to_be_equal() -> None:
+    text = """
+sphere A: mass 2m, velocity u i
+sphere B: mass 3m, at rest
+A hits B: along i, e = 1/2
+show impulse = 1.8m u to 3 s.f.
+"""
+    assert "magnitude of the impulse = 1.8mu (as required)" in printed(text)
+    assert "≈" not in printed(text)

@@ -373,6 +373,9 @@ def _to_figures(claims: Claims, link: Link) -> tuple[int, Relation]:
     if exact is None:
         raise NotPlannedError("an expression of several quantities to some figures")
     own = claims.scene.desk.last_link(exact)
+    equal = Relation(((Link(own.left, "=", link.right),),))
+    if claims.judge.follows(Move("rearrange"), [exact], equal):
+        return claims.scene.desk.write(Move("rearrange"), [exact], equal), equal
     relation = Relation(((Link(own.left, "≈", link.right),),))
     line = claims.judge.write((Move("value"),), [exact], relation)
     if line is None:
