@@ -389,3 +389,18 @@ show impulse = 1.8m u to 3 s.f.
 """
     assert "magnitude of the impulse = 1.8mu (as required)" in printed(text)
     assert "≈" not in printed(text)
+
+
+def test_the_direction_of_who_moves_along_the_line_of_centres_tells_that_line_first() -> None:
+    text = """
+sphere A: mass m, velocity u i, radius r
+sphere B: mass m, at rest, radius r
+A hits B: offset d
+given direction(B) = 30°
+find d, speed(B)
+"""
+    own = said(text)
+    assert own.index("d = r") < own.index("m (sqrt(3) u/2) = m v + m w")
+    assert "Substituting for d: unit vector along the line of centres = (√3/2)𝐢 + ½𝐣" in printed(
+        text
+    )

@@ -305,7 +305,9 @@ class Solver:
     def _essential(self, own: Candidate) -> frozenset[sp.Symbol]:
         """The unknowns of an equation without factors that do not vanish."""
         open_ = self._open(own)
-        if len(open_) < 2 or len(own.residuals) != 1 or open_ & self._letters.keys():
+        if len(open_) < 2 or len(own.residuals) != 1:
+            return open_
+        if open_ & self._letters.keys() and not self._is_of_direction(own):
             return open_
         model = self.scene.model
         put, _ = self.scene.put(own.residuals[0])
@@ -314,6 +316,17 @@ class Solver:
         factors = [base for base, _ in factor_powers(above)]
         zero = [factor for factor in factors if model.sign(model.in_data(factor)) == 0]
         return frozenset(s for each in zero or [put] for s in self.scene.unknown(each))
+
+    def _is_of_direction(self, own: Candidate) -> bool:
+        """Whether a fact tells the direction of a body that moves along the line of centres."""
+        given = self.equations.givens.get(own.id)
+        match given and given.link.left:
+            case Quantity("direction", (Name(body),), int(number)):
+                frame = self.scene.model.frames.get(number)
+                if frame is None or frame.wall is not None:
+                    return False
+                return bool(tidy(self.scene.velocity(body, number - 1).dot(frame.t)) == 0)
+        return False
 
     @property
     def _letters(self) -> dict[sp.Symbol, tuple[int, str]]:

@@ -373,7 +373,7 @@ class Leads:
                 # Once the offset is known, the same fact gives the line in numbers.
                 again = offset.id in self._given
                 yield (
-                    self._worked_out(offset)
+                    self._worked_out(offset, line)
                     if again
                     else offset_sentence(offset, self._naming, given=False)
                 )
@@ -476,10 +476,17 @@ class Leads:
         by_places = line.move.id == "put" and any(kind == "axis" for kind, _, _ in facts)
         return event.bodies if by_places and event is not None and not event.wall else None
 
-    def _worked_out(self, fact: Fact) -> Sentence:
+    def _worked_out(self, fact: Fact, line: Line) -> Sentence:
         """That an offset is known by now, from which the line of centres follows."""
+        cited = [each for each in map(self._cited, line.premises) if each is not None]
+        known = {
+            each.relation.options[0][0].left
+            for each in cited
+            if isinstance(each.relation, Relation)
+        }
         angles = [e for e in walk(fact.relation.only[0].right) if isinstance(e, Apply)]
         names = {node for each in angles for node in walk(each) if isinstance(node, Letter)}
+        names = names & known or names
         letters = tuple(map(self._naming.layout, sorted(names, key=lambda each: each.name)))
         return say("derived.put", letters=letters) if letters else say("so")
 
