@@ -128,6 +128,39 @@ find e
 """,
         ("e = (tan 26°)/tan 40°",),
     ),
+    "a tangent that is shown in a letter for another": (
+        """
+let t = tan(alpha)
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = 1/4
+show tan(deflection(P)) = 5t/(4 - t^2)
+""",
+        (
+            "tan δ = (tan α + tan β)/(1 − tan α tan β)",
+            "= 5 tan α/(4 − tan²α) tan δ = 5t/(4 − t²) (as required)",
+        ),
+    ),
+    "a ratio that is shown, with the tangent put in": (
+        """
+wall W: along j
+sphere P: velocity u at alpha to W
+P hits W
+let beta = angle(velocity(P), W)
+show energy(P)/energy(P, 0) = cos^2(alpha)/cos^2(beta)
+""",
+        ("= cos²α + e² sin²α", "= (cos²α)(1 + tan²β)"),
+    ),
+    "a mass that cancels, and terms that stand on both sides": (
+        """
+sphere A: mass 2, velocity 3i + 2j
+sphere B: mass m, velocity -3i - j
+A hits B: along i
+given impulse(B) = 9i, energy_lost = 27/4
+find m, e
+""",
+        ("= (2m(9 − w²) + 27)/4 w² = 9",),
+    ),
 }
 
 

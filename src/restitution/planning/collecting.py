@@ -241,7 +241,7 @@ def _without_common(
     above = [expanded(cancelled(n * below / d)) for n, d in whole]
     if not all(each.is_polynomial(*generators) for each in above):
         return None  # with roots of numbers a common denominator may not be seen
-    polynomials = [sp.Poly(each, *generators) for each in above]
+    polynomials = _without_the_same([sp.Poly(each, *generators) for each in above])
     coefficients = [c for each in polynomials for c in each.coeffs() if c != 0]
     if not coefficients or any(
         {*generators, *(g for each in generators for g in each.free_symbols)} & c.free_symbols
@@ -262,6 +262,16 @@ def _without_common(
         for polynomial in polynomials
     )
     return left, right
+
+
+def _without_the_same(sides: list[sp.Poly]) -> list[sp.Poly]:
+    """Both sides without the terms that stand on both."""
+    one, other = (dict(each.terms()) for each in sides)
+    for m in one.keys() & other.keys():
+        same = set(sp.Add.make_args(one[m])) & set(sp.Add.make_args(other[m]))
+        one[m], other[m] = (expanded(each[m] - sp.Add(*same)) for each in (one, other))
+    gens = sides[0].gens
+    return [sp.Poly.from_dict(each, *gens) for each in (one, other)]
 
 
 def _is_difference(polynomial: sp.Poly) -> bool:

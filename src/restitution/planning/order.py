@@ -42,7 +42,7 @@ from restitution.planning.impacts import (
     settled,
 )
 from restitution.planning.pairs import close_two
-from restitution.planning.polynomials import expanded, factor_powers, one_fraction
+from restitution.planning.polynomials import expanded, factor_powers, factored, one_fraction
 from restitution.planning.premises import background
 from restitution.planning.roots import senses, written_law
 from restitution.planning.routes import Candidate
@@ -307,10 +307,10 @@ class Solver:
         open_ = self._open(own)
         if len(open_) < 2 or len(own.residuals) != 1:
             return open_
-        if open_ & self._letters.keys() and not self._is_of_direction(own):
-            return open_
         model = self.scene.model
         put, _ = self.scene.put(own.residuals[0])
+        if open_ & self._letters.keys() and not self._is_of_direction(own):
+            return open_ - self._cancelling(own, put)
         put = put.replace(sp.Abs, lambda x: x * model.sign(model.in_data(x)))
         above = sp.fraction(one_fraction(put))[0]
         factors = [base for base, _ in factor_powers(above)]
@@ -327,6 +327,13 @@ class Solver:
                     return False
                 return bool(tidy(self.scene.velocity(body, number - 1).dot(frame.t)) == 0)
         return False
+
+    def _cancelling(self, own: Candidate, put: sp.Expr) -> frozenset[sp.Symbol]:
+        """The masses that are a factor of a given fact: it holds without them."""
+        if own.id not in self.equations.givens:
+            return frozenset()
+        factors = sp.Mul.make_args(factored(sp.fraction(one_fraction(put))[0]))
+        return frozenset(each for each in factors if each.is_Symbol and each.is_positive)
 
     @property
     def _letters(self) -> dict[sp.Symbol, tuple[int, str]]:

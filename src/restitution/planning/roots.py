@@ -186,7 +186,11 @@ def _in_two_lines(
     if any(not each.as_coeff_Mul()[0].is_Integer for each in sp.Add.make_args(half)):
         a, half, c = 2 * a, b, 2 * c  # (−7 ± √193)/6, and not (−7/2 ± √(193/4))/3
     inside = expanded(half**2 - a * c)
-    root = Apply("sqrt", tree_of(inside, as_it_is=True))
+    own = expanded(tidy(sp.sqrt(inside)))
+    plain = own.is_Add and not any(p.base.has(sp.Pow) for p in own.atoms(sp.Pow))
+    root = Apply(
+        "sqrt", square(tree_of(own, as_it_is=True)) if plain else tree_of(inside, as_it_is=True)
+    )
     subject = roots.options[0][0].left
     by_formula: list[tuple[Link, ...]] = []
     for links in roots.options:

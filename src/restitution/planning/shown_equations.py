@@ -44,6 +44,7 @@ from restitution.planning.forms import (
 from restitution.planning.formulas import Formula
 from restitution.planning.polynomials import expanded
 from restitution.planning.scene import Scene
+from restitution.planning.shown_ratios import ratio_by_a_tangent
 from restitution.planning.turning import angle_line, is_angle, write_ratio
 from restitution.planning.velocity_formulas import body_and_stage, frame_after
 
@@ -462,6 +463,10 @@ class Equation:
         names = self.judge.known(letters(first) | letters(right))
         written = self.judge.write(_TO_FORM, [line, *named, *names], self.relation)
         if written is None:
+            # By a letter of the statement for a tangent.
+            known = self._known(letters(first) | letters(right))
+            written = self.judge.write((Move("put"),), [line, *named, *known], self.relation)
+        if written is None:
             self.claims.worths.back(mark)
         return written
 
@@ -531,6 +536,12 @@ class Equation:
             lines.append(claims.worths.quantity(quantity))
         names = letters(self.link.left) | letters(self.link.right)
         known = self._known(names)
+        if len(lines) == 3:
+            line = ratio_by_a_tangent(claims.worths, self.link, lines)
+            if line is not None:
+                last = self._last([line, *known])
+                if last is not None:
+                    return last
         if len(lines) == 2 and isinstance(self.link.left, Binary) and self.link.left.op == "/":
             line = self._by_pair(Move("divide"), lines, known)
             if line is not None:

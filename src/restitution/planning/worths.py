@@ -362,10 +362,10 @@ class Worths:
                 pair = [self.worth(above), self.worth(below)]
                 if None in pair:
                     return None
-                return self._valued(tree, Move("divide"), pair)  # type: ignore[arg-type]
+                return self.valued(tree, Move("divide"), pair)  # type: ignore[arg-type]
             case Binary("/", above, below) if has_quantity(above):
                 line = self.worth(above)
-                return None if line is None else self._valued(tree, Move("rearrange"), [line])
+                return None if line is None else self.valued(tree, Move("rearrange"), [line])
             case Binary("*" | "+" | "-", _, _) if has_quantity(tree):
                 mark = self.mark()
                 try:
@@ -381,8 +381,8 @@ class Worths:
         self.solver.determine(journeys.goals(self.scene, tree))
         return journeys.write(self.scene, tree)[0]
 
-    def _valued(self, tree: Expression, move: Move, refs: Sequence[int]) -> int | None:
-        """An expression and its value, by a move from the lines of its quantities."""
+    def valued(self, tree: Expression, move: Move, refs: Sequence[int]) -> int | None:
+        """An expression and its value, by a move from the lines of its quantities, if so."""
         value = tidy(sp.sympify(self.scene.put(self.scene.scalar(tree))[0], strict=True))
         names = {s.name for s in value.free_symbols} & set(roles(self.scene.problem))
         relation = Relation(((Link(tree, "=", tree_of(value)),),))
