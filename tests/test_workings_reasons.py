@@ -302,6 +302,12 @@ SAYS = {
         "wall W: along i + k j\nsphere P: velocity u i\nP hits W: e = 1/2\nfind velocity(P)",
         ["𝐯_P = ", "(u(2 − k²)/(2(k² + 1)))𝐢"],
     ),
+    # tan²α = (ke − 1)/(1 + k), and e ≤ 1.
+    "a divisor that a bound leaves out is more than 1": (
+        REST.format(angle="alpha", m="k m", e="")
+        + "given deflection(A) = 90°\nshow tan(alpha) <= sqrt(k - 1)",
+        ["tan²α ≤ (k − 1)/(1 + k)", "tan α ≤ √(k − 1), as 1 + k > 1 (as required)"],
+    ),
     "an extremum that is only approached is a bound": (
         (
             "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W: e = 1/2\n"

@@ -1,15 +1,16 @@
-"""Where a bound is reached that comes of a square: where what is squared is zero."""
+"""Where a bound comes from: a square that is zero somewhere, a divisor that is more than 1."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from fractions import Fraction
 
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import FLIPPED, Derivation, Link
+from restitution.explaining.derivation import FLIPPED, Derivation, Link, Relation, Sign
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Expression, Letter, letters
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, letters
 from restitution.oracle import Role
 from restitution.planning.forms import tree_of
 
@@ -45,4 +46,24 @@ def place_of_zero(
     return Link(Letter(name), "=", tree_of(value)) if inside else None
 
 
-__all__ = ["place_of_zero"]
+def divisor_left_out(above: Relation, line: Relation, roles: Mapping[str, Role]) -> Link | None:
+    """That what divides the bound of a square is more than 1, where that of its root has it not.
+
+    None of other bounds.
+    """
+    match above.options, line.options:
+        case (
+            ((Link(Binary("^", base), _, Binary("/", top, below)),),),
+            ((Link(ratio, "<" | "<=", Apply("sqrt", root)),),),
+        ) if base == ratio and top == root:
+            kinds = {roles[n].kind if n in roles else "" for n in letters(below)}
+        case _:
+            return None
+    if not kinds or not kinds <= {"positive", "restitution"}:
+        return None
+    rest = sp.expand(in_letters(below, positive=True) - 1)
+    sign: Sign = ">" if kinds == {"positive"} else ">="
+    return Link(below, sign, Number(Fraction(1))) if rest.is_positive else None
+
+
+__all__ = ["divisor_left_out", "place_of_zero"]

@@ -43,7 +43,7 @@ from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.solving.letters import roles
 from restitution.solving.signs import sign
-from restitution.workings.equality import place_of_zero
+from restitution.workings.equality import divisor_left_out, place_of_zero
 from restitution.workings.factors import factor_cancelled
 from restitution.workings.grounds import grounds_of, motion_of
 from restitution.workings.growing import growth, limit_at_an_end, way_of
@@ -448,7 +448,7 @@ class Reasons:
         """What bounds a value by its form, the plainest that fits."""
         for way in (
             *(self._ratio, self._square, self._positive_square),
-            *(self._factor, self._wave, self._share),
+            *(self._factor, self._wave, self._share, self._divisor),
         ):
             if reasons := tuple(way(line)):
                 return reasons
@@ -573,6 +573,16 @@ class Reasons:
                 if wave is not None and _bounds(whole, node, wave[0], links[0].right):
                     yield say("derived.fact", fact=self._laid(Relation((wave[1],))))
                     return
+
+    def _divisor(self, line: Line) -> Iterator[Sentence]:
+        """That what a square was divided by is more than 1, where a bound has it no more."""
+        above = self._relation_of(line.premises[0]) if line.premises else None
+        own = line.relation
+        if line.move.id != "compare" or above is None or not isinstance(own, Relation):
+            return
+        bound = divisor_left_out(above, own, self._roles)
+        if bound is not None:
+            yield say("derived.fact", fact=self._laid(Relation(((bound,),))))
 
     def _share(self, line: Line) -> Iterator[Sentence]:
         """That what a value is of its bound is at most 1, where nothing else is cited for that."""
