@@ -328,3 +328,15 @@ def test_a_working_says(name: str) -> None:
     places = [working.find(each) for each in fragments]
     assert -1 not in places, (working, fragments)
     assert places == sorted(places), working
+
+
+def test_a_double_root_has_no_root_of_nothing() -> None:
+    text = "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W: e = 1/3\n"
+    text += "let beta = angle(velocity(P), W)\ngiven alpha - beta = 30°\nfind alpha"
+    assert "√0" not in to_text(explain(solve(parse(text))))
+
+
+def test_a_tangent_is_no_factor_that_is_gone() -> None:
+    text = "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\nA hits B: along i\n"
+    text += "given direction(A) = beta, 0° < beta < 90°\nfind e in terms of alpha, beta"
+    assert "(tan β)v = " not in to_text(explain(solve(parse(text))))

@@ -158,7 +158,9 @@ def _written(
     link = scene.desk.last_link(line)
     sides = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
     generators = polynomials[0].gens
-    steps = max(_steps(link, each.name) for each in symbols) + _has_common(sides, polynomials)
+    steps = max(_steps(link, each.name) for each in symbols) + _has_common(
+        sides, polynomials, tangents
+    )
     if steps <= _MOST:
         return line
     (symbol, *others) = symbols
@@ -324,11 +326,14 @@ def _in_tangents(polynomials: Polynomials) -> Polynomials:
     return left, right
 
 
-def _has_common(sides: Sequence[sp.Expr], polynomials: Polynomials) -> int:
+def _has_common(
+    sides: Sequence[sp.Expr], polynomials: Polynomials, tangents: Iterable[sp.Symbol]
+) -> int:
     """1 where a letter was common to all terms, and is gone."""
     before = {x for each in sides for x in each.free_symbols}
     after = {x for each in polynomials for x in each.free_symbols_in_domain}
     after |= {x for each in polynomials for g in each.gens for x in g.free_symbols}
+    after |= set(tangents)
     return int(bool(before - after))
 
 

@@ -123,8 +123,8 @@ def _by_the_formula(
         each.is_Rational for each in coefficients
     ):
         return None
-    if coefficients[1] == 0:
-        return None
+    if coefficients[1] == 0 or len(roots.options) < 2:
+        return None  # of a double root there is nothing to put in order
     return _in_two_lines(scene, number, polynomials[0], roots, known, Move("rearrange"))
 
 
