@@ -404,3 +404,16 @@ find d, speed(B)
     assert "Substituting for d: unit vector along the line of centres = (√3/2)𝐢 + ½𝐣" in printed(
         text
     )
+
+
+def test_a_coefficient_that_divides_is_positive() -> None:
+    """Where e is 0 the ball stays at the first wall."""
+    text = """
+wall W1: along i, through (0, 0)
+wall W2: along i, through (0, d)
+sphere P: at (0, 0), velocity u at alpha
+P hits W2: e = e
+P hits W1: e = e
+find minimum of time(2) over alpha
+"""
+    assert "α is acute and e > 0" in printed(text)

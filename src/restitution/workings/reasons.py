@@ -223,8 +223,19 @@ class Reasons:
                     reasons.append(self._laid(relation))
                 case Sentence() as sentence:
                     reasons.append(sentence)
-        merged = (self._laid(each) for each in _merged(bounds))
+        strict = [self._where_it_divides(line, each) for each in bounds]
+        merged = (self._laid(each) for each in _merged(strict))
         return (*reasons, *merged, *map(self._laid, self._below(line, bounds)))
+
+    def _where_it_divides(self, line: Line, bound: Link) -> Link:
+        """A bound of a letter that is divided by in what a line compares: it is not zero there."""
+        if line.move.id != "monotone" or bound.sign != ">=" or bound.right != ZERO:
+            return bound
+        cited = [own for ref in line.premises if (own := self._relation_of(ref)) is not None]
+        nodes = [node for own in cited for node in walk(own.only[-1].right)]
+        below = [e.right for e in nodes if isinstance(e, Binary) and e.op == "/"]
+        divides = any(bound.left in factors(each) for each in below)
+        return Link(bound.left, ">", bound.right) if divides else bound
 
     def _below(self, line: Line, bounds: Sequence[Link]) -> Iterator[Relation]:
         """That a letter is not zero, where it stands below a line and may be zero otherwise."""
