@@ -161,6 +161,16 @@ find m, e
 """,
         ("= (2m(9 − w²) + 27)/4 w² = 9",),
     ),
+    "a law at a wall with the signs of both components": (
+        """
+wall W: along i - j
+sphere P: velocity v at theta
+P hits W: e = 1/3
+given velocity(P) = 4i, 180° < theta < 270°
+find v, theta
+""",
+        ("−2√2 = −⅓(−√2 v(cos θ + sin θ)/2)",),
+    ),
 }
 
 

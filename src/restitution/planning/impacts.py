@@ -588,9 +588,13 @@ def closing_at_wall(scene: Scene, body: str, frame: Frame, kind: str) -> int:
     e = scene.coefficient(frame.number)
     move = Move("law", "restitution-wall", frame.number, (body,))
     left, right = tree_of(later.value), tree_of(earlier.value)
+    back = product(tree_of(e.value), negative(right))
     if scene.model.sign(later.value) < 0:
-        left, right = negative(left), negative(right)
-    relation = chain(left, (product(tree_of(e.value), negative(right)), None))
+        if isinstance(right, Negate) and e.value != 1:
+            back = Negate(Binary("*", tree_of(e.value), right))  # −⅓(−v cos θ), as it is read off
+        else:
+            left, back = negative(left), negative(back)
+    relation = chain(left, (back, None))
     return scene.desk.write(move, together(refs, e.refs), relation)
 
 
