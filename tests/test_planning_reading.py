@@ -177,6 +177,21 @@ P hits BC: e = f
 given tan(alpha) = 3
 find angle(velocity(P), BC)
 """
+ONE_VALUE = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, at rest
+A hits B: along i, e = 1
+given energy(B) = 1/4 energy(0)
+find alpha
+find range of direction(B), range of direction(A)
+"""
+TWO_RATIOS = """
+sphere A: mass m, velocity u at 45°
+sphere B: mass m, velocity v at 135°
+A hits B: along i, e = 1/2
+given energy_lost = 1/4 energy(0)
+find v/u
+"""
 WHOLE_COMPONENT = """
 wall W: along i
 sphere P: mass 2, velocity v at theta to W
@@ -268,6 +283,9 @@ READINGS = [
     (UPRIGHT_AT_AN_END, "also if e = ¼, where δ = 90° − 45°"),
     (ANY_ANGLE, ", for f ≠ 0"),
     (WHOLE_COMPONENT, " 3 = 6e "),
+    (ONE_VALUE, "angle from 𝐢 to 𝐯_B = 0°"),
+    (TWO_RATIOS, "v/u = 3 − 2√2"),
+    (TWO_RATIOS, "v/u = 3 + 2√2"),
     (WHOLE_COMPONENT_BELOW, "Substituting for v sin θ in (1):"),
     (AT_REST, "= ⅓, for f ≠ 0"),
     (UPRIGHT_WITH_A_TANGENT, "= (1 + e)/(3 − 2e), also if e = 1, where δ = 90° − α"),

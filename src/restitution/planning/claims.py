@@ -418,6 +418,8 @@ class Claims:
     def _by_quotient(self, line: int, relation: Relation) -> int | None:
         """A bound that is the greatest value of a quotient."""
         whole = self.scene.desk.last_link(line)
+        if relation.only[0].sign not in FLIPPED:
+            return None
         link = relation.only[0] if relation.only[0].left == whole.left else turned(relation.only[0])
         value = self.worths.value(whole.right)
         if link.left != whole.left or link.sign != "<=":

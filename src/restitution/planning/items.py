@@ -341,6 +341,8 @@ def _from_its_equation(
     if len(lines) != 1 or lines[0] != len(scene.desk.lines):
         return None
     own = scene.desk.line(lines[0])
+    if len(scene.desk.relation(lines[0]).options) > 1:
+        return None
     known = scene.desk.last_link(lines[0])
     if own.move.id != "rearrange" or not isinstance(known.left, Letter):
         return None

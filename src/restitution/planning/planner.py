@@ -31,7 +31,16 @@ from restitution.explaining.premises import (
 )
 from restitution.explaining.trees import trees_of
 from restitution.expression.evaluate import Angle
-from restitution.expression.tree import Apply, Binary, Expression, Negate, Number, letters, walk
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Negate,
+    Number,
+    has_quantity,
+    letters,
+    walk,
+)
 from restitution.oracle import Oracle
 from restitution.planning import place_trees
 from restitution.planning.axes import frame_at
@@ -433,7 +442,9 @@ def _write_item(
             asked = staged(problem, item.expression, now)
             if item.percentage:
                 raise NotPlannedError("a percentage")
-            write_range(scene, solver, asked, relation_of(asked, result), name)
+            relation = relation_of(asked, result)
+            if not _write_one_value(scene, solver, asked, relation, name):
+                write_range(scene, solver, asked, relation, name)
         case Extremum():
             asked = staged(problem, item.expression, now)
             answer = only_answer(result)
@@ -447,6 +458,24 @@ def _write_item(
                 _require_form(scene, result)
             _require_found(scene, asked)
             _require_letters(scene, result)
+
+
+def _write_one_value(
+    scene: Scene, solver: Solver, asked: Expression, relation: Relation, name: str
+) -> bool:
+    """Ends the range of a quantity that has one value only by that value; False for any other."""
+    if not has_quantity(asked) or len(relation.options) > 1 or relation.only[0].sign != "=":
+        return False
+    mark = solver.mark()
+    try:
+        write_item(scene, solver, asked, name)
+        found = scene.desk.ends[-1].answer.only[-1].right
+        if same_value(scene.scalar(found), scene.scalar(relation.only[-1].right)):
+            return True
+    except NotPlannedError:
+        pass
+    solver.back(mark)
+    return False
 
 
 def _require_found(scene: Scene, asked: Expression) -> None:
