@@ -25,6 +25,9 @@ WALL = "wall W\nsphere P: mass m, velocity u at alpha\nP hits W\n"
 
 # A statement, and what each of its items says; None where it is answered.
 OPEN = {
+    "wall W: along theta\nsphere P: velocity u i\nP hits W: e = 1/3\nfind impulse": [
+        "the impulse needs the mass of P",
+    ],
     PLAIN + "A hits B: e = 2/3\nfind speed(A), energy_lost, impulse": [
         f"speed(A) needs {LINE} {WRITTEN}",
         f"the energy lost needs {LINE} {WRITTEN}",

@@ -72,7 +72,10 @@ Components = tuple[Source, Source]
 
 @dataclass(frozen=True)
 class Ratio:
-    """A line that gives a ratio of an angle, and what makes the angle the only one."""
+    """A line that gives a ratio of an angle, and what makes the angle the only one.
+
+    ``open`` tells that the angle is another for other values of the letters.
+    """
 
     line: int
     letter: str
@@ -81,6 +84,7 @@ class Ratio:
     extent: str
     side: tuple[Ref, ...] = ()
     angle: Expression | None = None
+    open: bool = False
 
 
 def write_angle(scene: Scene, asked: Expression) -> tuple[int, Relation]:
@@ -184,7 +188,9 @@ def _by_a_known_ratio(scene: Scene, asked: Quantity) -> Ratio | None:
 
 
 def _by_inverse(scene: Scene, own: Ratio) -> int:
-    """The line of an angle by its ratio."""
+    """The line of an angle by its ratio; NotPlannedError where its quadrant is open."""
+    if own.open:
+        raise NotPlannedError("it is open on which side of j a direction is")
     if own.function == "tan" and own.angle is None:
         _sign_of_tangent(scene, own)
     right = own.angle or _angle_of(own)
@@ -322,7 +328,9 @@ def _direction(scene: Scene, asked: Quantity) -> Ratio:
     line, letter = tangent_line(scene, asked, own, own.move)
     extent = _RANGES["direction"].format(letter)
     value = own.value
-    if scene.model.sign(x.value) > 0:
+    before_j = scene.model.sign(x.value) > 0
+    open_ = not scene.model.decide(x.value, ">=" if before_j else "<=", 0)
+    if before_j:
         right = _degrees(sp.atan(value), value)
     else:
         # On the other side of j the angle is measured from −i.
@@ -337,7 +345,7 @@ def _direction(scene: Scene, asked: Quantity) -> Ratio:
         else:
             right = difference(straight, size) if sign > 0 else difference(size, straight)
     side = together(x.whole, nonzero(scene, x.value))
-    return Ratio(line, letter, "tan", value, extent, side, right)
+    return Ratio(line, letter, "tan", value, extent, side, right, open_)
 
 
 def _needed(scene: Scene, asked: Quantity, own: Formula) -> Formula:

@@ -127,7 +127,10 @@ def sample(
 
 
 def sign_at(x: Any, samples: Iterable[Mapping[str, Enclosed]]) -> int | None:
-    """The sign of an expression if it is the same at all points where it has one, else None."""
+    """The sign of an expression if it is the same at all points where it has one, else None.
+
+    It is None, too, of one with a letter of which the points know nothing.
+    """
     x = sp.sympify(x, strict=True)
     common: int | None = None
     for values in samples:
@@ -135,6 +138,8 @@ def sign_at(x: Any, samples: Iterable[Mapping[str, Enclosed]]) -> int | None:
             sign = at(x, values).sign
         except UndefinedError:
             continue
+        except KeyError:
+            return None
         if common is None:
             common = sign
         elif common != sign:
