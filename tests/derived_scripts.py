@@ -151,7 +151,7 @@ def derive(
                 if quantity not in put and own_sense in put:
                     put[quantity] = put[own_sense]
                 elif quantity not in put and pool:
-                    letter = pool.pop()
+                    letter = _letter(pool, own_sense)
                     put[quantity] = put[own_sense] = Letter(letter)
                     declared[letter] = write_expression(own_sense)
     if slips:
@@ -275,7 +275,8 @@ def _declare(
     """A letter of the working under another name, some in the other sense."""
     if not pool:
         return
-    letter, quantity = pool.pop(), _quantity(meaning)
+    quantity = _quantity(meaning)
+    letter = _letter(pool, quantity)
     turned = (
         isinstance(quantity, Quantity)
         and quantity.kind in ("along", "across")
@@ -286,6 +287,16 @@ def _declare(
     if isinstance(quantity, Quantity):
         put[quantity] = put[Letter(meaning.letter)]
     declared[letter] = ("-" if turned else "") + write_expression(quantity)
+
+
+def _letter(pool: list[str], quantity: Expression) -> str:
+    """A letter taken from a pool; nobody calls an impulse or a place v."""
+    of_velocities = any(
+        isinstance(node, Quantity) and node.kind in ("velocity", "speed") for node in walk(quantity)
+    )
+    places = range(len(pool) - 1, -1, -1)
+    place = next((n for n in places if of_velocities or pool[n] not in "vwVW"), len(pool) - 1)
+    return pool.pop(place)
 
 
 def _quantities(tree: Expression) -> Iterator[Quantity]:
@@ -337,7 +348,7 @@ def _reordered(written: list[Row], random: Random) -> list[Row]:
 def _text(line: Line, relation: Relation, random: Random, hand: Hand | None) -> str:
     (links,) = relation.options
     if len(links) == 1:
-        link = _varied(links[0], random)
+        link = _varied(links[0], random, line.move.id == "law")
         body = f"{write_expression(link.left)} {link.sign} {_right(link, random)}"
     else:
         body = _chain(links)
@@ -366,7 +377,7 @@ def _chain(links: Sequence[Link]) -> str:
     return text
 
 
-def _varied(link: Link, random: Random) -> Link:
+def _varied(link: Link, random: Random, law: bool) -> Link:
     change = random.random()
     if link.sign != "=" or isinstance(link.left, Letter):
         return link
@@ -374,7 +385,7 @@ def _varied(link: Link, random: Random) -> Link:
         return Link(link.right, "=", link.left)
     if change < 0.3 and isinstance(link.right, Binary) and link.right.op == "+":
         return Link(Binary("-", link.left, link.right.right), "=", link.right.left)
-    if change < 0.45 and isinstance(link.left, Binary) and link.left.op in ("+", "-"):
+    if change < 0.45 and law:
         factor = Number(sp.Integer(2).p if random.random() < 0.5 else 3)  # type: ignore[arg-type]
         return Link(Binary("*", factor, link.left), "=", Binary("*", factor, link.right))
     return link

@@ -30,8 +30,8 @@ _LAWS = {
     ),
     "restitution-wall": ("NEL: ", "nel ", "restitution: ", "perp to wall: ", "Newton's law: "),
     "unchanged": (
-        *("perp: ", "no change perp to loc: ", "perp to line of centres: ", "unchanged: "),
-        *("perp component same: ", "no impulse in this direction so ", "stays the same: "),
+        *("unchanged: ", "no impulse in this direction so ", "stays the same: ", "no change: "),
+        *("component unchanged so ", "smooth so ", "this one stays: "),
     ),
     "energy": ("KE: ", "energy: ", "using KE "),
 }

@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Negate,
     Number,
     children,
     has_quantity,
@@ -44,7 +45,7 @@ from restitution.practice.letters.interpretation import Interpretation, Interpre
 from restitution.practice.letters.letters import meanings_of
 from restitution.practice.reading.phrases import is_phrase
 from restitution.practice.script import Link, Script, ScriptLine
-from restitution.practice.worlds.agreement import numbers_of
+from restitution.practice.worlds.agreement import agrees, numbers_of
 from restitution.practice.worlds.sampling import true_worlds
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Extremum, Find, Given, Problem, Range, Show, trees
@@ -353,12 +354,31 @@ class _Sitting:
             if name in names and meaning.by == "inferred" and not is_phrase(name):
                 support = sum(name in each for each in true)
                 odd = is_odd(name, meaning.quantity)
-                if support < (2 if odd else 0 if named else 1):
+                if support < (2 if odd else 0 if named else 1) or (
+                    not support and self._is_true_of_another(line, name)
+                ):
                     doubtful.add(name)
         if not doubtful:
             return line
         asks.update(doubtful)
         return replace(line, verdict="asks", mistake=None, link=None)
+
+    def _is_true_of_another(self, line: JudgedLine, name: str) -> bool:
+        """Whether a line is true if a letter, which no other tells, means another quantity."""
+        number = line.line.number
+        known = self.meanings.best.trees(number)
+        link = line.line.links[line.link or 0]
+        claim, world = link.readings[0], self.bench.worlds[0]
+        for each in self.bench.names.candidates(world):
+            for meant in (each.quantity, Negate(each.quantity)):
+                meanings = {**known, name: meant}
+                try:
+                    grade = agrees(claim, world, meanings, link.decimals, line.line.scope)
+                except RestitutionError:
+                    continue
+                if grade in ("exact", "rounded"):
+                    return True
+        return False
 
     # --- lines crossed out ----------------------------------------------------------------------
 

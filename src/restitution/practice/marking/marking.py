@@ -123,7 +123,13 @@ def _marked(
     judgement = _with_consequence(judgement, solution, part)
     unknown = bench.question.unknown - bench.question.given
     values = Values(bench.worlds, unknown, judgement.letters)
-    marks = marked(judgement, schemes(bench.solution, part), values)
+    restated = any(
+        use.principle in ("momentum", "restitution")
+        for line in judgement.lines
+        if line.verdict != "remark"
+        for use in line.uses[:1]
+    )
+    marks = marked(judgement, schemes(bench.solution, part, restated=restated), values)
     return Marking(
         part,
         judgement.lines,

@@ -290,7 +290,7 @@ class _Examiner:
                 continue
             if line.verdict == "true" and match == "true":
                 last = self._earned(point, line, "")
-                if not line.grounded:
+                if not line.grounded and point.shown:
                     last = PointMark(point, "lost", line.line.number, _UNGROUNDED)
             elif line.verdict == "follows" and match != "true":
                 through = point.follows and not self._begins_here(line)
@@ -670,7 +670,9 @@ class _Examiner:
         laws = [each.line for each in methods if each.point.principle in _LAWS and each.line]
         last = max(laws, default=0)
         return not any(
-            last < each.line.number < line.line.number and each.verdict == "true"
+            last <= each.line.number < line.line.number
+            and each.verdict == "true"
+            and (each.line.number > last or len(each.line.links) > 1)  # CLM: ..., so v = ...
             for each in self.lines
         )
 
