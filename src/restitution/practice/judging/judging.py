@@ -30,6 +30,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine, Judgement, Meaning, Mistake
 from restitution.practice.judging.bounds import bounds_of
+from restitution.practice.judging.entries import Meanings
 from restitution.practice.judging.judged_link import Question
 from restitution.practice.judging.misreading import (
     left_for_lost,
@@ -37,6 +38,7 @@ from restitution.practice.judging.misreading import (
     reread_once,
 )
 from restitution.practice.judging.naming import Names
+from restitution.practice.judging.other_forms import kind_of
 from restitution.practice.judging.slips import misreadings, read_as_datum
 from restitution.practice.judging.support import Wanted, wanted_of
 from restitution.practice.judging.verdicts import Judge
@@ -53,6 +55,7 @@ from restitution.solving.solution import PartSolution, Solution
 
 _RIVALS = 8
 _MISREADINGS = 8
+_ANGLES = frozenset({"angle", "direction", "deflection"})
 _PLACES = 3
 """A datum stands in so many places, at most, that are tried."""
 
@@ -355,7 +358,8 @@ class _Sitting:
                 support = sum(name in each for each in true)
                 odd = is_odd(name, meaning.quantity)
                 if support < (2 if odd else 0 if named else 1) or (
-                    not support and self._is_true_of_another(line, name)
+                    (not support or kind_of(meaning.quantity) in _ANGLES)
+                    and self._is_true_of_another(line, name)
                 ):
                     doubtful.add(name)
         if not doubtful:
@@ -364,21 +368,25 @@ class _Sitting:
         return replace(line, verdict="asks", mistake=None, link=None)
 
     def _is_true_of_another(self, line: JudgedLine, name: str) -> bool:
-        """Whether a line is true if a letter, which no other tells, means another quantity."""
-        number = line.line.number
-        known = self.meanings.best.trees(number)
-        link = line.line.links[line.link or 0]
-        claim, world = link.readings[0], self.bench.worlds[0]
-        for each in self.bench.names.candidates(world):
-            for meant in (each.quantity, Negate(each.quantity)):
-                meanings = {**known, name: meant}
-                try:
-                    grade = agrees(claim, world, meanings, link.decimals, line.line.scope)
-                except RestitutionError:
-                    continue
-                if grade in ("exact", "rounded"):
-                    return True
-        return False
+        """Whether a line is true if a letter means another quantity than it is taken for."""
+        known = self.meanings.best.trees(line.line.number)
+        links = [link for link in line.line.links if name in _names_of(link)]
+        world = self.bench.worlds[0]
+        return any(
+            all(self._is_so_meant(link, line, {**known, name: meant}) for link in links)
+            for each in self.bench.names.candidates(world)
+            for meant in (each.quantity, Negate(each.quantity))
+        )
+
+    def _is_so_meant(self, link: Link, line: JudgedLine, meanings: Meanings) -> bool:
+        """Whether a link is true where letters have given meanings, to three figures."""
+        try:
+            grade = agrees(
+                link.readings[0], self.bench.worlds[0], meanings, link.decimals, line.line.scope
+            )
+        except RestitutionError:
+            return False
+        return grade in ("exact", "rounded")
 
     # --- lines crossed out ----------------------------------------------------------------------
 
