@@ -384,3 +384,39 @@ def test_a_place_may_have_a_letter_for_velocities() -> None:
     lines = ["w = 3/2 i + 1/2 j + (2 - 1/2)(3i + 3j)", "w = 6i + 5j"]
     verdicts = [each["verdict"] for each in r.mark(solution, lines).json()["lines"]]
     assert "false" not in verdicts
+
+
+def test_letters_that_their_lines_define_may_have_one_value() -> None:
+    """All components before are u/√2, and V and W are still those along the line of centres."""
+    statement = (
+        "sphere A: mass m, velocity u i\nsphere B: mass m, velocity u j\n"
+        "A hits B: along i - j, e = 1/2\nfind velocity(A)\n"
+    )
+    _, solution = solved(statement)
+    lines = [
+        *("s = u cos 45 = u/√2", "H = u sin 45 = u/√2", "h = -u cos 45 = -u/√2"),
+        *("k = u sin 45 = u/√2", "d = u/√2", "q = u/√2", "m V + m W = m u/√2 - m u/√2"),
+        *("W - V = 1/2 (u/√2 + u/√2)", "V = -√2 u/4", "W = √2 u/4"),
+    ]
+    verdicts = [each["verdict"] for each in r.mark(solution, lines).json()["lines"]]
+    assert set(verdicts) == {"true"}
+
+
+def test_a_line_that_is_true_of_another_quantity_is_a_question() -> None:
+    """V may be the speed before, as no other line tells; y the angle from the other direction."""
+    statement = (
+        "wall W: along i\nsphere P: mass 1, velocity p i - 4j\ngiven 3 <= p <= 4\n"
+        "P hits W: e = 1/2\nfind range of speed(P)\n"
+    )
+    _, solution = solved(statement)
+    lines = ["V² = p² + 4²", "p² + 2² >= 13", "p² + 2² <= 20"]
+    verdicts = [each["verdict"] for each in r.mark(solution, lines).json()["lines"]]
+    assert "false" not in verdicts
+    statement = (
+        "wall C: circle centre (0, 0) radius a\nsphere P: at (a/2, 0), velocity u at 90°\n"
+        "P hits C: e = 1/2\nfind direction(P)\n"
+    )
+    _, solution = solved(statement)
+    lines = ["tan y = (-u/8)/(-3√3 u/8) = √3/9 so y = arctan(√3/9) - 180°"]
+    verdicts = [each["verdict"] for each in r.mark(solution, lines).json()["lines"]]
+    assert "false" not in verdicts

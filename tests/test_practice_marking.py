@@ -328,3 +328,54 @@ def test_a_component_in_words_states_the_law_if_e_is_in_it() -> None:
 
     assert states("it rebounds at 12e", "36 = 2(12 - 12e)")[:2] == ["earned", "earned"]
     assert states("it rebounds at 6", "36 = 2(12 - 6)")[:2] != ["earned", "earned"]
+
+
+def kinds_lost(statement: str, lines: list[str], letters: dict[str, str], part=None) -> list[str]:  # type: ignore[no-untyped-def]
+    points = restitution.mark(solution(statement), lines, part, letters).marks.points
+    return [f"{each.point.kind} {each.point.principle}" for each in points if each.state == "lost"]
+
+
+def test_a_step_may_stand_in_the_line_of_a_law() -> None:
+    lines = ["m u cos α = m v + 3m w", "w - v = e u cos α hence v = w - e u cos α"]
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    assert kinds_lost(SHOW, [*lines, "w = u(1 + e) cos α/4"], letters) == []
+    apart = [*lines[:1], "w - v = e u cos α", "w = u(1 + e) cos α/4"]
+    assert kinds_lost(SHOW, apart, letters) != []
+
+
+def test_the_vector_along_which_a_wall_points_may_be_seen() -> None:
+    statement = (
+        "wall W\nsphere P: mass 2, velocity 3i - 5j\nP hits W\n"
+        "given impulse(P) = -8i + 16j\nfind direction(W)\n"
+    )
+    assert kinds_lost(statement, ["normal is along -i + 2j", "wall along 2i + j"], {}) == []
+    assert kinds_lost(statement, ["wall along 2i - j"], {}) != []
+
+
+def test_an_angle_may_be_worked_out_to_another_line_first() -> None:
+    statement = (
+        "wall AB: along i\nwall BC: along 45°\nsphere P: mass m, velocity u at alpha to AB\n"
+        "given tan(alpha) = 3/4\nP hits AB: e = 1/2\nfind angle(velocity(P), BC)\n"
+    )
+    lines = ["parallel to AB: 1/2(4u/5) = 2u/5", "perp: 3u/5", "angle to AB = tan^-1(3/2) = 56.3"]
+    assert "M1 angle" not in kinds_lost(statement, lines, {})
+    assert "M1 angle" in kinds_lost(statement, lines[:2], {})
+
+
+def test_laws_that_a_later_part_states_again_have_their_marks() -> None:
+    statement = (
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass 2m, at rest\n"
+        "A hits B: along i, e = 1/4\npart a\nfind velocity(B)\n"
+        "part b\nfind tan(direction(A))\n"
+    )
+    letters = {
+        "p": "along(velocity(A), i)",
+        "q": "along(velocity(B), i)",
+        "θ": "direction(A)",
+    }
+    laws = ["mu cos α = mp + 2mq", "q - p = u cos α/4", "p = u cos α/6"]
+    wrong = ["tan θ = p/(u sin α)"]
+    with_laws = restitution.mark(solution(statement), [*laws, *wrong], "b", letters).marks
+    without = restitution.mark(solution(statement), wrong, "b", letters).marks
+    assert (with_laws.earned, with_laws.of) == (7, 8)
+    assert (without.earned, without.of) == (2, 3)
