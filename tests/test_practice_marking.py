@@ -360,22 +360,3 @@ def test_an_angle_may_be_worked_out_to_another_line_first() -> None:
     lines = ["parallel to AB: 1/2(4u/5) = 2u/5", "perp: 3u/5", "angle to AB = tan^-1(3/2) = 56.3"]
     assert "M1 angle" not in kinds_lost(statement, lines, {})
     assert "M1 angle" in kinds_lost(statement, lines[:2], {})
-
-
-def test_laws_that_a_later_part_states_again_have_their_marks() -> None:
-    statement = (
-        "sphere A: mass m, velocity u at alpha\nsphere B: mass 2m, at rest\n"
-        "A hits B: along i, e = 1/4\npart a\nfind velocity(B)\n"
-        "part b\nfind tan(direction(A))\n"
-    )
-    letters = {
-        "p": "along(velocity(A), i)",
-        "q": "along(velocity(B), i)",
-        "θ": "direction(A)",
-    }
-    laws = ["mu cos α = mp + 2mq", "q - p = u cos α/4", "p = u cos α/6"]
-    wrong = ["tan θ = p/(u sin α)"]
-    with_laws = restitution.mark(solution(statement), [*laws, *wrong], "b", letters).marks
-    without = restitution.mark(solution(statement), wrong, "b", letters).marks
-    assert (with_laws.earned, with_laws.of) == (7, 8)
-    assert (without.earned, without.of) == (2, 3)

@@ -123,13 +123,7 @@ def _marked(
     judgement = _with_consequence(judgement, solution, part)
     unknown = bench.question.unknown - bench.question.given
     values = Values(bench.worlds, unknown, judgement.letters)
-    restated = any(
-        use.principle in ("momentum", "restitution")
-        for line in judgement.lines
-        if line.verdict != "remark"
-        for use in line.uses[:1]
-    )
-    marks = marked(judgement, schemes(bench.solution, part, restated=restated), values)
+    marks = marked(judgement, schemes(bench.solution, part), values)
     return Marking(
         part,
         judgement.lines,

@@ -290,7 +290,7 @@ class _Examiner:
                 continue
             if line.verdict == "true" and match == "true":
                 last = self._earned(point, line, "")
-                if not line.grounded and point.shown:
+                if not line.grounded:
                     last = PointMark(point, "lost", line.line.number, _UNGROUNDED)
             elif line.verdict == "follows" and match != "true":
                 through = point.follows and not self._begins_here(line)

@@ -151,26 +151,20 @@ class Scheme:
 
 
 def schemes(
-    solution: Solution,
-    part: str | None = None,
-    style: Style = "fm1",
-    *,
-    restated: bool = False,
+    solution: Solution, part: str | None = None, style: Style = "fm1"
 ) -> tuple[Scheme, ...]:
     """The distinct schemes of a part, that of the usual method first.
 
-    With ``restated`` each is followed by one that has the points of earlier parts on which it
-    rests, for a working that states their laws again. Raises KeyError for a part that is not there.
+    Raises KeyError for a part that is not there.
     """
     solved = solution.parts[part]
     known: dict[tuple[tuple[str, str, int | None], ...], Scheme] = {}
     for route in range(1, ROUTES + 1):
         derivation = awarded(plan(solution, route, partial=True), style)
-        for whole in (False, True) if restated else (False,):
-            points = tuple(_points(derivation, solved, whole))
-            key = tuple((point.kind, point.principle, point.event) for point in points)
-            if points:
-                known.setdefault(key, Scheme(route, points))
+        points = tuple(_points(derivation, solved))
+        key = tuple((point.kind, point.principle, point.event) for point in points)
+        if points:
+            known.setdefault(key, Scheme(route, points))
     return tuple(known.values()) or (_of_answers(solved),)
 
 
@@ -195,13 +189,8 @@ def _of_answers(solved: PartSolution) -> Scheme:
     return Scheme(1, tuple(points))
 
 
-def _points(
-    derivation: Derivation, solved: PartSolution, whole: bool = False
-) -> Iterator[MarkPoint]:
-    """The points that stand beside the lines of a part, and beside what is not written out.
-
-    With ``whole`` those of the lines of earlier parts on which it rests come first.
-    """
+def _points(derivation: Derivation, solved: PartSolution) -> Iterator[MarkPoint]:
+    """The points that stand beside the lines of a part, and beside what is not written out."""
     label = solved.part.label
     items = {name: place for place, name in enumerate(_items(derivation, label))}
     ends = {end.line: end for end in derivation.items}
@@ -218,14 +207,10 @@ def _points(
                 open_ += [ref for ref in lines[number].premises if isinstance(ref, int)]
         return tuple(point.id for n in sorted(seen) for point in by_line.get(n, ()))
 
-    own = {
-        line.number
-        for line in derivation.lines
-        if (line.item is not None or line.marks) and derivation.asked.get(line.item or "") == label
-    }
-    chosen = own | (_beneath(own, lines) if whole else set())
     for line in derivation.lines:
-        if line.number not in chosen:
+        if line.item is None and not line.marks:
+            continue
+        if derivation.asked.get(line.item or "") != label:
             continue
         under = above(line)
         for mark in line.marks:
@@ -241,7 +226,7 @@ def _points(
                 derivation,
                 depends=tuple(rests if mark.kind == "M" else method),
                 above=(*under, *(p.id for p in by_line.get(line.number, ()))),
-                end=ends.get(line.number) if line.number in own else None,
+                end=ends.get(line.number),
                 item=items.get(_item_of(line, ends)),
             )
             by_line.setdefault(line.number, []).append(point)
@@ -265,18 +250,6 @@ def _points(
                 item=place,
                 shown=shown and not of_method,
             )
-
-
-def _beneath(numbers: set[int], lines: Mapping[int, Line]) -> set[int]:
-    """The lines on which some lines rest, over all between."""
-    seen = set[int]()
-    pending = [ref for n in numbers for ref in lines[n].premises if isinstance(ref, int)]
-    while pending:
-        number = pending.pop()
-        if number not in seen and number in lines:
-            seen.add(number)
-            pending += [ref for ref in lines[number].premises if isinstance(ref, int)]
-    return seen
 
 
 def _asked(solved: PartSolution, place: int | None) -> tuple[Link | None, bool]:
