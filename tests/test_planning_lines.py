@@ -172,7 +172,7 @@ def test_the_follower_accepts(name: str) -> None:
 def test_the_angle_is_introduced_as_acute_and_both_sides_are_told() -> None:
     text = printed("an angle by the speed of the sphere that was at rest")
     assert "Let θ be the acute angle between the line of centres and 𝐢." in " ".join(text.split())
-    assert "The line of centres may be on either side of 𝐢:" in text
+    assert "The line of centres may be on either side of 𝐢, and the other figure" in text
     assert "≈ 53.1° or −53.1°" in text
     assert "B moves along the line of centres:" in text
 
@@ -219,7 +219,7 @@ def test_the_side_of_a_deflection_is_told_or_taken() -> None:
     assert "𝐯_A = 2 cos 60° 𝐢 + 2 sin 60° 𝐣 = (𝐢 + √3 𝐣) m s⁻¹" in text
     text = printed("a speed and a deflection to either side")
     assert "the line of centres is parallel to 4𝐢 + 𝐣 or 4𝐢 − 𝐣" in text
-    assert "W may slope to either side of 𝐢:" in printed(
+    assert "W may slope to either side of 𝐢, and the other figure" in printed(
         "a wall at an unknown angle on either side"
     )
 
