@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import os
+import zlib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -76,21 +77,21 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_xdist_auto_num_workers() -> int:
-    """One more than there are processors: the tests of pages wait most of their time."""
-    return (os.cpu_count() or 1) + 1
+    """Two more than there are processors: the tests of pages wait most of their time."""
+    return (os.cpu_count() or 1) + PAGES
 
 
 @pytest.hookimpl(tryfirst=True)  # marks are looked at afterwards
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Which tests are quick, and which go to one process, sharing what takes long to make.
 
-    That is all tests of a statement, for it is solved once; all of pages, which share a server
-    and a browser; all of a module, but of those whose tests have nothing in common.
+    That is all tests of a statement, for it is solved once; all of pages, by halves, each of which
+    has a server and a browser; all of a module, but of those whose tests have nothing in common.
     """
     few = frozenset(FILES[::40])
     groups = {item: _group(item) for item in items}
     # Pages wait for their server and their browser: they begin first, while others calculate.
-    items.sort(key=lambda item: groups[item] != "pages")
+    items.sort(key=lambda item: not groups[item].startswith("pages"))
     for item in items:
         item.add_marker(pytest.mark.xdist_group(groups[item]))
         path = item.callspec.params.get("path") if hasattr(item, "callspec") else None
@@ -108,6 +109,9 @@ def pytest_collection_finish() -> None:
     gc.freeze()
 
 
+PAGES = 2
+"""So many groups have the tests of pages: one after the other they would take longest."""
+
 # Their tests take long, and share nothing.
 SPREAD = {"test_cli", "test_never_hangs", "test_properties"}
 
@@ -115,7 +119,7 @@ SPREAD = {"test_cli", "test_never_hangs", "test_properties"}
 def _group(item: pytest.Item) -> str:
     if isinstance(item, pytest.Function):
         if {"page", "served"} & set(item.fixturenames):
-            return "pages"
+            return f"pages {zlib.crc32(item.nodeid.encode()) % PAGES}"
         params = item.callspec.params if hasattr(item, "callspec") else {}
         path, name = params.get("path"), params.get("name")
         statement = path.stem if isinstance(path, Path) else name
