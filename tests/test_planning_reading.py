@@ -198,6 +198,13 @@ sphere P: velocity u i
 P hits W: e = 1/3
 find direction(P)
 """
+ASKED_THOUGH_GIVEN = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i, e = 1/2
+given k = 3, tan(alpha) = 3/4
+find k, tan(alpha), alpha, velocity(A)
+"""
 WHOLE_COMPONENT = """
 wall W: along i
 sphere P: mass 2, velocity v at theta to W
@@ -289,6 +296,8 @@ READINGS = [
     (UPRIGHT_AT_AN_END, "also if e = ¼, where δ = 90° − 45°"),
     (ANY_ANGLE, ", for f ≠ 0"),
     (WHOLE_COMPONENT, " 3 = 6e "),
+    (ASKED_THOUGH_GIVEN, "From the data: k = 3"),
+    (ASKED_THOUGH_GIVEN, "α = arctan(3/4) ≈ 36.9°"),
     (ONE_VALUE, "angle from 𝐢 to 𝐯_B = 0°"),
     (WHOLE_COMPONENT_BELOW, "Substituting for v sin θ in (1):"),
     (AT_REST, "= ⅓, for f ≠ 0"),

@@ -24,10 +24,10 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning import journeys, place_trees
-from restitution.planning.angle_ratios import write_other_ratio
+from restitution.planning.angle_ratios import range_of, write_other_ratio
 from restitution.planning.angle_sums import write_tangent_of_sum
 from restitution.planning.axes import write_axis, write_wall
-from restitution.planning.desk import NotPlannedError, chain, together
+from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.either_side import write_sides
 from restitution.planning.expressions import outermost, write_expression
 from restitution.planning.forms import ONE, difference, product, square, tree_of
@@ -70,11 +70,10 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
         case Letter() if named is not None:
             _named(scene, asked, named, name)
         case Letter(letter):
-            known = scene.desk.known(asked)
+            known = scene.desk.known(asked) or _by_its_given_ratio(scene, letter)
             if known is None:
                 raise NotPlannedError(f"{letter} is open")
-            (line,) = (ref for ref in known.refs if isinstance(ref, int))
-            line = _closed(scene, asked, line, known.value)
+            line = _closed(scene, asked, _line_of(scene, asked, known), known.value)
             scene.desk.end(name, line, _as_solved(scene, asked, line))
         case _ if placed:
             line, value = journeys.write(scene, asked)
@@ -219,7 +218,7 @@ def _ratio(scene: Scene, asked: Apply, kind: str, letter: str, name: str) -> Non
         known = scene.desk.known(asked)
     if known is None:
         raise NotPlannedError(f"{kind} {letter} is open")
-    (line,) = (ref for ref in known.refs if isinstance(ref, int))
+    line = _line_of(scene, asked, known)
     relation = scene.desk.relation(line)
     if len(relation.options) == 1:
         relation = chain(asked, (tree_of(known.value), None))
@@ -234,8 +233,7 @@ def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
         return
     known = scene.desk.known(asked)
     if known is not None:
-        (line,) = (ref for ref in known.refs if isinstance(ref, int))
-        line = _closed(scene, asked, line, known.value)
+        line = _closed(scene, asked, _line_of(scene, asked, known), known.value)
         scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
         return
     if place_trees.serves(quantity):
@@ -269,11 +267,35 @@ def _named_expression(scene: Scene, asked: Letter, fact: Fact, name: str) -> Non
     scene.desk.end(name, scene.desk.write(Move("put"), premises, relation), relation)
 
 
+def _by_its_given_ratio(scene: Scene, letter: str) -> Source | None:
+    """An angle of which the data give the sine, the cosine or the tangent as a number."""
+    fact = scene.ratio_facts.get(letter)
+    if fact is None:
+        return None
+    value = scene.final(scene.model.unknowns.letter(letter))
+    relation = chain(Letter(letter), (tree_of(value, angle=True, as_it_is=True), None))
+    premises = fact.id, range_of(scene, letter)
+    line = scene.judge.write((Move("inverse"),), premises, relation)
+    return None if line is None else scene.desk.know(Letter(letter), value, (line,))
+
+
+def _line_of(scene: Scene, asked: Expression, known: Source) -> int:
+    """The line that gives a value; what is asked though it is given has one of its own."""
+    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    if len(lines) == 1:
+        return lines[0]
+    relation = chain(asked, (tree_of(known.value), None))
+    line = None if lines else scene.judge.write((Move("fact"),), known.refs, relation)
+    if line is None:
+        raise NotPlannedError("a value that rests on several lines")
+    return line
+
+
 def _of_letters(scene: Scene, solver: Solver, asked: Expression, name: str) -> None:
     """A ratio of an angle, or another expression of letters: it stands in a line, or is made."""
     known = scene.desk.known(asked)
     if known is not None:
-        (line,) = (ref for ref in known.refs if isinstance(ref, int))
+        line = _line_of(scene, asked, known)
         scene.desk.end(name, line, scene.desk.relation(line))
         return
     value, refs = scene.put(scene.scalar(asked))
