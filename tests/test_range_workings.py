@@ -180,3 +180,10 @@ def test_which_way_a_body_moves_gives_the_sign_and_what_holds_anyway_is_said() -
     working = " ".join(str(explain(restitution.solve(parse(text)))).split())
     assert "B moves in the direction of 𝐢, so w > 0:" in working
     assert "v < 0 in any case, as e ≥ 0." in working
+
+
+def test_pieces_of_a_range_whose_order_rests_on_letters_have_no_working() -> None:
+    text = "sphere A: mass 2, velocity 3i\nsphere B: velocity -2i\nA hits B: along i, e = 1/2\n"
+    text += "given speed(A)/speed(B) = m u\nfind range of energy(A) + energy(B)"
+    working = " ".join(str(explain(restitution.solve(parse(text)))).split())
+    assert "The steps from here are not written out." in working

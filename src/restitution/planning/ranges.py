@@ -163,6 +163,9 @@ def relation_of(asked: Expression, result: ItemResult) -> Relation:
     ]
     if not all(isinstance(part, sp.Interval | sp.FiniteSet) for part in parts):
         raise NotPlannedError("a range that is no interval")
+    ends = [each.inf for each in parts]
+    if len(parts) > 1 and not all((a < b) in (sp.true, sp.false) for a in ends for b in ends):
+        raise NotPlannedError("a range in pieces whose order rests on letters")
     ordered = sorted(parts, key=lambda each: each.inf) if len(parts) > 1 else parts
     return Relation(tuple(_links_of(asked, each, answer.angle) for each in ordered))
 
