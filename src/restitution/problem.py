@@ -243,6 +243,11 @@ class Arrival:
 Event = Impact | Kick | Arrival
 
 
+def bodies_of(event: Event) -> tuple[str, ...]:
+    """The names of the bodies of an event, walls among them."""
+    return (event.first, event.second) if isinstance(event, Impact) else (event.body,)
+
+
 @dataclass(frozen=True)
 class Let:
     """``let beta = …``: a name for a quantity or for an expression of quantities."""

@@ -205,6 +205,20 @@ def factors(tree: Expression) -> list[Expression]:
     return [tree]
 
 
+def factors_above(tree: Expression) -> Iterator[Expression]:
+    """The factors of a product, and of what stands above in a quotient, but for a sign."""
+    match tree:
+        case Binary("*", left, right):
+            yield from factors_above(left)
+            yield from factors_above(right)
+        case Binary("/", above, _):
+            yield from factors_above(above)
+        case Negate(operand):
+            yield from factors_above(operand)
+        case _:
+            yield tree
+
+
 def total(terms: Iterable[Expression]) -> Expression:
     """Terms added up: zeros are left out, what is negative is subtracted."""
     own: Expression | None = None

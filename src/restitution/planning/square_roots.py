@@ -14,13 +14,12 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
-    Negate,
     Number,
     children,
     is_zero,
     letters,
 )
-from restitution.planning.forms import TWO, product, swept, tree_of
+from restitution.planning.forms import TWO, factors_above, product, swept, tree_of
 from restitution.planning.impacts import residual, scene_value
 from restitution.planning.premises import background
 from restitution.planning.scene import Scene
@@ -105,27 +104,13 @@ def is_product_of_sums(scene: Scene, number: int, symbol: sp.Symbol) -> bool:
     """Whether a line says that a product of sums with the unknown is zero: so are its roots."""
     match scene.desk.last_link(number):
         case Link(left, "=", right) if is_zero(right):
-            factors = [factor for factor in _factors(left) if symbol.name in letters(factor)]
+            factors = [factor for factor in factors_above(left) if symbol.name in letters(factor)]
             values = [sp.sympify(scene_value(scene, factor), strict=True) for factor in factors]
             return len(factors) > 1 and all(
                 value.is_polynomial(symbol) and sp.Poly(value, symbol).degree() == 1
                 for value in values
             )
     return False
-
-
-def _factors(tree: Expression) -> Iterator[Expression]:
-    """The factors of a product, and of what stands above in a quotient."""
-    match tree:
-        case Binary("*", left, right):
-            yield from _factors(left)
-            yield from _factors(right)
-        case Binary("/", above, _):
-            yield from _factors(above)
-        case Negate(operand):
-            yield from _factors(operand)
-        case _:
-            yield tree
 
 
 def _sums(tree: Expression, name: str) -> Iterator[Expression]:

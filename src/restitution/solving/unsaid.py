@@ -14,7 +14,7 @@ from restitution.exact import tidy
 from restitution.expression.evaluate import Evaluator, Symbolic
 from restitution.expression.tree import Binary, Expression, Name, Number, Polar
 from restitution.oracle import REAL, Oracle, compared
-from restitution.problem import Arrival, Event, Impact, Kick, Problem, Sphere
+from restitution.problem import Arrival, Event, Impact, Kick, Problem, Sphere, bodies_of
 from restitution.shapes import Line, Segment
 from restitution.solving.letters import roles
 from restitution.vector import Vector
@@ -116,16 +116,10 @@ def _is_kept(problem: Problem, key: frozenset[str], along: Expression, number: i
         return _is_zero((one - other).cross(line)) and all(
             _acts_along(problem, event, line)
             for event in problem.events[:number]
-            if key & _bodies(event)
+            if key & {*bodies_of(event)}
         )
     except RestitutionError:
         return False  # it follows from the motion
-
-
-def _bodies(event: Event) -> frozenset[str]:
-    if isinstance(event, Impact):
-        return frozenset((event.first, event.second))
-    return frozenset((event.body,))
 
 
 def _acts_along(problem: Problem, event: Event, line: Vector) -> bool:

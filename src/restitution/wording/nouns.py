@@ -26,7 +26,7 @@ from restitution.expression.tree import (
     has_quantity,
     rational,
 )
-from restitution.problem import Arrival, Impact, Kick
+from restitution.problem import Arrival, Impact, Kick, bodies_of
 from restitution.render import layout as lay
 from restitution.shapes import Line, Segment
 from restitution.wording import values
@@ -34,7 +34,6 @@ from restitution.wording.scene import (
     INITIALLY,
     Scene,
     after,
-    bodies_of,
     event_name,
     happening,
     instant,

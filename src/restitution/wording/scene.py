@@ -36,6 +36,7 @@ from restitution.problem import (
     Step,
     Unknown,
     Wall,
+    bodies_of,
     trees,
     trees_of_relation,
     trees_of_step,
@@ -117,11 +118,6 @@ def _taken(problem: Problem) -> frozenset[str]:
     bodies: tuple[Sphere | Wall | Point, ...]
     bodies = (*problem.spheres, *problem.walls, *problem.points)
     return frozenset(taken | {body.name for body in bodies})
-
-
-def bodies_of(event: Event) -> tuple[str, ...]:
-    """The names of the bodies of an event."""
-    return (event.first, event.second) if isinstance(event, Impact) else (event.body,)
 
 
 # --- what matters ---------------------------------------------------------------------------------

@@ -7,10 +7,10 @@ from typing import Any
 
 from restitution.expression.dimensions import IMPULSE
 from restitution.expression.tree import Expression, Letter, Negate, Number, Polar
-from restitution.problem import Arrival, Impact, Kick
+from restitution.problem import Arrival, Impact, Kick, bodies_of
 from restitution.render import layout as lay
 from restitution.wording import values
-from restitution.wording.scene import Scene, bodies_of
+from restitution.wording.scene import Scene
 from restitution.wording.setting import course, exact
 from restitution.wording.structure import Named, Sentence, Words
 from restitution.wording.words import names, sentence, words

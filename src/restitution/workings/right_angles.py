@@ -26,7 +26,7 @@ from restitution.expression.tree import (
 )
 from restitution.oracle import Formula, Oracle, Role
 from restitution.oracle import Relation as Claim
-from restitution.planning.forms import factors, tree_of
+from restitution.planning.forms import factors_above, tree_of
 from restitution.workings.in_force import inequalities
 from restitution.workings.naming import Naming
 
@@ -53,6 +53,7 @@ class RightAngles:
         self._derivation = derivation
         self._naming = naming
         self._roles = roles
+        self._poles: dict[int, _Pole | None] = {}
 
     def of(self, line: Line) -> Sentence | None:
         """What is said behind a tangent of an angle that may be 90°, or made of such a one."""
@@ -118,6 +119,11 @@ class RightAngles:
 
     def _pole(self, line: Line) -> _Pole | None:
         """Where the angle whose tangent a line gives has none, if the letters may be so."""
+        if line.number not in self._poles:
+            self._poles[line.number] = self._pole_of(line)
+        return self._poles[line.number]
+
+    def _pole_of(self, line: Line) -> _Pole | None:
         assert isinstance(line.relation, Relation)
         match line.relation.options:
             case ((Link(Apply("tan", angle), "="), *_),) if line.move.id in ("define", "rearrange"):
@@ -131,17 +137,18 @@ class RightAngles:
         quotient = _quotient(value)
         if quotient is None:
             return None
+        given = tuple(self._in_force(line))
         below = [e.right for e in walk(value) if isinstance(e, Binary) and e.op == "/"]
-        for factor in (each for tree in below for each in _factors_above(tree)):
+        for factor in (each for tree in below for each in factors_above(tree)):
             for at in self._zeros(factor):
                 gap = in_letters_alone(Binary("-", at.left, at.right))
-                if gap is None or not self._may_hold(line, gap):
+                if gap is None or not self._may_hold(gap, given):
                     continue
                 there = quotient
                 if isinstance(at.left, Letter):
                     root = at.left.name, in_letters_alone(at.right)
                     there = quotient[0].subs(*root), quotient[1].subs(*root)
-                oracle = Oracle(self._roles, (*self._in_force(line), Claim(gap, "=")))
+                oracle = Oracle(self._roles, (*given, Claim(gap, "=")))
                 if oracle.proves(Claim(there[1], "=")):
                     return _Pole(angle, at, upright=oracle.proves(Claim(there[0], "!=")))
         return None
@@ -163,13 +170,13 @@ class RightAngles:
         elif isinstance(factor, Binary) and factor.op == "-":
             yield Link(factor.left, "=", factor.right)
 
-    def _may_hold(self, line: Line, gap: sp.Expr) -> bool:
+    def _may_hold(self, gap: sp.Expr, given: tuple[Formula, ...]) -> bool:
         """Whether an expression is zero for some of the values that the letters may have."""
         names = frozenset(str(each) for each in gap.free_symbols)
         roles = {name: role for name, role in self._roles.items() if name in names}
         if len(roles) < len(names):
             return False
-        oracle = Oracle(roles, tuple(self._in_force(line)))
+        oracle = Oracle(roles, given)
         return oracle.decide(Claim(gap, "!=")).answer == "refuted"
 
     def _in_force(self, line: Line) -> Iterator[Formula]:
@@ -188,15 +195,6 @@ def _made_of(line: Line, turn: Letter) -> Expression | None:
         case Relation(((Link(left, "=", Binary("+" | "-") as right),),)) if left == turn:
             return right
     return None
-
-
-def _factors_above(tree: Expression) -> Iterator[Expression]:
-    """The factors of a tree, but for those below its line."""
-    for each in factors(tree):
-        if isinstance(each, Binary) and each.op == "/":
-            yield from _factors_above(each.left)
-        else:
-            yield each
 
 
 def _quotient(tree: Expression) -> tuple[sp.Expr, sp.Expr] | None:

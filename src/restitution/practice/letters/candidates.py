@@ -20,7 +20,7 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
-from restitution.problem import Event, Impact, Kick, Part, Problem, Wall
+from restitution.problem import Event, Impact, Kick, Part, Problem, Wall, bodies_of
 from restitution.shapes import Circle
 
 Kind = Literal[
@@ -137,11 +137,6 @@ def _of_free_masses(problem: Problem) -> Iterator[Candidate]:
         for one, other in (free[::-1], free):
             masses = (Quantity("mass", (Name(one),)), Quantity("mass", (Name(other),)))
             yield Candidate(Binary("/", *masses), "ratio", "scalar")
-
-
-def bodies_of(event: Event) -> tuple[str, ...]:
-    """The names of the bodies of an event, walls among them."""
-    return (event.first, event.second) if isinstance(event, Impact) else (event.body,)
 
 
 def wall_of(problem: Problem, event: Event | None) -> Wall | None:

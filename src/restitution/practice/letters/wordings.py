@@ -16,8 +16,7 @@ from restitution.expression.tree import (
     Unit,
 )
 from restitution.expression.writing import write_expression
-from restitution.practice.letters.candidates import bodies_of
-from restitution.problem import Event, Impact, Problem
+from restitution.problem import Event, Impact, Problem, bodies_of
 
 _RIGHT, _STRAIGHT = Degrees(Fraction(90)), Degrees(Fraction(180))
 
