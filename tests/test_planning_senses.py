@@ -224,6 +224,53 @@ find tan(alpha)
         ("is arctan(3/5). Along the line of\ncentres A keeps its sense",),
         (),
     ),
+    "a body that keeps its sense may have no velocity along the line": (
+        """
+sphere A, B: mass m
+sphere A: velocity u at alpha
+sphere B: at rest
+A hits B: along i, e = e
+given tan(alpha) = 2
+find tan(deflection(A))
+""",
+        ("keeps its sense, or has no velocity if e = 1,",),
+        (),
+    ),
+    "a loss that is given, by what changes": (
+        """
+sphere A: mass 2m, velocity 3u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+given energy_lost = m u^2
+find cos(alpha)
+""",
+        ("is mu². By the components that change:",),
+        (),
+    ),
+    "a loss at a wall that is given, by what changes": (
+        """
+wall W: along i
+sphere P: mass m, velocity 2u at 45° to W
+P hits W
+given energy_lost = 1/2 m u^2
+find e
+""",
+        ("is ½mu². By the component that changes:",),
+        (),
+    ),
+    "a deflection from an axis": (
+        """
+sphere A: mass m, velocity -2u j
+sphere B: mass m, at rest
+A hits B: along 3i - 4j, e = 1/2
+find velocity(A), deflection(A)
+""",
+        (
+            "A came in the direction of −𝐣, so the angle of deflection is the one",
+            "𝐯_A\nand −𝐣:",
+        ),
+        (),
+    ),
     "beyond a right angle": (
         """
 sphere P: mass 2, velocity 3i + j

@@ -218,7 +218,7 @@ SAYS = [
     (TURNED, "tan β = (⅓ + ½)/(1 − ⅓ × ½) = 1"),
     (TURNED_AGAIN, "tan β = 2 tan α/(1 − tan²α)"),
     (TURNED_AGAIN, "(2 × ½)/(1 − (1/2)²) = 4/3"),
-    (PLACES, "position of P at the impact = (8, 5/2)"),
+    (PLACES, "position of P at the impact = (8𝐢 + (5/2)𝐣) m"),
     (SIZES, "From (1): magnitude of the impulse = 18 N s"),
     (BLOW, "Magnitude, from the components: magnitude of the impulse = √(8² + 6²)"),
     (NO_MOMENTUM, "= 𝟎"),

@@ -252,6 +252,14 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Along the line of centres {body} is sent back, so it turns through 180° less both its "
         "angles to that line:"
     ),
+    "turned.on-or-across": (
+        "Along the line of centres {body} keeps its sense, or has no velocity if {at}, so it turns "
+        "through the difference of its angles to that line:"
+    ),
+    "turned.back-or-across": (
+        "Along the line of centres {body} is sent back, or has no velocity if {at}, so it turns "
+        "through 180° less both its angles to that line:"
+    ),
     "turned.back-as": (
         "If {body} kept its sense along the line of centres, it would turn through less than "
         "{turn}. So it is sent back, and turns through 180° less both its angles to that line:"
@@ -263,6 +271,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     "turned.from-square": (
         "{body} comes at right angles to the line of centres, so it turns through 90° less its "
         "new angle to that line:"
+    ),
+    "turned.from-axis": (
+        "{body} came in the direction of {axis}, so the angle of deflection is the one between "
+        "{velocity} and {axis}:"
     ),
     "turned-wall.straight": "{body} hits {wall} at right angles, so it is sent straight back:",
     "turned-wall.along": (
@@ -388,6 +400,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.fact-along": ("It is given that {fact}, and {body} moves along the line of centres:"),
     "given.fact": "It is given that {fact}:",
     "given.and": "It is given that {fact}.",
+    "given.by-what-changes": "By the component that changes:",
+    "given.by-those-that-change": "By the components that change:",
     "given.agrees": "It is also given that {fact}, which agrees with this.",
     "given.direction": (
         "It is given that {fact}, so {velocity} has no component in the direction of {axis}:"
@@ -712,7 +726,6 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.divide": "Dividing {first} by {second}:",
     "derived.square-add": "Squaring and adding {equations:and}:",
     "made.fraction-lost": "Fraction of the kinetic energy that is lost:",
-    "place.so": "so {body} is at {place}",
     "derived-speed.one": "The velocity of {body} has one component only",
     "derived-speed.along": "{body} moves along the line of centres",
     "derived-speed.across": "{body} moves perpendicular to the line of centres",

@@ -31,11 +31,13 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Negate,
+    Number,
     Pair,
     Quantity,
     Unit,
     has_quantity,
     is_zero,
+    letters,
     walk,
 )
 from restitution.render import layout as lay
@@ -170,6 +172,11 @@ class Leads:
             return (say("given.component", fact=sentence, axis=self._naming.layout(other)),)
         if line.move.record == "parallel":
             return (say("given.proportion", fact=sentence),)
+        if line.move.record in ("energy-lost", "energy-change"):
+            event = self._naming.events.get(line.move.event or 0)
+            spheres = line.move.record == "energy-lost" and event is not None and not event.wall
+            name = "given.by-those-that-change" if spheres else "given.by-what-changes"
+            return (say("given.and", fact=sentence), say(name))
         return (*self._sine_of_an_offset(line), say("given.fact", fact=sentence))
 
     def given_before(self, line: Line) -> tuple[Sentence, ...]:
@@ -301,6 +308,25 @@ class Leads:
                 for each in lines
             )
         )
+
+    def _came_along(self, line: Line) -> Sentence | None:
+        """That the angle of deflection is one to an axis, as the body came along that."""
+        (body,) = line.move.bodies
+        events = [n for n, event in self._naming.events.items() if body in event.bodies]
+        if line.move.event != min(events):
+            return None
+        sense = None
+        for ref in line.premises:
+            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            match None if fact is None else fact.relation.options[0][0]:
+                case Link(Quantity("velocity", (Name(own),)), "=", right) if own == body:
+                    if all(map(self._reasons.is_positive, letters(right))):
+                        sense = _sense_of(right)
+        if sense is None:
+            return None
+        late = Quantity("velocity", (Name(body),), line.move.event)
+        velocity, axis = map(self._naming.layout, (late, sense))
+        return say("turned.from-axis", body=body, axis=axis, velocity=velocity)
 
     def _one_component(self, line: Line) -> Sentence | None:
         """How a body moves of whose velocity all components but one are zero."""
@@ -572,6 +598,8 @@ class Leads:
 
     def _turned(self, line: Line) -> Sentence | None:
         """How an angle is made of two others; None of a line that makes none."""
+        if line.move.record == "tan-from-axis":
+            return self._came_along(line)
         event = self._naming.events.get(line.move.event or 0)
         if line.move.record not in ("sum", "difference") or event is None:
             return None
@@ -604,6 +632,8 @@ class Leads:
             if not isinstance(first.right, Binary | Degrees) and (one := self._on_the_line(line)):
                 return say("between.line", body=one)
             return say(_BETWEEN[form], bodies=line.move.bodies)
+        if form in _OR_ACROSS and (at := self._reasons.right_angle_among(line)) is not None:
+            return say(_OR_ACROSS[form], body=body, at=self._naming.relation(at))
         if form == "square":
             name = "turned.square" if self._ends_square(line) else "turned.from-square"
             return say(name, body=body)
@@ -1073,6 +1103,7 @@ _TURNED = {
     "rest-of-sum": "turned.back",
     "straight": "turned.straight",
 }
+_OR_ACROSS = {"difference": "turned.on-or-across", "rest-of-sum": "turned.back-or-across"}
 _BESIDE = {
     "square": "between.beside-same",
     "square-and-more": "between.beside-opposite",
@@ -1094,6 +1125,19 @@ def _is_rest(fact: Fact) -> bool:
         case Pair(x, y):
             return is_zero(x) and is_zero(y)
     return False
+
+
+def _sense_of(velocity: Expression) -> Expression | None:
+    """**i** or **j**, or its opposite, along which a velocity is; None of any other."""
+    match velocity:
+        case Unit():
+            return velocity
+        case Negate(operand):
+            sense = _sense_of(operand)
+            return sense.operand if isinstance(sense, Negate) else sense and Negate(sense)
+        case Binary("*", Number() | Letter() | Binary("*", Number(), Letter()), Unit() as unit):
+            return unit  # numbers carry no sign
+    return None
 
 
 def _kind_of(angle: Expression) -> str:

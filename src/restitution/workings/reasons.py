@@ -74,6 +74,15 @@ class Reasons:
         self._naming = naming
         self._right_angles = RightAngles(derivation, naming, self._roles)
 
+    def is_positive(self, name: str) -> bool:
+        """Whether a letter of the statement is positive for all that it may be."""
+        role = self._roles.get(name)
+        return role is not None and role.symbol(name).is_positive is True
+
+    def right_angle_among(self, line: Line) -> Relation | None:
+        """For which letters one of the angles of which a line makes another is a right one."""
+        return self._right_angles.among(line)
+
     def of(self, line: Line) -> tuple[Sentence, ...]:
         """What a line rests on, to stand behind it."""
         if self._by_pythagoras(line):

@@ -59,6 +59,22 @@ class RightAngles:
         """What is said behind a tangent of an angle that may be 90°, or made of such a one."""
         return self._right_angle(line) or self._upright_too(line)
 
+    def among(self, line: Line) -> Relation | None:
+        """For which letters one of the angles of which a line makes another is a right one."""
+        assert isinstance(line.relation, Relation)
+        first = line.relation.options[0][0]
+        trees = {*walk(first.left), *walk(first.right)}
+        for ref in line.premises:
+            own = self._line(ref)
+            if own is not None and isinstance(own.relation, Relation):
+                trees.add(own.relation.options[0][0].left)
+        for each in self._derivation.lines:
+            if each.number < line.number and isinstance(each.relation, Relation):
+                pole = self._pole(each)
+                if pole is not None and pole.upright and pole.angle in trees:
+                    return Relation(((pole.at,),))
+        return None
+
     def _right_angle(self, line: Line) -> Sentence | None:
         """Where an angle of the motion has no tangent: it is 90° there, or no angle at all."""
         pole = self._pole(line)

@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     Number,
     Pair,
     Quantity,
+    Unit,
     has_quantity,
     is_zero,
     letters,
@@ -244,16 +245,15 @@ class Rows:
         if self._towards(line, links, sides):
             sides[0] = self._away(links[0].left)
             sides[1:] = [lay.split_sign(side)[1] for side in sides[1:]]
-        reasons: tuple[Sentence, ...] = ()
         if line.move.id == "solve" and not last and _is_value(links[0].left):
             unit = self._measures.unit(links[0].left)
             sides[-1] = with_unit(sides[-1], unit) if is_plain(sides[-1]) else sides[-1]
         if signs[-1] in ("=", "≈") and last:
             self._ended(line, links, sides, signs)
-            reasons = self._placed(line, links, sides, signs)
+            self._placed(line, links, sides, signs)
         elif last and self._ends.of(line) is not None:
             self._bounded(trees, sides)
-        return Row(tuple(sides), tuple(signs), reasons=reasons)
+        return Row(tuple(sides), tuple(signs))
 
     def _unrationalised(self, ratio: Expression) -> lay.Layout:
         """A quotient by a root as it stands, where its layout would have a whole number below."""
@@ -305,52 +305,33 @@ class Rows:
 
     def _placed(
         self, line: Line, links: tuple[Link, ...], sides: list[lay.Layout], signs: list[str]
-    ) -> tuple[Sentence, ...]:
+    ) -> None:
         """Where a body is by its coordinates, if that was asked.
 
-        They take the place of a position vector that is made of them. One that was worked out as a
-        vector is left as that, and has its coordinates beside it where others have them.
+        They take the place of a position vector that is made of them, unless other places are
+        worked out as vectors.
         """
         end, asked = self._ends.of(line), self._ends.asked(line)
-        worked_out = self._is_of_a_vector(line)
-        if end is None or end.shown or not self._ends.is_place(line):
-            return ()
-        if worked_out and not self._has_coordinates():
-            return ()
+        if end is None or end.shown or len(links) > 1 or line.move.id == "rearrange":
+            return
         match asked:
-            case Value(expression=Quantity("position", (Name(body),))):
+            case Value(expression=Quantity("position", (Name(),))) if not self._has_vectors():
                 place = self._coordinates(line, links[-1])
-            case _:
-                return ()
-        if not place:
-            return ()
-        if len(links) == 1 and not worked_out:
-            sides[1:], signs[1:] = [each for each, _ in place], [sign for _, sign in place[1:]]
-            return ()
-        row = tuple(each for each, _ in place)
-        relation = lay.Relation(row, tuple(s for _, s in place[1:])) if len(row) > 1 else row[0]
-        return (say("place.so", body=body, place=relation),)
+                if place:
+                    sides[1:], signs[1:] = [a for a, _ in place], [sign for _, sign in place[1:]]
 
-    def _has_coordinates(self) -> bool:
-        """Whether a place that is asked is told by its coordinates alone."""
-        ends = (self._derivation.line(end.line) for end in self._derivation.items)
+    def _has_vectors(self) -> bool:
+        """Whether a place is worked out as a vector, which is neither asked nor the origin."""
         return any(
-            own is not None and not self._is_of_a_vector(own) and self._ends.is_place(own)
-            for own in ends
-        )
-
-    def _is_of_a_vector(self, line: Line) -> bool:
-        """Whether a place was worked out as a vector, which the line above it says in letters."""
-        if line.move.id == "rearrange":
-            return True
-        above = (self._derivation.line(ref) for ref in line.premises if isinstance(ref, int))
-        return line.move.id == "put" and any(
-            isinstance(each.relation, Relation)
-            and isinstance(line.relation, Relation)
-            and len(line.relation.options) == len(each.relation.options) == 1
-            and each.relation.only[0].left == line.relation.only[0].left
-            for each in above
-            if each is not None
+            isinstance(line.relation, Relation)
+            and self._ends.of(line) is None
+            and any(
+                isinstance(link.left, Quantity)
+                and link.left.kind == "position"
+                and any(isinstance(each, Unit) for each in walk(link.right))
+                for link in line.relation.options[0]
+            )
+            for line in self._derivation.lines
         )
 
     def _coordinates(self, line: Line, link: Link) -> tuple[tuple[lay.Layout, str], ...]:
@@ -416,6 +397,7 @@ class Rows:
                     signs.append(hundred[1])
                 return
             place = self._ends.is_place(line) and line.move.id != "rearrange"
+            place = place and not self._has_vectors()
             for side, sign in as_answer(right) if links[-1].sign == "=" and not place else ():
                 if side != sides[-1] and not (sign == "=" and _has_decimals(sides[-1])):
                     sides.append(side)
