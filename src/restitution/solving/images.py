@@ -9,6 +9,7 @@ from functools import cached_property
 
 import sympy as sp
 
+from restitution import exact
 from restitution.errors import ContradictionError, UnsupportedError
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.oracle import (
@@ -23,7 +24,7 @@ from restitution.oracle import (
     joined,
     letters_of,
 )
-from restitution.oracle.roles import REAL, TO_180, Role
+from restitution.oracle.roles import DIRECTION, REAL, TO_180, Role
 from restitution.solving.intervals import End, Piece, inside_of, reconcile
 from restitution.solving.limits import limit_at, limits, turning
 from restitution.solving.numbers import Sample, at, draw, number_of, sample
@@ -122,10 +123,20 @@ class Image:
 
     def proved(self, pieces: Sequence[Piece], more: Sequence[Formula] = ()) -> Verdict:
         """Whether just these values occur, whatever the data are; ``more`` are facts of them."""
+        role = _role_of_angle(pieces) if self.angle else REAL
+        verdict = self._proved(self.value, pieces, role, more)
+        arc = _tangent_of(self.value, pieces) if self.angle else None
+        if verdict.answer == "undecided" and arc is not None:
+            return self._proved(*arc, REAL, more)
+        return verdict
+
+    def _proved(
+        self, value: sp.Expr, pieces: Sequence[Piece], role: Role, more: Sequence[Formula]
+    ) -> Verdict:
+        """Whether just some values of an expression occur, whatever the data are."""
         formula = self.region.formula
         if formula is None:
             return Verdict("undecided", "undecided")
-        role = _role_of_angle(pieces) if self.angle else REAL
         roles = {**self.region.roles, _NAME: role}
         symbol = role.symbol(_NAME)
         # What is asked of the data alone holds whether or not a value occurs.
@@ -135,11 +146,11 @@ class Image:
             if letters_of(each) and not letters_of(each) & set(self.free)
         )
         try:
-            outer = Oracle(roles, (*more, formula)).decide(inside_of(self.value, pieces))
+            outer = Oracle(roles, (*more, formula)).decide(inside_of(value, pieces))
             if not outer:
                 return outer
             inner = Oracle(roles, (*more, *of_data, inside_of(symbol, pieces))).decide_some(
-                joined((formula, Relation(self.value - symbol, "="))), frozenset(self.free)
+                joined((formula, Relation(value - symbol, "="))), frozenset(self.free)
             )
         except BeyondError:
             return Verdict("undecided", "undecided")
@@ -152,9 +163,39 @@ _NAME = "value sought"  # no name that a letter can have
 def _role_of_angle(pieces: Sequence[Piece]) -> Role:
     """What an angle may be that lies in some intervals; the narrower, the sooner it is decided."""
     plain = [end.value for piece in pieces for end in piece if end.value.is_number]
-    if len(plain) == 2 * len(pieces) and all(0 <= at(x, {}) < at(sp.pi / 2, {}) for x in plain):
+    if any(at(x, {}) < 0 for x in plain):
+        return DIRECTION
+    if len(plain) == 2 * len(pieces) and all(at(x, {}) < at(sp.pi / 2, {}) for x in plain):
         return Role("angle", sp.Integer(0), sp.pi / 2, (True, False))
     return TO_180
+
+
+def _tangent_of(value: sp.Expr, pieces: Sequence[Piece]) -> tuple[sp.Expr, list[Piece]] | None:
+    """What stands in the inverse tangent of which an angle is made, with its values.
+
+    It grows with that, or falls: ``180° − arctan(4/(3e))`` is ``90° + arctan(3e/4)``, also where e
+    is 0 and the direction 90°. None of another angle.
+    """
+    whole, rest = value.as_independent(*value.free_symbols, as_Add=True)
+    factor, arc = rest.as_coeff_Mul()
+    if factor not in (1, -1) or not isinstance(arc, sp.atan) or whole.free_symbols:
+        return None
+    tangent = arc.args[0]
+    above, below = sp.fraction(sp.together(tangent))
+    if above.is_number and below.free_symbols and below.is_nonnegative:
+        # The reciprocal may be 0: then the angle is the right angle to which the arc comes.
+        whole += factor * sp.sign(above) * sp.pi / 2
+        tangent, factor = below / above, -factor
+    parts: list[Piece] = []
+    for piece in pieces:
+        own = [exact.tidy_angle((end.value - whole) * factor) for end in piece]
+        if any(each.free_symbols or abs(at(each, {})) >= at(sp.pi / 2, {}) for each in own):
+            return None
+        ends = [
+            End(exact.tidy(sp.tan(each)), end.closed) for each, end in zip(own, piece, strict=True)
+        ]
+        parts.append((ends[0], ends[1]) if factor == 1 else (ends[1], ends[0]))
+    return tangent, parts[::factor]
 
 
 def _bounding(

@@ -45,6 +45,7 @@ def grounds_of(derivation: Derivation, roles: Mapping[str, Role], line: Line) ->
             yield from _divided_by(derivation, roles, line)
         case "compare":
             yield from _double_angle(derivation, line)
+            yield from _half_plane(derivation, line)
 
 
 def motion_of(fact: Fact | None) -> tuple[str, Expression] | None:
@@ -81,6 +82,24 @@ def _quadrant(derivation: Derivation, line: Line) -> Iterator[Relation]:
         if _is_along_i(derivation, component) and _is_negative(value if beyond else Negate(value)):
             yield Relation(((Link(component, "<" if beyond else ">", _ZERO),),))
             return
+
+
+def _half_plane(derivation: Derivation, line: Line) -> Iterator[Relation]:
+    """To which side a body moves whose direction is bounded by a ratio of it."""
+    assert isinstance(line.relation, Relation)
+    sides = (side for link in line.relation.options[0] for side in (link.left, link.right))
+    if not any(isinstance(each, Quantity) and each.kind == "direction" for each in sides):
+        return
+    for ref in line.premises:
+        match _relation(derivation, ref):
+            case Relation(((Link(component, "="), *_) as links,)):
+                value = links[-1].right
+            case _:
+                continue
+        if _is_negative(value):
+            yield Relation(((Link(component, "<", _ZERO),),))
+        elif _is_negative(Negate(value)):
+            yield Relation(((Link(component, ">", _ZERO),),))
 
 
 def _is_beyond(angle: Expression) -> bool:

@@ -1,0 +1,207 @@
+"""Directions of velocities between bounds: a ratio of them grows, or falls, in a half-plane."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import sympy as sp
+
+from restitution.explaining.derivation import FLIPPED, Link, Relation, Sign
+from restitution.explaining.moves.bases import equal_in
+from restitution.explaining.quotients import NotComparableError, Plane, Quotient
+from restitution.explaining.step import Step
+from restitution.expression.tree import Apply, Degrees, Expression, Letter, Name, Negate, Quantity
+from restitution.oracle import Relation as Claim
+from restitution.oracle import compared
+
+RIGHT = sp.pi / 2
+
+
+def speaks_of_a_direction(step: Step, relation: Relation) -> bool:
+    """Whether a relation bounds the direction of a velocity."""
+    return any(
+        _direction(step, side) is not None
+        for links in relation.options
+        for link in links
+        for side in (link.left, link.right)
+    )
+
+
+def between_ratios(step: Step, relation: Relation) -> bool:
+    """A direction between bounds of which its tangent, or cotangent, is between those ratios.
+
+    The tangent grows with the direction on either side of **j**, the cotangent falls on either
+    side of **i**: on which side a velocity points, a component of it tells that is cited.
+    """
+    if len(relation.options) != 1:
+        return False
+    angles = {
+        angle
+        for link in relation.only
+        for side in (link.left, link.right)
+        for angle in (_direction(step, side),)
+        if angle is not None
+    }
+    if len(angles) != 1:
+        return False
+    (angle,) = angles
+    if _is_in_a_half_plane(step, relation, angle):
+        return True
+    for function in ("tan", "cot"):
+        ratios = list(_bounds_of(step, Apply(function, angle)))
+        window = _window(step, angle, function, ratios) if ratios else None
+        if window is not None and all(
+            _is_bounded(step, link, angle, function, ratios, window) for link in relation.only
+        ):
+            return True
+    return False
+
+
+def _direction(step: Step, side: Expression) -> Quantity | None:
+    """The direction of a velocity after an event that a side is, or for which it is a letter."""
+    if isinstance(side, Letter):
+        side = next((let.quantity for let in step.lets if let.letter == side.name), side)
+    match side:
+        case Quantity("direction", (Name(),), int()):
+            return side
+    return None
+
+
+def _bounds_of(step: Step, ratio: Apply) -> Iterator[Link]:
+    """What is cited of a ratio of a direction, with that on the left."""
+    for link in step.links:
+        for own in (link, _turned(link)):
+            match own.left:
+                case Apply(function, argument) if function == ratio.function:
+                    if own.sign in FLIPPED and _direction(step, argument) == ratio.argument:
+                        yield Link(ratio, own.sign, own.right)
+
+
+def _turned(link: Link) -> Link:
+    sign: Sign = FLIPPED.get(link.sign, link.sign)
+    return Link(link.right, sign, link.left)
+
+
+@dataclass(frozen=True)
+class _Window:
+    """The directions between two in which a ratio only grows, or only falls."""
+
+    low: sp.Expr
+    high: sp.Expr
+    closed: bool = False  # whether the greatest belongs to them
+
+
+_UP, _DOWN = _Window(sp.Integer(0), sp.pi), _Window(-sp.pi, sp.Integer(0))
+
+
+def _is_in_a_half_plane(step: Step, relation: Relation, angle: Quantity) -> bool:
+    """Whether a relation only says to which side a velocity points, as a component of it tells."""
+    if len(relation.only) != 2 or not all(
+        isinstance(side, Degrees | Negate) or _direction(step, side) is not None
+        for link in relation.only
+        for side in (link.left, link.right)
+    ):
+        return False
+    window = _Window(*(_value(step, each) for each in _ends(relation)))
+    return window in (_UP, _DOWN) and window == _half_plane(step, angle)
+
+
+def _ends(relation: Relation) -> tuple[Expression, Expression]:
+    """The bounds of what stands between two."""
+    return relation.only[0].left, relation.only[-1].right
+
+
+def _cited_half_plane(step: Step, angle: Quantity) -> _Window | None:
+    """Between which directions a velocity points, where a line tells it."""
+    for each in step.cited:
+        match each.relation:
+            case Relation(((Link(Degrees() | Negate(), "<", one), Link(two, "<", _)),)):
+                if one == two and _direction(step, one) == angle:
+                    return _Window(*(_value(step, end) for end in _ends(each.relation)))
+    return None
+
+
+def _half_plane(step: Step, angle: Quantity) -> _Window | None:
+    """On which side of **i** a velocity points, as far as its cited component tells."""
+    return {1: _UP, -1: _DOWN}.get(_sign(step, _components(step, angle)[1]))
+
+
+def _components(step: Step, angle: Quantity) -> tuple[Quotient | None, Quotient | None]:
+    """The components of a velocity as lines give them; None for one that is not cited."""
+    velocity = step.world.value(Quantity("velocity", angle.arguments, angle.stage))
+    known = step.rules().put_into(velocity) if isinstance(velocity, Plane) else None
+    if not isinstance(velocity, Plane) or not isinstance(known, Plane):
+        return None, None
+    return (
+        None if known.x == velocity.x else known.x,
+        None if known.y == velocity.y else known.y,
+    )
+
+
+def _window(step: Step, angle: Quantity, function: str, ratios: list[Link]) -> _Window | None:
+    """Where a velocity points, as far as is cited; None where that is open."""
+    x, y = _components(step, angle)
+    told = _cited_half_plane(step, angle)
+    up = _sign(step, y) or {_UP: 1, _DOWN: -1}.get(told, 0)  # type: ignore[arg-type]
+    if function == "cot":
+        return {1: _UP, -1: _DOWN}.get(up)
+    ahead = _sign(step, x) or up * _sign_of_bounds(step, ratios)
+    if ahead == 1:
+        return _Window(-RIGHT, RIGHT)
+    if ahead == -1 and up == 1:
+        return _Window(RIGHT, sp.pi, closed=True)
+    return _Window(-sp.pi, -RIGHT) if ahead == -1 and up == -1 else None
+
+
+def _sign(step: Step, component: Quotient | None) -> int:
+    """The sign of a component that is cited and cannot be zero; 0 where that is open."""
+    if component is None:
+        return 0
+    try:
+        value = step.world.expression(component, step.roles)
+    except NotComparableError:
+        return 0
+    if step.oracle.proves(Claim(value, ">")):
+        return 1
+    return -1 if step.oracle.proves(Claim(-value, ">")) else 0
+
+
+def _sign_of_bounds(step: Step, ratios: list[Link]) -> int:
+    """The sign that bounds of a tangent tell: 0 where they allow both."""
+    for sign, way in ((1, ">"), (-1, "<")):
+        for each in ratios:
+            if each.sign[0] != way:
+                continue
+            value = sign * _value(step, each.right)
+            if step.oracle.proves(Claim(value, ">=")):
+                return sign
+    return 0
+
+
+def _is_bounded(
+    step: Step, link: Link, angle: Quantity, function: str, ratios: list[Link], window: _Window
+) -> bool:
+    """Whether a bound of a direction lies in a window, and its ratio is a bound of the ratio."""
+    own = link if _direction(step, link.left) == angle else _turned(link)
+    if own.sign not in FLIPPED:
+        return False
+    bound = _value(step, own.right)
+    upper = "<=" if window.closed else "<"
+    inside = compared(bound, ">", window.low), compared(bound, upper, window.high)
+    there = sp.tan(bound) if function == "tan" else sp.cot(bound)
+    sign = own.sign if function == "tan" else FLIPPED[own.sign]
+    return (
+        all(map(step.oracle.proves, inside))
+        and not there.has(sp.zoo)
+        and any(
+            each.sign == sign and equal_in(step, there, _value(step, each.right)) for each in ratios
+        )
+    )
+
+
+def _value(step: Step, tree: Expression) -> sp.Expr:
+    return step.world.expression(step.world.scalar(tree), step.roles)
+
+
+__all__ = ["between_ratios", "speaks_of_a_direction"]

@@ -1,0 +1,132 @@
+"""Ranges of directions: on both sides of **i** and **j**, each with a working and a proof."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import pytest
+from workings import planned
+
+from restitution.explaining.derivation import Derivation, Line, Relation
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import read_relation, write_relation
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.solving import solve
+from restitution.solving.letters import roles
+
+SPHERES = """
+sphere A: mass {m}, velocity {a}i + {b}j
+sphere B: mass {n}, velocity {c}i + {d}j
+A hits B: along {axis}
+find range of direction(A), range of direction(B)
+"""
+# Masses and velocities; A is ahead, at right angles to the line of centres, or comes back.
+CASES = [
+    (4, 3, 4, 1, -2, 1, "i"),
+    (4, 3, -4, 1, -2, -1, "i"),
+    (2, 3, 4, 3, -2, 1, "i"),
+    (1, 3, 4, 9, -2, -5, "i"),
+    (1, 3, -4, 2, 0, 1, "i"),
+    (1, 3, 4, 3, 2, -2, "j"),
+]
+
+
+def directions(
+    m: int, a: int, b: int, n: int, c: int, d: int, axis: str
+) -> tuple[list[float], list[float]]:
+    """The directions after the impact for many e, by momentum and the law of restitution."""
+    if axis == "j":
+        a, b, c, d = b, a, d, c
+    first, second = [], []
+    for step in range(1001):
+        e = step / 1000
+        v = (m * a + n * c - n * e * (a - c)) / (m + n)
+        w = v + e * (a - c)
+        pairs = ((b, v), (d, w)) if axis == "i" else ((v, b), (w, d))
+        for angles, (y, x) in zip((first, second), pairs, strict=True):
+            angles.append(math.atan2(y, x))
+    return first, second
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_the_ends_are_those_of_all_coefficients(case: tuple[int, ...]) -> None:
+    m, a, b, n, c, d, axis = case
+    statement = SPHERES.format(m=m, a=a, b=b, n=n, c=c, d=d, axis=axis).replace("+ -", "- ")
+    solution = solve(parse(statement))
+    for item, seen in zip(solution.parts[None].items, directions(*case), strict=True):
+        values = item.distinct[0].value
+        assert (float(values.inf), float(values.sup)) == pytest.approx((min(seen), max(seen)))
+        assert item.proof != "undecided"  # that the ends are right is proved
+    planned(statement)
+
+
+def last(derivation: Derivation) -> Line:
+    return derivation.lines[derivation.items[0].line - 1]
+
+
+def complaints(statement: str, line: Line, derivation: Derivation) -> set[str]:
+    lines = tuple(line if each.number == line.number else each for each in derivation.lines)
+    oracle = Oracle(roles(parse(statement)))
+    return {each.reason for each in follow(replace(derivation, lines=lines), oracle)}
+
+
+SQUARE = SPHERES.format(m=2, a=3, b=4, n=3, c=-2, d=1, axis="i").replace("+ -", "- ")
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        "90° <= direction(A, 1) <= 180° - arctan(3/4)",
+        "-90° <= direction(A, 1) <= -arctan(4/3)",
+        "arctan(4/3) <= direction(A, 1) <= 90°",
+        "90° < direction(A, 1) <= 180° - arctan(4/3)",
+    ],
+)
+def test_another_bound_of_the_cotangent_is_refused(wrong: str) -> None:
+    _, derivation = planned(SQUARE)
+    own = last(derivation)
+    assert isinstance(own.relation, Relation)
+    assert write_relation(own.relation) == "90° <= direction(A, 1) <= 180° - arctan(4/3)"
+    false = replace(own, relation=read_relation(wrong, {"A": "sphere"}))
+    assert "does-not-follow" in complaints(SQUARE, false, derivation)
+
+
+def test_a_cotangent_alone_does_not_tell_on_which_side_a_velocity_points() -> None:
+    _, derivation = planned(SQUARE)
+    own = last(derivation)
+    component = next(
+        each
+        for each in derivation.lines
+        if each.move.record == "unchanged" and each.number in own.premises
+    )
+    rest = tuple(each for each in own.premises if each != component.number)
+    assert "does-not-follow" in complaints(SQUARE, replace(own, premises=rest), derivation)
+
+
+def test_in_letters_the_side_is_a_line_of_its_own() -> None:
+    _, derivation = planned(
+        """
+        sphere A: mass m, velocity u at alpha
+        sphere B: mass 2m, at rest
+        A hits B: along i
+        find range of direction(A)
+        """
+    )
+    said = [
+        write_relation(e.relation) for e in derivation.lines if isinstance(e.relation, Relation)
+    ]
+    assert "0° < direction(A, 1) < 180°" in said
+    assert said[-1] == (
+        "90° - arctan(1/(3tan(alpha))) <= direction(A, 1) <= 90° + arctan(1/(3tan(alpha)))"
+    )
+
+
+def test_a_right_angle_that_is_not_reached() -> None:
+    statement = SQUARE.replace("find", "given e > 0\nfind")
+    _, derivation = planned(statement)
+    assert [write_relation(each.answer) for each in derivation.items] == [
+        "90° < direction(A, 1) <= 180° - arctan(4/3)",
+        "arctan(1/2) <= direction(B, 1) < 90°",
+    ]
