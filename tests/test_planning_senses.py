@@ -271,6 +271,51 @@ find velocity(A), deflection(A)
         ),
         (),
     ),
+    "a tangent in which an angle that was found cancels": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 3m, at rest
+A hits B: along i, e = 1/5
+given speed(A) = 3/4 u
+find cos(alpha), direction(A)
+""",
+        ("tan θ = u sin α/((1/10)u cos α) = 10 tan α", "    tan α = "),
+        ("sin α = √", "    v = √"),
+    ),
+    "a tangent at a wall in which an angle that was found cancels": (
+        """
+wall W: along j
+sphere P: mass m, velocity u at theta
+P hits W: e = 2/3
+given energy_lost = 1/4 energy(0)
+find theta, deflection(P)
+""",
+        ("tan β = ⅔u cos θ/(u sin θ) = 2/(3 tan θ)",),
+        ("    sin θ = ",),
+    ),
+    "components that a speed needs are worked out": (
+        """
+wall W: along j
+sphere P: mass m, velocity u at theta
+P hits W: e = 2/3
+given energy_lost = 1/4 energy(0)
+find speed(P), deflection(P)
+""",
+        ("    sin θ = ",),
+        ("tan θ",),
+    ),
+    "an angle to a wall that is parallel to the line of centres": (
+        """
+wall W: along i
+sphere A: mass m, velocity 2u at 45° to W
+sphere B: mass m, at rest
+A hits W: e = 1/3
+A hits B: along i, e = 1/2
+find tan(deflection(A, 1)), tan(deflection(A, 2))
+""",
+        ("W is parallel to the line of centres, so it is the same angle:",),
+        (),
+    ),
     "beyond a right angle": (
         """
 sphere P: mass 2, velocity 3i + j

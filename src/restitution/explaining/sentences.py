@@ -289,6 +289,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "same.angle": (
         "The component of {velocity} along {axis} is not negative, so it is the same angle:"
     ),
+    "same.parallel": "{wall} is parallel to the line of centres, so it is the same angle:",
     "same.wall": "{wall} is along {axis}, so it is the same angle:",
     "between.opposite-sides": (
         "{bodies:and} move to opposite sides of the line of centres, the same way along it:"

@@ -37,6 +37,7 @@ def turnings(step: Step, event: Event | None) -> Iterator[Link]:
         case _:
             return
     yield from _by_directions(step, event)
+    yield from _to_parallel_lines(step, event)
     for one, other in pairs:
         velocities = [Quantity("velocity", (Name(body),), stage) for body, stage in (one, other)]
         subjects = [Quantity("angle", tuple(pair)) for pair in (velocities, velocities[::-1])]
@@ -132,6 +133,23 @@ def _by_directions(step: Step, event: Event) -> Iterator[Link]:
                 yield Link(let.quantity, "=", angle)
 
 
+def _to_parallel_lines(step: Step, event: Event) -> Iterator[Link]:
+    """The angle of a velocity to the line of centres, by that to a wall parallel to it."""
+    centres = _along(step, _axis(event))
+    for let in step.lets:
+        match let.quantity:
+            case Quantity("angle", (Quantity("velocity") as velocity, Name() as wall)):
+                own = Quantity("angle", (velocity, _axis(event)))
+                if centres is not None and _along(step, Quantity("direction", (wall,))) == centres:
+                    yield Link(own, "=", let.quantity)
+
+
+def _along(step: Step, line: Quantity) -> Expression | None:
+    """The direction of a wall, or of a line of centres, that is cited, in either sense."""
+    own = step.world.directions.get(line)
+    return own.operand if isinstance(own, Negate) else own
+
+
 def _in_the_plane(step: Step, body: Name, stage: int, axis: str) -> Quotient | None:
     """A component along **i** or **j**, with what is cited put in."""
     tree = Quantity("along", (Quantity("velocity", (body,), stage), Unit(axis)))  # type: ignore[arg-type]
@@ -142,8 +160,7 @@ def _in_the_plane(step: Step, body: Name, stage: int, axis: str) -> Quotient | N
 
 def _is_along_i(step: Step, wall: Name) -> bool:
     """Whether a wall that is cited is along **i**."""
-    own = step.world.directions.get(Quantity("direction", (wall,)))
-    return (own.operand if isinstance(own, Negate) else own) == Unit("i")
+    return _along(step, Quantity("direction", (wall,))) == Unit("i")
 
 
 def _axis(event: Event) -> Quantity:

@@ -48,6 +48,7 @@ from restitution.planning.cases import joined, without_idle
 from restitution.planning.checking import require_true
 from restitution.planning.clashes import write_clash
 from restitution.planning.desk import UNPLANNED, Desk, NotPlannedError
+from restitution.planning.direct_tangents import with_direct_tangents
 from restitution.planning.early import Early, early_items, terms
 from restitution.planning.either_side import on_one_side, write_other_side
 from restitution.planning.extrema import only_answer, write_extremum
@@ -110,7 +111,7 @@ def plan(solution: Solution, route: int = 1, *, partial: bool = False) -> Deriva
         )
     )
     oracle = Oracle(roles(problem))
-    whole = without_idle(whole)
+    whole = pruned(with_direct_tangents(without_idle(whole), oracle))
     for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):
         whole = mended(whole, oracle)
     return gathered(whole)

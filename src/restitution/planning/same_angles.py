@@ -14,7 +14,13 @@ def write_same_angle(scene: Scene, asked: Quantity, letter: str, meaning: Ref) -
     """The line that an angle is one that has a letter and a tangent; None where it is none."""
     for own, number in _others(scene, asked):
         bodies = tuple(sorted(_bodies(asked) | _bodies(own.quantity)))
-        event = max(_stages(asked))
+        event = max(_stages(asked), default=0)
+        match asked, own.quantity:
+            case (
+                Quantity("angle", (_, Quantity("line_of_centres", (), int(impact)))),
+                Quantity("angle", (_, Name())),
+            ):
+                event = impact
         relation = chain(Letter(letter), (Letter(own.letter), None))
         move = Move("define", "difference", event, bodies)
         pool = [*_components(scene, bodies, event), meaning, number]
@@ -33,7 +39,7 @@ def _others(scene: Scene, asked: Quantity) -> Iterator[tuple[Meaning, int]]:
         if not isinstance(own.quantity, Quantity) or not scene.desk.holds(line.number):
             continue
         kinds = {_kind(asked), _kind(own.quantity)}
-        alike = kinds in ({"two", "line"}, {"direction", "fixed"})
+        alike = kinds in ({"two", "line"}, {"direction", "fixed"}, {"line", "fixed"})
         if alike and _moving(asked) & _moving(own.quantity) and _tangent(scene, own.letter):
             yield own, line.number
 

@@ -668,6 +668,11 @@ class Leads:
             if isinstance(each, Letter) and (meaning := self._naming.meanings.get(each.name))
         ]
         match angles:
+            case [
+                Quantity("angle", (one, Quantity("line_of_centres"))),
+                Quantity("angle", (other, Name(wall))),
+            ] if one == other:
+                return say("same.parallel", wall=wall)
             case [one, other] if "direction" in (_kind_of(one), _kind_of(other)):
                 pass
             case _:

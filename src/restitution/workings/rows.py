@@ -397,7 +397,7 @@ class Rows:
                     signs.append(hundred[1])
                 return
             place = self._ends.is_place(line) and line.move.id != "rearrange"
-            place = place and not self._has_vectors()
+            place = place and not (unit and self._has_vectors())
             for side, sign in as_answer(right) if links[-1].sign == "=" and not place else ():
                 if side != sides[-1] and not (sign == "=" and _has_decimals(sides[-1])):
                     sides.append(side)
