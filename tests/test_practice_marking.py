@@ -123,6 +123,37 @@ def test_a_label_is_not_taken_for_what_fits_to_one_figure_only():
     assert marks.points[-1].state == "earned"
 
 
+APART = """
+sphere A: mass 1, velocity 4i + 3j
+sphere B: mass 2, velocity -2i + j
+A hits B: along i, e = 1/2
+find distance(A, B, at 2)
+"""
+SQUARE = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, at rest
+A hits B: along i
+given deflection(A) = 90°
+show tan(alpha)^2 = (2e - 1)/3
+"""
+
+
+@pytest.mark.parametrize(
+    ("end", "state"), [("dist = 2√13 = 7.2", "earned"), ("dist = 7.2", "lost")]
+)
+def test_an_exact_value_before_a_coarse_one_is_fine_enough(end, state):
+    marks = restitution.mark(solution(APART), ["4 - 4 = v + 2w", "w - v = 3", end], None, BOTH)
+    assert marks.marks.points[-1].state == state
+
+
+def test_a_condition_that_holds_by_one_law_earns_its_method():
+    typed = ["v = (1-2e)ucosα/3", "ucosα·v + usinα·usinα = 0", "tan²α = (2e-1)/3"]
+    points = restitution.mark(solution(SQUARE), typed, None, {"v": BOTH["v"]}).marks.points
+    assert [
+        each.state for each in points if each.point.purpose == "the condition as an equation"
+    ] == ["earned"]
+
+
 def test_a_scheme_names_what_each_point_is_for():
     scheme, *_ = schemes(solution(PAIR))
     assert [point.kind for point in scheme.points] == [

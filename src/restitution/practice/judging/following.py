@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from restitution.errors import RestitutionError
+from restitution.explaining.trees import exchanged
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -92,6 +93,7 @@ class Following(OwnValues):
             self._relabelled(line, link, self.students(), "follows")
             or self._of_unnamed_angle(line, link, self.students(), "follows")
             or self._with_own_numbers(line, link)
+            or self._with_own_fixed(line, link)
             or self._with_own_energies(line, link)
             or self._adopted(line, link)
             or self._consistent(line, link)
@@ -134,6 +136,37 @@ class Following(OwnValues):
                 )
                 if grade is not None:
                     return JudgedLink("follows", claim, grade, numbers, right=each)
+        return None
+
+    def _with_own_fixed(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A line that holds with the student's own value of what the question fixes.
+
+        A wrong angle of the line of centres is no part of his world, which has his velocities.
+        """
+        meanings = self.meanings(line.number)
+        own: dict[Letter, Expression] = {}
+        numbers: dict[Letter, int] = {}
+        for entry in self.entries:
+            left = entry.claim.left
+            if entry.right or not entry.is_value or not isinstance(left, Letter):
+                continue
+            meant = meanings.get(left.name)
+            if meant is not None and self._is_fixed(meant):
+                own[left], numbers[left] = entry.claim.right, entry.number
+        for claim in link.readings if own else ():
+            inside = [
+                each for each in own if each.name in letters(claim.left) | letters(claim.right)
+            ]
+            if not inside or isinstance(claim.left, Letter):
+                continue
+            put: dict[Expression, Expression] = dict(own.items())
+            left, right = (exchanged(side, put) for side in (claim.left, claim.right))
+            other = replace(claim, left=left, right=right)
+            for world in (*self.worlds, *self.students()):
+                grade = self.accuracy(other, world, line, link)
+                if grade is not None:
+                    lines = tuple(dict.fromkeys(numbers[each] for each in inside))
+                    return JudgedLink("follows", claim, grade, lines)
         return None
 
     def _with_own_energies(self, line: ScriptLine, link: Link) -> JudgedLink | None:

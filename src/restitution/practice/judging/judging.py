@@ -56,6 +56,8 @@ from restitution.solving.solution import PartSolution, Solution
 _RIVALS = 8
 _MISREADINGS = 8
 _ANGLES = frozenset({"angle", "direction", "deflection"})
+_SURE = 3
+"""What an angle is taken for is certain with so many true lines that it stands in."""
 _PLACES = 3
 """A datum stands in so many places, at most, that are tried."""
 
@@ -303,8 +305,12 @@ class _Sitting:
     # --- letters that are not certain -----------------------------------------------------------
 
     def _asked(self, lines: tuple[JudgedLine, ...], asks: set[str]) -> tuple[JudgedLine, ...]:
-        """False lines that another meaning makes true are questions about a letter."""
+        """False lines that another meaning makes true are questions about a letter.
+
+        A meaning under which more lines are false explains the script less well.
+        """
         tries = iter(range(_RIVALS))
+        most = sum(line.verdict == "false" for line in lines)
         for rival in self.meanings.rivals:
             doubtful = {line.line.number: self._doubtful(rival, line) for line in lines}
             false = [each.line for each in lines if each.verdict == "false"]
@@ -313,6 +319,8 @@ class _Sitting:
             if next(tries, None) is None:
                 break
             _, others = self._judged(self.script, rival, names=False)
+            if sum(line.verdict == "false" for line in others) > most:
+                continue
             lines = tuple(
                 self._doubted(line, other, doubtful[line.line.number], asks)
                 for line, other in zip(lines, others, strict=True)
@@ -358,7 +366,7 @@ class _Sitting:
                 support = sum(name in each for each in true)
                 odd = is_odd(name, meaning.quantity)
                 if support < (2 if odd else 0 if named else 1) or (
-                    (not support or kind_of(meaning.quantity) in _ANGLES)
+                    (not support or (support < _SURE and kind_of(meaning.quantity) in _ANGLES))
                     and self._is_true_of_another(line, name)
                 ):
                     doubtful.add(name)

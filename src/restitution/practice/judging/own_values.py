@@ -10,9 +10,11 @@ from restitution.errors import RestitutionError
 from restitution.explaining.misconceptions import VariantAt
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Expression,
     Letter,
     Quantity,
+    letters,
 )
 from restitution.practice.judgement import Mistake, Use
 from restitution.practice.judging.entries import (
@@ -31,6 +33,7 @@ from restitution.practice.judging.other_forms import (
 )
 from restitution.practice.judging.own_numbers import OwnNumbers
 from restitution.practice.letters.candidates import Candidate
+from restitution.practice.letters.slots import same_size
 from restitution.practice.reading.phrases import (
     is_phrase,
 )
@@ -179,13 +182,32 @@ class OwnValues(Holding):
         """Keep a number that is wrong, with what is right in its place."""
         claim = judged.right or judged.claim
         named = isinstance(start, Letter | Quantity | Apply)
-        if claim.sign == "=" and (named or is_numeric(start)):
+        if claim.sign == "=" and (named or is_numeric(start) or self._is_of_data(start, line)):
             meant = start if named else claim.left
             meanings = self.meanings(line.number)
             others: tuple[Expression, ...] = ()
             if isinstance(meant, Letter) and is_phrase(meant.name):
                 others = self._meanings_of(meant.name, line.scope.event)
             self._own_numbers.note(judged.claim.right, meant, meanings, line.number, others)
+
+    def _is_of_data(self, tree: Expression, line: ScriptLine) -> bool:
+        """Whether a product has letters of what the question fixes alone: ``u cos θ``."""
+        if not isinstance(tree, Binary) or tree.op not in ("*", "/"):
+            return False
+        meanings = self.meanings(line.number)
+        own = [
+            meanings[name] for name in letters(tree) - self._base.letters.keys() if name in meanings
+        ]
+        known = letters(tree) <= self._base.letters.keys() | meanings.keys()
+        return known and bool(own) and all(self._is_fixed(each) for each in own)
+
+    def _is_fixed(self, meant: Expression) -> bool:
+        """Whether a quantity is the same in the student's worlds as in the true one."""
+        try:
+            true = self._base.value(meant)
+            return all(same_size(true, world.value(meant)) for world in self.students())
+        except RestitutionError:
+            return False
 
     def _own_value(self, quantity: Expression) -> Entry | None:
         """The last line that gives a quantity a value."""

@@ -4,22 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
-from itertools import product
+from itertools import permutations, product
 from typing import Any
 
 import numpy as np
 
 from restitution.explaining.arrangement import events_of
-from restitution.explaining.misconceptions import variants_at
+from restitution.explaining.misconceptions import ResultAt, variants_at
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.quantities import Nature
-from restitution.expression.tree import Apply, Letter, Negate
+from restitution.expression.tree import Apply, Expression, Letter, Negate, Quantity
 from restitution.practice.letters.inference import Item
+from restitution.practice.letters.options import staged
 from restitution.practice.letters.slots import Slot, shaped, stacked
 from restitution.practice.letters.trial import Tester, everywhere
+from restitution.practice.script import Claim
 from restitution.practice.worlds.arrays import Array, angle
 from restitution.practice.worlds.states import States, states
 from restitution.practice.worlds.world import World
+from restitution.problem import Compare, Given
 from restitution.vector import Vector
 
 # A line that breaks a known law explains a meaning nearly as well as a true one.
@@ -64,6 +67,7 @@ class Instances:
         for natures in product(*(list(slots[s].values) for s in used)):
             chosen = dict(zip(used, natures, strict=True))
             shares.update(dict.fromkeys(self._of_law(item, slots, chosen), _SHARE))
+            shares.update(dict.fromkeys(self._of_given(item, slots, chosen), _SHARE))
             for result in (s for s in used if _stands_alone(item, s)):
                 ways = self._of_result(item, slots, chosen, result)
                 shares.update(dict.fromkeys(ways, _SHARE))
@@ -88,6 +92,74 @@ class Instances:
             instance = np.all(blocks | ~self.valid, axis=-1) & (self.valid.sum(axis=-1) >= 3)
             total |= np.any(instance & self.altered, axis=-1)
         return _chosen(total, places)
+
+    def _of_given(
+        self, item: Item, slots: Sequence[Slot], chosen: Mapping[int, Nature]
+    ) -> list[tuple[int, ...]]:
+        """The options for which a result that the question gives has an altered definition."""
+        readings = [
+            (event, claim)
+            for reading in item.readings[:3]
+            for event, claim in self._with_altered_given(reading)
+        ]
+        places = [_usual(slots[s], nature) for s, nature in chosen.items()]
+        if not readings or not self._fits(places, self.tester):
+            return []
+        put = {
+            name: shaped(slots[s].values_of(self.tester, places[axis]), None, len(chosen), axis)
+            for axis, s in enumerate(chosen)
+            for name, slot in item.slots.items()
+            if slot == s
+        }
+        total = np.zeros([len(each) for each in places], dtype=bool)
+        whole = (*total.shape, self.tester.world.samples)
+        for event, claim in readings:
+            held = self.tester.holds(claim, put, item.decimals, item.frame)
+            if held is not None:
+                loose = np.broadcast_to(held, whole)[..., self.states.loose(event)]
+                total |= everywhere(loose)
+        return _chosen(total, places)
+
+    def _with_altered_given(self, claim: Claim) -> Iterator[tuple[int, Claim]]:
+        """A claim with a given value as the altered definition of what has it, with its event."""
+        for quantity, value in self.given:
+            sides = claim.left, claim.right
+            for one, other in (sides, sides[::-1]):
+                if one == value:
+                    for event, result in self.altered_results:
+                        if result.quantity == quantity:
+                            # Of a size people may write the difference in either order.
+                            size = quantity.kind == "impulse" and not quantity.arguments
+                            yield (
+                                event,
+                                Claim(result.value, "=", Apply("abs", other) if size else other),
+                            )
+
+    @cached_property
+    def given(self) -> tuple[tuple[Quantity, Expression], ...]:
+        """The results that the question gives, with their values."""
+        world = self.true.world
+        return tuple(
+            (quantity, other)
+            for step, now, _ in world.problem.timeline(world.part)
+            if isinstance(step, Given)
+            for relation in step.relations
+            if isinstance(relation, Compare) and set(relation.operators) == {"="}
+            for one, other in permutations(relation.operands, 2)
+            if isinstance(quantity := staged(one, world.problem, world.part, now), Quantity)
+        )
+
+    @cached_property
+    def altered_results(self) -> tuple[tuple[int, ResultAt], ...]:
+        """The altered results of the events, each with the number of its event."""
+        world = self.true.world
+        events = events_of(world.problem)
+        return tuple(
+            (event.number, result)
+            for event in events[: len(world.events)]
+            for variant in variants_at(event, events)
+            for result in variant.results
+        )
 
     def _fits(self, places: Sequence[Sequence[int]], tester: Tester) -> bool:
         size = int(np.prod([len(each) for each in places]))
@@ -137,9 +209,22 @@ class Instances:
         if key not in self.values:
             places = [p for p in slot.values[nature][0] if slot.options[p].kind in _RESULTS]
             self.values[key] = [
-                (place, value) for place in places for value in self._mistaken(slot, place)
+                *((place, value) for place in places for value in self._mistaken(slot, place)),
+                *self._taken_for_given(slot, nature),
             ]
         return self.values[key]
+
+    def _taken_for_given(self, slot: Slot, nature: Nature) -> Iterator[tuple[int, Value]]:
+        """The angles that are taken for a deflection that the question gives, with its value."""
+        given = {quantity for quantity, _ in self.given}
+        for _, result in self.altered_results if nature == "angle" else ():
+            if result.quantity not in given:
+                continue
+            true, value = (self.true.value(x, {}) for x in (result.quantity, result.value))
+            for place in slot.values[nature][0]:
+                own = self.true.value(slot.options[place].quantity, {})
+                if true is not None and value is not None and own is not None and _same(own, value):
+                    yield place, true
 
     def _mistaken(self, slot: Slot, place: int) -> Iterator[Value]:
         own = self.true.value(slot.options[place].quantity, {})
@@ -157,19 +242,15 @@ class Instances:
     @cached_property
     def results(self) -> Sequence[tuple[Value, Value]]:
         """True values of results in the world, each with one that a mistake gives it."""
-        world = self.true.world
-        events = events_of(world.problem)
         pairs: list[tuple[Value, Value]] = []
-        for event in events[: len(world.events)]:
-            for variant in variants_at(event, events):
-                for result in variant.results:
-                    true, value = (self.true.value(x, {}) for x in (result.quantity, result.value))
-                    if true is None or value is None or isinstance(true, Vector):
-                        continue
-                    if isinstance(true, Angle) and not isinstance(value, Angle | Vector):
-                        value = angle(value)
-                    if isinstance(true, Angle) == isinstance(value, Angle):
-                        pairs.append((true, value))
+        for _, result in self.altered_results:
+            true, value = (self.true.value(x, {}) for x in (result.quantity, result.value))
+            if true is None or value is None or isinstance(true, Vector):
+                continue
+            if isinstance(true, Angle) and not isinstance(value, Angle | Vector):
+                value = angle(value)
+            if isinstance(true, Angle) == isinstance(value, Angle):
+                pairs.append((true, value))
         return pairs
 
 

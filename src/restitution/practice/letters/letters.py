@@ -17,6 +17,7 @@ import numpy as np
 
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Degrees,
     Expression,
@@ -243,19 +244,26 @@ class _Search:
         return frozenset(seen - force.keys() - self.around.letters)
 
     def _definitions(self) -> Iterator[tuple[str, tuple[int, Expression]]]:
-        """Letters whose first line gives them a known value."""
+        """Letters whose first line gives them a known value.
+
+        One for a function of an angle, t = tan α, may be defined behind its first use.
+        """
         seen: set[str] = set()
         for line in self.lines:
             for link, names in self.items[line.number]:
                 fresh = names - seen
                 seen |= names
-                if len(names) == 1 and fresh and not any(" " in name for name in names):
-                    (name,) = names
+                if len(names) != 1 or any(" " in name for name in names):
+                    continue
+                (name,) = names
+                tree = _defining(link.readings[0], name)
+                if fresh:
                     self.defined.add(name)
-                    for claim in link.readings[:1]:
-                        tree = _defining(claim, name)
-                        if tree is not None:
-                            yield name, (line.number, tree)
+                elif not isinstance(tree, Apply) or not isinstance(tree.argument, Letter):
+                    continue
+                if tree is not None and (fresh or name not in self.defined):
+                    self.defined.add(name)
+                    yield name, (line.number, tree)
 
     def _vanishing(self) -> Iterator[str]:
         """Letters of which a line says that they are zero: ``v = 0``, ``2(-w) = 2 × 0``."""
@@ -331,6 +339,8 @@ class _Search:
         if dotted and is_direction(name):
             return list(directions(around.problem, around.events, name))
         chosen = list(options(usage, around.candidates, around.problem))
+        if name in self.turned_speeds:
+            chosen = [each for each in chosen if not around.is_a_part(each)]
         chosen += list(scaled(chosen, self.directions))
         if name in self.definitions and self.usual(name, scope) is None:
             _, tree = self.definitions[name]
@@ -400,6 +410,23 @@ class _Search:
         ]
         return frozenset[str]().union(
             *(resolved_in(side) for claim in claims for side in (claim.left, claim.right))
+        )
+
+    @cached_property
+    def turned_speeds(self) -> frozenset[str]:
+        """The letters that an angle of the student's own resolves, alone on a side: ``V cos β``."""
+        alone = (
+            side.operand if isinstance(side, Negate) else side
+            for line in self.lines
+            for link in line.links
+            for side in (link.readings[0].left, link.readings[0].right)
+        )
+        return frozenset(
+            name
+            for side in alone
+            if isinstance(side, Binary) and side.op == "*"
+            if inside_angles(side) and not inside_angles(side) & self.around.letters
+            for name in resolved_in(side) - self.around.letters
         )
 
     # --- searching
@@ -477,7 +504,8 @@ class _Search:
             if relation == "new" and _is_momentum(item):
                 factor = _MOMENTUM
             fresh = relation == "new"
-            weighed.append(replace(item, weight=item.weight * factor, fresh=fresh))
+            idle = relation == "follows"
+            weighed.append(replace(item, weight=item.weight * factor, fresh=fresh, idle=idle))
         return weighed
 
     def _interpretation(

@@ -70,7 +70,7 @@ def slot_of(
         if same in seen:
             continue
         seen.add(same)
-        if not may_vanish and _makes_idle(value, tester):
+        if not may_vanish and makes_idle(value, tester):
             candidate = replace(candidate, cost=candidate.cost + _IDLE)
         for sense in (1, -1) if candidate.sensed else (1,):
             chosen = candidate if sense > 0 else candidate.turned()
@@ -89,7 +89,7 @@ def slot_of(
     return Slot(letter, tuple(options), known, tuple(roots), tuple(turns), segment)
 
 
-def _makes_idle(value: Value, tester: Tester) -> bool:
+def makes_idle(value: Value, tester: Tester) -> bool:
     """Whether a value is zero, or a right angle, at all samples: much is true of it by accident."""
     parts = [tester.world.spread(each) for each in _parts(value)]
     if isinstance(value, Angle):

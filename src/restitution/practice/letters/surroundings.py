@@ -14,9 +14,11 @@ from restitution.expression.tree import (
     Binary,
     Degrees,
     Expression,
+    Name,
     Negate,
     Number,
     Quantity,
+    Unit,
     has_quantity,
     letters,
     walk,
@@ -26,7 +28,7 @@ from restitution.practice.letters.inference import Item
 from restitution.practice.letters.instances import Instances
 from restitution.practice.letters.interpretation import FixedLetter
 from restitution.practice.letters.options import staged
-from restitution.practice.letters.slots import Slot, same_size
+from restitution.practice.letters.slots import Slot, makes_idle, same_size
 from restitution.practice.letters.trial import Tester
 from restitution.practice.reading.phrases import is_phrase, read_phrase
 from restitution.practice.script import ANYWHERE, Scope, Script, ScriptLine
@@ -71,7 +73,7 @@ class Surroundings:
                 asked=each.nature != "vector" and each.quantity in self.asked,
             )
             for each in candidates(self.problem, self.part)
-            if not self._is_no_time(each)
+            if not self._is_no_time(each) and not self._is_of_the_axes(each)
         )
 
     @cached_property
@@ -91,6 +93,17 @@ class Surroundings:
         value = self.tester.value(candidate.quantity, {})
         return isinstance(value, np.ndarray | float) and not np.any(value)
 
+    def _is_of_the_axes(self, candidate: Candidate) -> bool:
+        """Whether an angle is that of a line along i or j to i or j: nobody has a letter for it."""
+        tree = candidate.quantity
+        if not isinstance(tree, Quantity) or tree.kind != "angle":
+            return False
+        line, axis = tree.arguments
+        if not isinstance(line, Quantity) or line.kind != "line_of_centres":
+            return False
+        value = self.tester.value(tree, {}) if isinstance(axis, Unit) else None
+        return isinstance(value, Angle) and makes_idle(value, self.tester)
+
     def _varies(self, candidate: Candidate) -> bool:
         """Whether a scalar depends on the letters of the statement."""
         value = self.tester.value(candidate.quantity, {})
@@ -106,6 +119,16 @@ class Surroundings:
         after = self.tester.value(candidate.quantity, {})
         before = self.tester.value(before_event(candidate.quantity), {})
         return after is not None and before is not None and same_size(after, before)
+
+    def is_a_part(self, candidate: Candidate) -> bool:
+        """Whether a component is only a part of its velocity, which has another one as well."""
+        if candidate.kind != "component" or candidate.body is None:
+            return False
+        part = self.tester.value(candidate.quantity, {})
+        whole = self.tester.value(
+            Quantity("speed", (Name(candidate.body),), candidate.event or 0), {}
+        )
+        return part is not None and whole is not None and not same_size(part, whole)
 
     @cached_property
     def events(self) -> tuple[Event, ...]:

@@ -17,6 +17,7 @@ from restitution.expression.tree import Pair, Unit, walk
 from restitution.practice.judgement import JudgedLine, Judgement, Use
 from restitution.practice.marking.scheme import MarkPoint, Scheme
 from restitution.practice.marking.values import Values
+from restitution.practice.script import Link
 
 State = Literal["earned", "lost", "open"]
 
@@ -815,10 +816,21 @@ def _has_vector(line: JudgedLine) -> bool:
 
 
 def _ends_fine(line: JudgedLine) -> bool:
-    """Whether the last decimal of a line, that of its answer, has figures enough."""
-    decimals = line.line.links[-1].decimals if line.line.links else ()
+    """Whether the last decimal of a line, that of its answer, has figures enough.
+
+    An exact value before it in its chain is fine as well: d = 2√13 = 7.2.
+    """
+    links = line.line.links
+    decimals = links[-1].decimals if links else ()
+    if len(links) > 1 and not links[-2].decimals and _continues(links[-2], links[-1]):
+        return True
     last = max(decimals, key=lambda each: each.column, default=None)
     return last is not None and last.figures >= _FIGURES
+
+
+def _continues(link: Link, behind: Link) -> bool:
+    """Whether a link goes on from another in a chain."""
+    return link.readings[0].right == behind.readings[0].left
 
 
 def _fitting(line: JudgedLine) -> tuple[Use, ...]:

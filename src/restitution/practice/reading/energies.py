@@ -20,7 +20,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.reading.tokens import Usage
 from restitution.practice.script import Claim, Link, Scope
-from restitution.problem import Problem
+from restitution.problem import Impact, Problem
 
 _HALF = Fraction(1, 2)
 
@@ -41,12 +41,32 @@ def energy_links(
     energy = values[0] if first is None else first.left
     if not _is_energy(energy) or not letters(energy) <= usage.letters:
         return links
+    if _may_be_a_component(energy, problem):
+        return links
     readings = tuple(Claim(name, "=", energy) for name in _names(scope, problem))
     if not links:
         return (Link(readings, 1, 1),)
     columns = {line_and_column(each.place)[1] for each in walk(energy) if isinstance(each, Number)}
     decimals = tuple(each for each in links[0].decimals if each.column in columns)
     return (Link(readings, links[0].start, links[0].end, decimals), *links)
+
+
+def _may_be_a_component(energy: Expression, problem: Problem) -> bool:
+    """Whether the half is a coefficient of the question, and no speed is squared: 0.5 × 2√5."""
+    if isinstance(energy, Binary) and energy.op in ("+", "-"):
+        return False
+    squared = any(isinstance(each, Binary) and each.op == "^" for each in _factors(energy))
+    halves = {
+        event.e for event in problem.events if isinstance(event, Impact) and event.e is not None
+    }
+    return not squared and any(_is_half(each) for each in halves)
+
+
+def _is_half(tree: Expression) -> bool:
+    match tree:
+        case Binary("/", Number(above), Number(below)):
+            return below != 0 and above / below == _HALF
+    return tree == Number(_HALF)
 
 
 def _names(scope: Scope, problem: Problem) -> Iterator[Letter]:

@@ -196,6 +196,8 @@ class _Reader:
                 yield from self.impulse(event)
             elif self.features.direction or self.features.axis is not None or "component" in heads:
                 yield from self.component(event)
+                if self.features.axis is not None and heads <= {"direction"}:
+                    yield from self.of_the_axis(event)
             elif "speed" in heads:
                 yield from self.speed(event)
             elif heads == {"magnitude"} and not self.features.names:
@@ -206,6 +208,8 @@ class _Reader:
                 yield from self.velocity(event)
             elif "direction" in heads:
                 yield from (self.of("direction", each, event) for each in self.bodies(event))
+                if self.features.wall or set(self.features.names) & set(self.walls):
+                    yield from self.component(event)  # AB direction: 0.8u
             elif "time" in heads:
                 yield Quantity("time", (), event)
             elif "distance" in heads and len(self.features.names) == 2:
@@ -322,6 +326,17 @@ class _Reader:
             for value in self.components(velocity, event, body):
                 yield value
                 if not self.features.sense:
+                    yield value.operand if isinstance(value, Negate) else Negate(value)
+
+    def of_the_axis(self, event: int) -> Iterator[Expression]:
+        """What else a line about a direction may work out: a momentum, or an impulse."""
+        for body in self.bodies(event):
+            for vector in (
+                Quantity("impulse", (Name(body),), self.after(event)),
+                self.of("momentum", body, event),
+            ):
+                for value in self.components(vector, event, body):
+                    yield value
                     yield value.operand if isinstance(value, Negate) else Negate(value)
 
     def components(self, velocity: Expression, event: int, body: str) -> Iterator[Expression]:

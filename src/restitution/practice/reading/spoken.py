@@ -31,6 +31,7 @@ _DEFLECTED = re.compile(
     rf"(?={_NUMBER})",
     re.IGNORECASE,
 )
+_AXIS = re.compile(r"(?:^|(?<=[,;]))\s*([ijy])\s*:(?=\s*[^\s:=<>])(?=[^:]*=)")
 _PART = re.compile(r"\b([ij])[- ]part\b(?=[^:=]*=)")
 
 
@@ -96,5 +97,6 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_IT_IS, lambda match, _: f"{match[1]} the velocity is "),
     (_BECOMES, _after),
     (_DEFLECTED, lambda match, _: "deflection = "),
+    (_AXIS, lambda match, _: f" {match[1]} direction: "),
     (_PART, lambda match, _: f"{match[1]} component"),
 )

@@ -148,6 +148,11 @@ def _without_numbers(tree: Expression) -> Expression | None:
     return None
 
 
+def _is_lettered_sum(tree: Expression) -> bool:
+    """Whether a side is a sum with letters: between two of them stands an equation."""
+    return isinstance(tree, Binary) and tree.op in ("+", "-") and bool(letters(tree))
+
+
 def _vectors_of(body: str) -> tuple[Side, ...]:
     """What a vector behind the name of a sphere may be: its velocity, momentum or impulse."""
     phrases = (f"velocity of {body}", f"momentum of {body}", f"impulse on {body}")
@@ -350,9 +355,9 @@ class _Reader:
         first = segment.tokens[0]
         if first.kind != "phrase" or len(segment.tokens) < 2:
             return None
-        if segment.tokens[1].kind == "-" and not segment.has_relation and segment.tokens[1].gap:
-            tight = len(segment.tokens) > 2 and not segment.tokens[2].gap
-            return first if tight else None
+        if segment.tokens[1].kind == "-" and segment.tokens[1].gap and len(segment.tokens) > 2:
+            sign = not segment.tokens[2].gap and segment.tokens[2].kind != "phrase"
+            return first if sign else None  # along -u cos 60 = -u/2
         return first if segment.tokens[1].kind in (*_OPERANDS, "|") else None
 
     def _is_of_a_body(self, segment: Segment) -> bool:
@@ -594,6 +599,9 @@ class _Reader:
             return
         label, self.label = self.label, None
         first = read[0][0].tree
+        equation = all(_is_lettered_sum(each[0].tree) for each in (read[0], read[-1]))
+        if equation and label.kind == "phrase":
+            return
         if label.kind == "phrase" and (later := self._calculations()):
             own = {each.value for each in sides[-1] if each.kind == "number"}
             used = any(each.value in own for tokens in later for each in tokens)

@@ -26,6 +26,7 @@ HEADS: Mapping[str, str] = {
     "restitution": "coefficient",
     "direction": "direction",
     "distance": "distance",
+    "dist": "distance",
     "time": "time",
 }
 

@@ -242,12 +242,22 @@ class _Trial:
                 uses = _uses_at(laws, best.event)
                 name = self._fact_name(best.event)
                 return (Use(name, best.event, self._bodies(best.event)), *uses)
-            laws = self._with_facts(best.event, laws)
-        uses = _uses_at(laws, best.event)
-        name = self._principle(best.event, laws)
+            own = self._with_facts(best.event, laws)
+            if own and len(own) < len(laws):
+                # The facts of the question stand in it in place of the other laws.
+                uses = self._uses_of(best.event, own)
+                fact = Use(self._fact_name(best.event), best.event)
+                return uses if uses[0].principle in _RESULTS else (*uses, fact)
+            laws = own
+        return self._uses_of(best.event, laws)
+
+    def _uses_of(self, event: int, laws: Laws) -> tuple[Use, ...]:
+        """The principle of a line that is an instance of some laws, and these."""
+        uses = _uses_at(laws, event)
+        name = self._principle(event, laws)
         if [name] == [use.principle for use in uses]:
             return uses
-        return (Use(name, best.event, self._bodies(best.event)), *uses)
+        return (Use(name, event, self._bodies(event)), *uses)
 
     def _of_determined_letters(self) -> tuple[Use, ...]:
         """The laws that determine the unknown letters of a line."""
