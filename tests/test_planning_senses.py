@@ -316,6 +316,46 @@ find tan(deflection(A, 1)), tan(deflection(A, 2))
         ("W is parallel to the line of centres, so it is the same angle:",),
         (),
     ),
+    "a deflection from direction to direction": (
+        """
+wall W: along j
+sphere P: velocity u at 135°
+P hits W: e = 1/2
+find direction(P), deflection(P)
+""",
+        ("P turns through the difference of its directions", "δ = 135° − arctan 2"),
+        ("tan β",),
+    ),
+    "a deflection from below i": (
+        """
+wall W: along i
+sphere P: velocity u at -40°
+P hits W: e = 1/3
+find direction(P), deflection(P)
+""",
+        ("δ = arctan(⅓ tan 40°) + 40°",),
+        (),
+    ),
+    "a deflection from i, with the direction": (
+        """
+wall W: along 30°
+sphere P: mass m, velocity u i
+P hits W: e = 1/3
+find direction(P), deflection(P)
+""",
+        ("P came in the direction of 𝐢", "    δ = arctan(√3/2)"),
+        ("tan δ", "turns through"),
+    ),
+    "a speed that is asked after the energy": (
+        """
+wall W: along i
+sphere P: mass m, velocity u at 30° to W
+P hits W: e = 1/3
+find energy(P), speed(P)
+""",
+        ("kinetic energy of P = ½m(√7 u/3)²",),
+        (),
+    ),
     "beyond a right angle": (
         """
 sphere P: mass 2, velocity 3i + j

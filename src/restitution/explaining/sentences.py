@@ -276,6 +276,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{body} came in the direction of {axis}, so the angle of deflection is the one between "
         "{velocity} and {axis}:"
     ),
+    "turned.directions": (
+        "{body} turns through the difference of its directions before and after:"
+    ),
     "turned-wall.straight": "{body} hits {wall} at right angles, so it is sent straight back:",
     "turned-wall.along": (
         "{body} goes on along {wall}, so it turns through the angle that its path made with "

@@ -2,15 +2,31 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from fractions import Fraction
+
+import sympy as sp
 
 from restitution.explaining.derivation import Event, Link
 from restitution.explaining.quotients import Plane, Quotient
 from restitution.explaining.senses import oriented
 from restitution.explaining.step import Step
 from restitution.explaining.trees import settled
-from restitution.expression.tree import Binary, Degrees, Expression, Name, Negate, Quantity, Unit
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Polar,
+    Quantity,
+    Unit,
+    has_quantity,
+    letters,
+)
 
 _STRAIGHT, _RIGHT, _NONE = (Degrees(Fraction(each)) for each in (180, 90, 0))
 
@@ -38,6 +54,7 @@ def turnings(step: Step, event: Event | None) -> Iterator[Link]:
             return
     yield from _by_directions(step, event)
     yield from _to_parallel_lines(step, event)
+    yield from _from_direction_to_direction(step, event)
     for one, other in pairs:
         velocities = [Quantity("velocity", (Name(body),), stage) for body, stage in (one, other)]
         subjects = [Quantity("angle", tuple(pair)) for pair in (velocities, velocities[::-1])]
@@ -142,6 +159,63 @@ def _to_parallel_lines(step: Step, event: Event) -> Iterator[Link]:
                 own = Quantity("angle", (velocity, _axis(event)))
                 if centres is not None and _along(step, Quantity("direction", (wall,))) == centres:
                     yield Link(own, "=", let.quantity)
+
+
+def _from_direction_to_direction(step: Step, event: Event) -> Iterator[Link]:
+    """The deflection of a body by its directions from **i**: one of the data, one that is cited."""
+    if len(step.move.bodies) != 1:
+        return
+    (body,) = map(Name, step.move.bodies)
+    if any(each.number < event.number and body.name in each.bodies for each in step.setting.events):
+        return
+    late = Quantity("direction", (body,), event.number)
+    names = [late, *(Letter(let.letter) for let in step.lets if let.quantity == late)]
+    for link in step.links:
+        if link.left in names and link.sign == "=":
+            after = _number(link.right)
+            break
+    else:
+        return
+    for link in step.links:
+        if link.left == Quantity("velocity", (body,), 0) and link.sign == "=":
+            early = direction_from_i(link.right)
+            before = None if early is None else _number(early)
+            if early is None or before is None or after is None or abs(after - before) > math.pi:
+                continue
+            if any(step.setting.role(name).kind != "positive" for name in letters(link.right)):
+                continue
+            turn = Binary("-", late, early) if after > before else Binary("-", early, late)
+            yield Link(Quantity("deflection", (body,), event.number), "=", turn)
+
+
+def direction_from_i(velocity: Expression) -> Expression | None:
+    """The direction of a velocity, as an angle from **i**: in degrees, as the data have it."""
+    match velocity:
+        case Polar(_, Degrees() | Negate(Degrees()) as angle, None | Unit("i"), None):
+            return angle
+        case Unit(axis):
+            return _NONE if axis == "i" else _RIGHT
+        case Negate(Unit(axis)):
+            return _STRAIGHT if axis == "i" else Negate(_RIGHT)
+        case Negate(Binary("*", size, Unit() as unit)) if not _is_negative(size):
+            return direction_from_i(Negate(unit))
+        case Binary("*", size, Unit() as unit):
+            return direction_from_i(Negate(unit) if _is_negative(size) else unit)
+    return None
+
+
+def _is_negative(size: Expression) -> bool:
+    """Whether a size is written with a minus; letters of speeds are positive."""
+    return isinstance(size, Negate) or (
+        isinstance(size, Binary) and size.op in "*/" and _is_negative(size.left)
+    )
+
+
+def _number(tree: Expression) -> float | None:
+    """The number of radians of an angle without letters."""
+    if letters(tree) or has_quantity(tree):
+        return None
+    return float(sp.N(in_letters(tree)))
 
 
 def _along(step: Step, line: Quantity) -> Expression | None:

@@ -34,7 +34,13 @@ from restitution.planning.formulas import Formula, itself, write_formula
 from restitution.planning.impacts import in_direction
 from restitution.planning.polynomials import expanded
 from restitution.planning.scene import Scene
-from restitution.planning.velocity_formulas import squares, velocity_source
+from restitution.planning.velocity_formulas import (
+    known_speed,
+    parts,
+    speed_formula,
+    squares,
+    velocity_source,
+)
 from restitution.vector import Vector
 
 
@@ -68,6 +74,8 @@ def energy_formula(scene: Scene, quantity: Quantity) -> Formula:
             values.append(known.value)
             refs += known.refs
             continue
+        if len(bodies) == 1:
+            _speed_before(scene, body, stage)
         tree, value, own = squares(scene, body, stage, known=len(bodies) == 1)
         if stage and stage != quantity.stage:
             own = together(own, scene.frame(stage).unit_free)
@@ -79,6 +87,21 @@ def energy_formula(scene: Scene, quantity: Quantity) -> Formula:
     return Formula(
         move, itself, quantity, total(terms), tidy(expanded(sum(values))), together(refs)
     )
+
+
+def _speed_before(scene: Scene, body: str, stage: int) -> None:
+    """Writes a speed of two components that the part asks too, before the energy that has it."""
+    speed = Quantity("speed", (Name(body),), stage)
+    if (
+        stage not in scene.model.frames
+        or speed not in scene.asked
+        or known_speed(scene, body, stage)
+    ):
+        return
+    if any(scene.unknown(each.value) or each.value == 0 for each in parts(scene, body, stage)):
+        return
+    own = speed_formula(scene, speed)
+    scene.desk.know(speed, own.value, (write_formula(scene, own),))
 
 
 def _known_energy(scene: Scene, stage: int, *bodies: str) -> Source | None:

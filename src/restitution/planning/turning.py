@@ -53,6 +53,7 @@ from restitution.planning.same_angles import angle_by_the_same, write_same_angle
 from restitution.planning.scalar_angles import is_long, write_cosine, write_right_angle
 from restitution.planning.scene import Scene
 from restitution.planning.turn_lines import inverse_of_data, write_turn, write_turn_tangent
+from restitution.planning.turned_directions import turn_of_directions
 from restitution.planning.turns import turns_of, velocities_of
 from restitution.planning.velocity_formulas import (
     body_and_stage,
@@ -123,7 +124,7 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
     if asked.kind == "direction":
         line = _along_the_centres(scene, asked) or _along_an_axis(scene, asked)
     if line is None:
-        line = _same_angle(scene, asked)
+        line = turn_of_directions(scene, asked) or _same_angle(scene, asked)
     if line is None:
         own = _by_a_known_ratio(scene, asked) or _ratio(scene, asked)
         line = own if isinstance(own, int) else _by_inverse(scene, own)

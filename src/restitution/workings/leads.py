@@ -608,6 +608,9 @@ class Leads:
         if isinstance(first.left, Quantity) and first.left.kind == "energy_lost":
             return None
         body = line.move.bodies[0]
+        if self._by_directions(line):
+            came = self._came_along(line) if not isinstance(first.right, Binary) else None
+            return came or say("turned.directions", body=body)
         same = self._same(first)
         if same is not None:
             return same
@@ -641,6 +644,26 @@ class Leads:
         if turn is not None:
             return say("turned.back-as", body=body, turn=self._naming.layout(turn))
         return say(_TURNED[form], body=body) if form in _TURNED else None
+
+    def _by_directions(self, line: Line) -> bool:
+        """Whether a deflection is made of directions alone: one of the data, one that stands."""
+        stands = False
+        for ref in line.premises:
+            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            match fact.relation if fact is not None else None if own is None else own.relation:
+                case Relation(((Link(Quantity("direction"), "="), *_),)):
+                    stands = True
+                case Relation(((Link(Letter(name), "="), *_),)) if own is not None:
+                    meaning = self._naming.meanings.get(name)
+                    if meaning is None or _kind_of(meaning.quantity) != "direction":
+                        return False
+                    stands = True
+                case Meaning() | Relation(((Link(Quantity("velocity"), "="), *_),)):
+                    pass
+                case _:
+                    return False
+        return stands
 
     def _turn_too_wide(self, line: Line, link: Link) -> Expression | None:
         """The given deflection, where a body that keeps its sense is turned through less."""
