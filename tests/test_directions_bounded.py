@@ -130,3 +130,26 @@ def test_a_right_angle_that_is_not_reached() -> None:
         "90° < direction(A, 1) <= 180° - arctan(4/3)",
         "arctan(1/2) <= direction(B, 1) < 90°",
     ]
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "alpha <= 180° - direction(A) <= 90°",
+        "180° - direction(A) <= 90°",
+        "direction(A) - 90° >= 0",
+    ],
+)
+def test_a_claim_of_what_a_direction_is_taken_from(claim: str) -> None:
+    _, derivation = planned(
+        f"""
+        sphere A: mass m, velocity u at alpha
+        sphere B: mass m, velocity u at alpha from -i
+        A hits B: along i
+        show {claim}
+        """
+    )
+    said = [
+        write_relation(e.relation) for e in derivation.lines if isinstance(e.relation, Relation)
+    ]
+    assert any(each.startswith(("90° <= direction", "direction(A, 1) >= 90°")) for each in said)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation
-from restitution.expression.tree import Apply, Binary, Letter, Quantity
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity, letters, walk
 from restitution.planning.comparing import Comparing
 from restitution.planning.desk import Source, together
 from restitution.planning.forms import tree_of
@@ -31,6 +31,8 @@ def write_of_direction(
             pass
         case _:
             return None
+    links = [_solved(claims, each, direction) for each in relation.only]
+    whole = Relation((tuple(_as_bounds(links)),))
     mark = claims.worths.mark()
     velocity = Quantity("velocity", direction.arguments, direction.stage)
     claims.worths.determine(velocity)
@@ -48,27 +50,56 @@ def write_of_direction(
         move = Move("define", "tan-direction", stage or None, (body,))
         refs = together(x.whole, y.whole, (let,))
         line = ratio_line(scene, move, refs, ratio, quotient, value)
-        links = [each if each.left == direction else turned(each) for each in relation.only]
         ends = [own for each in links if (own := _bound(claims, ratio, each)) is not None]
         if len(ends) < len(links):
             continue
-        if len(ends) == 2:
-            ends = [turned(ends[0]), ends[1]] if function == "tan" else [turned(ends[1]), ends[0]]
-        bounds = claims.monotone(line, Relation((tuple(ends),)))
+        between = Relation((tuple(_as_bounds(ends)),))
+        bounds = claims.monotone(line, between) or claims.compared([line], between)
         if bounds is not None:
             known = claims.worths.known_in(value)
             pool = [bounds, let, *y.whole, *x.whole, *known]
-            last = claims.judge.write((Move("compare"),), pool, relation)
+            last = claims.judge.write((Move("compare"),), pool, whole)
             if last is None:
                 side = _side(claims, direction, [let, *y.whole, *known], scene.model.sign(y.value))
-                pool = [bounds, let, *(() if side is None else (side,))]
-                last = claims.judge.write((Move("compare"),), pool, relation)
+                names = {name for each in links for name in letters(each.right)}
+                pool = [bounds, let, *(() if side is None else (side,)), *claims.judge.known(names)]
+                last = claims.judge.write((Move("compare"),), pool, whole)
+            if last is not None and whole != relation:
+                last = claims.judge.write((Move("compare"), Move("rearrange")), [last], relation)
             if last is not None:
                 return last
         claims.worths.back(mark)
         claims.worths.determine(velocity)
     claims.worths.back(mark)
     return None
+
+
+def _solved(claims: Comparing, link: Link, direction: Quantity) -> Link:
+    """A bound with the direction alone on the left: ``θ ≥ 90°`` of ``180° − θ ≤ 90°``."""
+    sides = (link.left, link.right)
+    own = link if any(each == direction for each in walk(sides[0])) else turned(link)
+    match own.left:
+        case Binary("-", other, angle) if angle == direction:
+            value, sign = _value(claims, other) - _value(claims, own.right), FLIPPED[own.sign]
+        case Binary("-", angle, other) if angle == direction:
+            value, sign = _value(claims, own.right) + _value(claims, other), own.sign
+        case _:
+            return own
+    return Link(direction, sign, tree_of(value, angle=True))
+
+
+def _value(claims: Comparing, tree: Expression) -> sp.Expr:
+    return sp.sympify(claims.scene.scalar(tree), strict=True)
+
+
+def _as_bounds(links: Sequence[Link]) -> Iterator[Link]:
+    """Bounds as ``a <= θ <= b``, where there are two."""
+    lower = [each for each in links if each.sign in (">", ">=")]
+    if len(links) == 2 and len(lower) == 1:
+        yield turned(lower[0])
+        yield next(each for each in links if each is not lower[0])
+    else:
+        yield from links
 
 
 def _side(claims: Comparing, direction: Quantity, pool: Sequence[Ref], sign: int) -> int | None:
@@ -91,7 +122,7 @@ def _bound(claims: Comparing, ratio: Apply, link: Link) -> Link | None:
 
     None where there is none: a right angle has no tangent.
     """
-    angle = sp.sympify(claims.scene.scalar(link.right), strict=True)
+    angle = _value(claims, link.right)
     there = sp.tan(angle) if ratio.function == "tan" else sp.cot(angle)
     sign = link.sign if ratio.function == "tan" else FLIPPED[link.sign]
     return None if there.has(sp.zoo) else Link(ratio, sign, tree_of(tidy(there)))

@@ -70,7 +70,12 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     value = _worth(scene, asked, values)
     final = tree_of(value)
     if value == 0 and isinstance(asked, Binary) and asked.op == "/":
-        raise NotPlannedError("a quotient that is zero")
+        nothing = chain(asked, (final, None))
+        ways = (Move("rearrange"), Move("put"), Move("divide"))
+        line = scene.judge.write(ways, together(refs), nothing)
+        if line is None:
+            raise NotPlannedError("a quotient that is zero")
+        return line, final
     right = swept(exchanged(asked, values))
     if isinstance(value, Vector):
         line = scene.desk.write(Move("put"), together(refs), chain(asked, (right, None)))

@@ -74,7 +74,7 @@ def write_formula(scene: Scene, own: Formula) -> int:
     final = tree_of(own.value)
     right = swept(own.right)
     between: tuple[tuple[Expression, MoveId | None], ...] = ()
-    if _depth_of_roots(right) > _MOST_ROOTS:
+    if _depth_of_roots(right) > _MOST_ROOTS and not _trivial(own.right, final):
         squares = root_of_a_square(scene, final)
         between = (*_with_squares(scene, right), *((each, "rearrange") for each in squares))
     else:

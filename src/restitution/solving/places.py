@@ -33,6 +33,7 @@ def time_to_point(state: State, number: int, name: str, point: Vector, step: Arr
     """When a sphere's centre comes to a point."""
     known = state.place(name, number - 1)
     velocity = state.velocity(name, number - 1)
+    there = step.target.name if isinstance(step.target, Name) else "that point"
     if known is None:
         time = state.unknowns.hidden(f"t_{number}", f"the time of event {number}", "positive")
     else:
@@ -45,10 +46,10 @@ def time_to_point(state: State, number: int, name: str, point: Vector, step: Arr
         _off(
             state,
             displacement.cross(velocity),
-            f"{name} does not pass through that point",
+            f"{name} does not pass through {there}",
             step.place,
         )
-        _flight(state, name, flight, number, f"{name} moves away from that point")
+        _flight(state, name, flight, number, f"{name} moves away from {there}")
         time = known[1] + flight
     state.tracks[name].places.append((number, point, time))
     return time

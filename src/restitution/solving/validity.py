@@ -29,6 +29,7 @@ from restitution.render.text import to_text
 from restitution.solving import forms
 from restitution.solving.admission import Demand, demands_for
 from restitution.solving.cases import KINDS
+from restitution.solving.conditions import Condition
 from restitution.solving.intervals import inside_of, to_set
 from restitution.solving.part import Outcome
 from restitution.solving.polynomials import factors
@@ -56,15 +57,40 @@ class Limitation:
 def limitations(outcome: Outcome, trial: Trial) -> tuple[Limitation, ...]:
     """What an accepted solution asks of the letters beyond what the statement does."""
     admission = trial.admission
-    if admission is None:
-        return ()
-    base = Oracle(admission.roles, presupposed(outcome))
+    roles = outcome.letters.all_roles() if admission is None else admission.roles
+    demands = _at_contacts(outcome, trial) if admission is None else admission.demands
+    base = Oracle(roles, presupposed(outcome)) if demands else Oracle(roles)
     rest = [
         demand
-        for demand in dict.fromkeys(admission.demands)
+        for demand in dict.fromkeys(demands)
         if _is_of_visible_letters(demand) and not base.decide(demand.formula)
     ]
     return tuple(_limits(outcome, trial, base, _needed(base, rest)))
+
+
+def _at_contacts(outcome: Outcome, trial: Trial) -> tuple[Demand, ...]:
+    """What the motion asks of places of contact, where the story is not told again with them.
+
+    A time of flight and a size that are sought are positive, and so of no account in a product.
+    """
+    places = {name: x for name, x in trial.root.values.items() if name.startswith("_c_")}
+    if not places:
+        return ()
+    roles = outcome.letters.all_roles()
+    put = {roles[name].symbol(name): value for name, value in places.items()}
+    demands: list[Demand] = []
+    for need in outcome.open_story.conditions:
+        if not isinstance(need, Condition):
+            continue
+        value = sp.together(sp.sympify(need.value, strict=True))
+        if not value.free_symbols & put.keys():
+            continue
+        hidden = {each for each in value.free_symbols - put.keys() if each.name.startswith("_")}
+        positive = [each for each in hidden if each.is_positive]
+        value = sp.Mul(*(x for x in sp.Mul.make_args(value) if x.as_base_exp()[0] not in positive))
+        value = forms.tidy(sp.together(value.xreplace(put)))
+        demands.append(Demand(Relation(value, need.relation), need.reason, need.kind))
+    return tuple(demands)
 
 
 def range_limitations(outcome: Outcome, region: Region, values: sp.Set) -> tuple[Limitation, ...]:

@@ -354,6 +354,8 @@ class Worker:
             solved = all(item.expression.name in t.root.values for t in outcome.refused)
             if outcome.accepted or not solved:
                 return ()
+            if any(each.startswith("_c_") for t in outcome.refused for each in t.root.values):
+                return ()  # of the places of contact those that cannot be are left out earlier
             angle = self._is_angle(item.expression, outcome.setting)
             return self._rejected(item, outcome, [], now, kind, angle)
         except (RestitutionError, *UNFORESEEN):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from restitution.explaining.algebra import Value
@@ -19,10 +20,12 @@ from restitution.explaining.moves.bases import (
 from restitution.explaining.quotients import CONSTANT, NotComparableError, Plane, Quotient
 from restitution.explaining.rules import Rules
 from restitution.explaining.step import Step
+from restitution.explaining.trees import exchanged
 from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
+    Letter,
     Quantity,
     walk,
 )
@@ -53,8 +56,33 @@ def is_put(step: Step, line: Link) -> bool:
     # A value may be put in, or its name for it.
     return any(
         matches_with(step, line, expected_residual(step, each, rules), rules, each.sign)
-        for each in flat(base.only)
+        for each in (*flat(base.only), *_below_roots(step, base))
     )
+
+
+def _below_roots(step: Step, base: Relation) -> Iterator[Link]:
+    """A line with the values of letters below its roots, before roots of factors are taken.
+
+    Of √(4a² − d²), in factors, the roots of both sums hold d, and their product would not be seen.
+    """
+    values: dict[Expression, Expression] = {
+        link.left: link.right
+        for each in others_cited(step)
+        if isinstance(each.relation, Relation) and len(each.relation.options) == 1
+        for link in flat(each.relation.only)
+        if link.sign == "=" and isinstance(link.left, Letter)
+    }
+    for link in flat(base.only):
+        below = {
+            node
+            for side in (link.left, link.right)
+            for root in walk(side)
+            if isinstance(root, Apply) and root.function == "sqrt"
+            for node in walk(root.argument)
+        }
+        if link.sign == "=" and below & values.keys():
+            left, right = (exchanged(side, values) for side in (link.left, link.right))
+            yield Link(left, "=", right)
 
 
 def _note_divisor(step: Step, line: Link, rules: Rules) -> None:
