@@ -153,3 +153,36 @@ def test_a_claim_of_what_a_direction_is_taken_from(claim: str) -> None:
         write_relation(e.relation) for e in derivation.lines if isinstance(e.relation, Relation)
     ]
     assert any(each.startswith(("90° <= direction", "direction(A, 1) >= 90°")) for each in said)
+
+
+IN_K = """
+sphere A: mass m, velocity 3u i - 4u j
+sphere B: mass k m, velocity -2u i + u j
+A hits B: along i, e = 1/3
+find direction(A), direction(B)
+"""
+
+
+def test_a_direction_on_either_side_of_j_is_told_by_its_cotangent() -> None:
+    problem, derivation = planned(IN_K)
+    items = solve(problem).parts[None].items
+    (k,) = items[0].distinct[0].value.free_symbols
+    for ratio in (0.1, 0.8, 1.0, 4.0):
+        v = (3 - 2 * ratio - ratio * 5 / 3) / (1 + ratio)  # momentum, and w - v = 5u/3
+        for item, angle in zip(items, (math.atan2(-4, v), math.atan2(1, v + 5 / 3)), strict=True):
+            assert float(item.distinct[0].value.subs(k, ratio)) == pytest.approx(angle)
+    assert [write_relation(each.answer) for each in derivation.items] == [
+        "theta = arctan((9 - 11k)/(12(1 + k))) - 90°",
+        "phi = 90° - arctan(2(7 - 3k)/(3(1 + k)))",
+    ]
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    ["theta = 90° + arctan((9 - 11k)/(12(1 + k)))", "theta = arctan((9 - 11k)/(12(1 + k)))"],
+)
+def test_another_angle_with_that_cotangent_is_refused(wrong: str) -> None:
+    _, derivation = planned(IN_K)
+    own = last(derivation)
+    false = replace(own, relation=read_relation(wrong, {}))
+    assert "does-not-follow" in complaints(IN_K, false, derivation)

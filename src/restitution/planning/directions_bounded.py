@@ -10,10 +10,11 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity, letters, walk
 from restitution.planning.comparing import Comparing
-from restitution.planning.desk import Source, together
+from restitution.planning.cotangents import write_ratio_of
+from restitution.planning.desk import Source
 from restitution.planning.forms import tree_of
 from restitution.planning.inequalities import turned
-from restitution.planning.named_angles import letter_of, ratio_line
+from restitution.planning.named_angles import letter_of
 from restitution.planning.velocity_formulas import body_and_stage, in_the_plane
 
 
@@ -42,21 +43,16 @@ def write_of_direction(
     for function, below in (("tan", x), ("cot", y)):
         if not _keeps_its_sign(claims, below):
             continue
-        above = y if below is x else x
+        line = write_ratio_of(scene, direction, function, x, y)
         letter, let = letter_of(scene, direction)
-        value = tidy(above.value / below.value)
-        quotient = Binary("/", tree_of(above.value), tree_of(below.value))
         ratio = Apply(function, Letter(letter))
-        move = Move("define", "tan-direction", stage or None, (body,))
-        refs = together(x.whole, y.whole, (let,))
-        line = ratio_line(scene, move, refs, ratio, quotient, value)
         ends = [own for each in links if (own := _bound(claims, ratio, each)) is not None]
         if len(ends) < len(links):
             continue
         between = Relation((tuple(_as_bounds(ends)),))
         bounds = claims.monotone(line, between) or claims.compared([line], between)
         if bounds is not None:
-            known = claims.worths.known_in(value)
+            known = claims.worths.known_in(_value(claims, scene.desk.last_link(line).right))
             pool = [bounds, let, *y.whole, *x.whole, *known]
             last = claims.judge.write((Move("compare"),), pool, whole)
             if last is None:

@@ -26,6 +26,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angle_ratios import range_of
 from restitution.planning.angles import angle_to_a_line
+from restitution.planning.cotangents import write_by_cotangent
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.either_side import angle_of_centres
 from restitution.planning.forms import difference, in_tangents, swept, total, tree_of
@@ -254,7 +255,7 @@ def _ratio(scene: Scene, asked: Quantity, wanted: str | None = None) -> Ratio | 
                     raise
             return _between_lines(scene, asked)
         case Quantity("direction", (Name(),), int()):
-            return _direction(scene, asked)
+            return _direction(scene, asked, wanted)
     raise NotPlannedError(f"no way to the {asked.kind}")
 
 
@@ -316,12 +317,17 @@ def _to_a_line(scene: Scene, asked: Quantity) -> Ratio:
     return Ratio(line, letter, "tan", own.value, extent.format(letter))
 
 
-def _direction(scene: Scene, asked: Quantity) -> Ratio:
+def _direction(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int:
     """The direction of a velocity, from **i**: by its tangent, on the side to which it points."""
     body, stage = body_and_stage(scene, asked)
     x, y = in_the_plane(scene, body, stage)
     if scene.model.identically_zero(x.value):
         return _along_j(scene, asked, x, y)
+    before_j = scene.model.sign(x.value) > 0
+    open_ = not scene.model.decide(x.value, ">=" if before_j else "<=", 0)
+    turned = write_by_cotangent(scene, asked, x, y) if open_ and wanted is None else None
+    if turned is not None:
+        return turned
     own = formula(scene, asked)
     model_frame = scene.model.frames.get(stage)
     if model_frame is not None and model_frame.angle is not None:
@@ -329,8 +335,6 @@ def _direction(scene: Scene, asked: Quantity) -> Ratio:
     line, letter = tangent_line(scene, asked, own, own.move)
     extent = _RANGES["direction"].format(letter)
     value = own.value
-    before_j = scene.model.sign(x.value) > 0
-    open_ = not scene.model.decide(x.value, ">=" if before_j else "<=", 0)
     if before_j:
         right = _degrees(sp.atan(value), value)
     else:

@@ -38,6 +38,8 @@ def grounds_of(derivation: Derivation, roles: Mapping[str, Role], line: Line) ->
     match line.move.id:
         case "inverse":
             yield from _quadrant(derivation, line)
+            if any(_is_of_a_cotangent(_relation(derivation, each)) for each in line.premises):
+                yield from _half_plane(derivation, line)
         case "complete":
             yield from _roots(derivation, line)
         case "rearrange":
@@ -84,11 +86,24 @@ def _quadrant(derivation: Derivation, line: Line) -> Iterator[Relation]:
             return
 
 
+def _is_of_a_cotangent(relation: Relation | None) -> bool:
+    """Whether a relation says what the cotangent of an angle is."""
+    match relation:
+        case Relation(((Link(Apply("cot"), "="), *_),)):
+            return True
+    return False
+
+
 def _half_plane(derivation: Derivation, line: Line) -> Iterator[Relation]:
     """To which side a body moves whose direction is bounded by a ratio of it."""
     assert isinstance(line.relation, Relation)
-    sides = (side for link in line.relation.options[0] for side in (link.left, link.right))
-    if not any(isinstance(each, Quantity) and each.kind == "direction" for each in sides):
+    sides = {side for link in line.relation.options[0] for side in (link.left, link.right)}
+    named = {
+        meaning.quantity
+        for each in sides
+        if isinstance(each, Letter) and (meaning := derivation.meanings.get(each.name))
+    }
+    if not any(isinstance(each, Quantity) and each.kind == "direction" for each in sides | named):
         return
     for ref in line.premises:
         match _relation(derivation, ref):

@@ -9,6 +9,7 @@ import sympy as sp
 
 from restitution.explaining.derivation import Link, Relation
 from restitution.explaining.moves.bases import base_of, flat
+from restitution.explaining.moves.directions import is_of_a_cotangent
 from restitution.explaining.moves.inequalities import by_oracle
 from restitution.explaining.quotients import NotComparableError, Plane
 from restitution.explaining.step import Step
@@ -64,6 +65,8 @@ def is_inverse(step: Step, relation: Relation) -> bool:
     if len(relation.only) != 1:
         return False
     (link,) = relation.only
+    if is_of_a_cotangent(step, link):
+        return True
     ratios_ = filter(None, (_ratio_of(step, each) for each in cited))
     ratios = [each for each in ratios_ if _is_multiple_of(step, link, each[0].argument)]
     if not ratios or link.sign != "=":

@@ -58,6 +58,33 @@ def between_ratios(step: Step, relation: Relation) -> bool:
     return False
 
 
+def is_of_a_cotangent(step: Step, link: Link) -> bool:
+    """Whether a direction is 90° less the inverse tangent of its cotangent, which is cited.
+
+    Below **i** it is that less 180°: a component that is cited tells on which side it is.
+    """
+    angle = _direction(step, link.left)
+    if angle is None or link.sign != "=":
+        return False
+    ratios = [
+        each.right
+        for each in step.links
+        if each.sign == "="
+        and isinstance(each.left, Apply)
+        and each.left.function == "cot"
+        and _direction(step, each.left.argument) == angle
+    ]
+    up = {_UP: 1, _DOWN: -1}.get(_half_plane(step, angle), 0)  # type: ignore[arg-type]
+    value = _value(step, link.right)
+    whole, arc = value.as_independent(*value.free_symbols, as_Add=True)
+    factor, inverse = arc.as_coeff_Mul()
+    if not ratios or not up or whole != up * RIGHT or not isinstance(inverse, sp.atan):
+        return False
+    return factor in (1, -1) and any(
+        equal_in(step, -factor * inverse.args[0], _value(step, each)) for each in ratios
+    )
+
+
 def _direction(step: Step, side: Expression) -> Quantity | None:
     """The direction of a velocity after an event that a side is, or for which it is a letter."""
     if isinstance(side, Letter):
@@ -204,4 +231,4 @@ def _value(step: Step, tree: Expression) -> sp.Expr:
     return step.world.expression(step.world.scalar(tree), step.roles)
 
 
-__all__ = ["between_ratios", "speaks_of_a_direction"]
+__all__ = ["between_ratios", "is_of_a_cotangent", "speaks_of_a_direction"]

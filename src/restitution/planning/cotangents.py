@@ -1,0 +1,51 @@
+"""Directions by their tangents, or by their cotangents where a velocity may point along **j**."""
+
+from __future__ import annotations
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move
+from restitution.expression.tree import Apply, Binary, Letter, Quantity
+from restitution.planning.angles import RIGHT
+from restitution.planning.desk import Source, chain, together
+from restitution.planning.forms import difference, tree_of
+from restitution.planning.named_angles import letter_of, ratio_line
+from restitution.planning.premises import nonzero
+from restitution.planning.scene import Scene
+from restitution.planning.velocity_formulas import body_and_stage
+
+
+def write_ratio_of(scene: Scene, direction: Quantity, function: str, x: Source, y: Source) -> int:
+    """The line ``tan(θ) = y/x`` or ``cot(θ) = x/y``, by the components of the velocity."""
+    body, stage = body_and_stage(scene, direction)
+    letter, let = letter_of(scene, direction)
+    above, below = (y, x) if function == "tan" else (x, y)
+    quotient = Binary("/", tree_of(above.value), tree_of(below.value))
+    move = Move("define", "tan-direction", stage or None, (body,))
+    refs = together(x.whole, y.whole, (let,))
+    ratio = Apply(function, Letter(letter))
+    return ratio_line(scene, move, refs, ratio, quotient, tidy(above.value / below.value))
+
+
+def write_by_cotangent(scene: Scene, direction: Quantity, x: Source, y: Source) -> int | None:
+    """The line ``θ = 90° − arctan(x/y)``, on the side of **i** on which a velocity points.
+
+    None where that is open.
+    """
+    sign = scene.model.sign(y.value)
+    if not sign or not scene.model.decide(sign * scene.model.in_data(y.value), ">", 0):
+        return None
+    mark = scene.desk.mark()
+    line = write_ratio_of(scene, direction, "cot", x, y)
+    letter, let = letter_of(scene, direction)
+    arc = Apply("arctan", tree_of(tidy(sign * x.value / y.value)))
+    right = difference(RIGHT, arc) if sign > 0 else difference(arc, RIGHT)
+    relation = chain(Letter(letter), (right, None))
+    refs = (line, let, *y.whole, *nonzero(scene, y.value))
+    premises = scene.judge.needed(Move("inverse"), refs, relation)
+    if premises is None:
+        scene.desk.back(mark)
+        return None
+    return scene.desk.write(Move("inverse"), premises, relation)
+
+
+__all__ = ["write_by_cotangent", "write_ratio_of"]
