@@ -190,7 +190,13 @@ PRINCIPLES = (
     Record(
         "across-the-impulse",
         "principle",
-        (f"{AXIS} parallel to impulse(X, 1)",),
+        (
+            f"{AXIS} parallel to impulse(X, 1)",
+            f"angle({AXIS}, i) = angle(impulse(S, 1), i)",
+            f"angle({AXIS}, i) = angle(i, impulse(S, 1))",
+            f"angle({AXIS}, i) = 180° - angle(impulse(F, 1), i)",
+            f"angle({AXIS}, i) = 180° - angle(i, impulse(F, 1))",
+        ),
         "impact",
         ("line_of_centres",),
     ),

@@ -237,7 +237,7 @@ def _tells_a_side(tree: Expression) -> bool:
         case Quantity("direction", (Name(),), None):
             return True
         case Quantity("angle" | "along" | "dot", arguments):
-            own = [argument for argument in arguments if not _is_velocity(argument)]
+            own = [argument for argument in arguments if not _is_mirrored(argument)]
             return any(each == Unit("j") or _tells_a_side(each) for each in own)
         case Quantity("direction" | "across" | "position" | "momentum"):
             return True
@@ -249,8 +249,9 @@ def _tells_a_side(tree: Expression) -> bool:
     return any(_tells_a_side(part) for part in parts if isinstance(part, Expression))
 
 
-def _is_velocity(tree: Expression) -> bool:
-    return isinstance(tree, Quantity) and tree.kind == "velocity"
+def _is_mirrored(tree: Expression) -> bool:
+    """Whether a vector of the motion is another in the mirror, with the same angle to **i**."""
+    return isinstance(tree, Quantity) and tree.kind in ("velocity", "impulse")
 
 
 def known_of_letters(ref: str, setting: Setting) -> Known | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
-from typing import Any
+from typing import Any, Literal
 
 import sympy as sp
 
@@ -20,7 +20,7 @@ from restitution.expression.tree import (
     Quantity,
     walk,
 )
-from restitution.planning.desk import NotPlannedError, together
+from restitution.planning.desk import NotPlannedError, Source, together
 from restitution.planning.either_side import frame_on_one_side, write_sides
 from restitution.planning.forms import tree_of, vector
 from restitution.planning.frames import Frame, frame_of
@@ -130,17 +130,39 @@ def _by_who_rested(scene: Scene, number: int) -> int | None:
                 ):
                     turn = scene.scalar(angle)
                     right: Any = Vector(tidy(sp.cos(turn)), tidy(sp.sin(turn)))
-                case Link(left, "parallel to", other) if velocity in (left, other):
-                    tree = other if left == velocity else left
-                    if any(isinstance(node, Quantity) for node in walk(tree)):
+                    more: tuple[Ref, ...] = ()
+                case Link(left, "parallel to" | "perpendicular to", other) if velocity in (
+                    left,
+                    other,
+                ):
+                    known = _direction(scene, other if left == velocity else left)
+                    if known is None:
                         continue
-                    right = scene.model.story.direction(tree, scene.events)
+                    right, more = known.value, known.refs
                 case _:
                     continue
-            refs = together(source.refs, (each.fact.id,))
+            refs = together(source.refs, (each.fact.id,), more)
             tree = tree_of(tuple(map(tidy, plain_direction(right))))
-            return _write(scene, "along-the-change", number, body, refs, tree)
+            sign: Literal["parallel to", "perpendicular to"] = "parallel to"
+            if each.link.sign == "perpendicular to":
+                sign = "perpendicular to"
+            return _write(scene, "along-the-change", number, body, refs, tree, sign)
     return None
+
+
+def _direction(scene: Scene, tree: Expression) -> Source | None:
+    """A direction of the plane, or that of a velocity that is known; None of any other."""
+    match tree:
+        case Quantity("velocity", (Name(body),), int(stage)):
+            velocity = Quantity("velocity", (Name(body),), scene.last_event(body, stage))
+            known = scene.desk.known(velocity)
+            if known is None:
+                return None
+            value, refs = scene.put(known.value)
+            return Source(value, together(known.refs, refs))
+    if any(isinstance(node, Quantity) for node in walk(tree)):
+        return None
+    return Source(scene.model.story.direction(tree, scene.events), ())
 
 
 def _parallel(
@@ -159,13 +181,17 @@ def _parallel(
 
 
 def _write(
-    scene: Scene, record: str, number: int, body: str, refs: Iterable[Ref], right: Expression
+    scene: Scene,
+    record: str,
+    number: int,
+    body: str,
+    refs: Iterable[Ref],
+    right: Expression,
+    sign: Literal["parallel to", "perpendicular to"] = "parallel to",
 ) -> int:
     centres = Quantity("line_of_centres", (), number)
     return scene.desk.write(
-        Move("law", record, number, (body,)),
-        refs,
-        Relation(((Link(centres, "parallel to", right),),)),
+        Move("law", record, number, (body,)), refs, Relation(((Link(centres, sign, right),),))
     )
 
 

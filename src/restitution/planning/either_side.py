@@ -7,16 +7,27 @@ other. So there are two solutions, of which one is the other seen in a mirror.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from restitution.components.frames import Frame as Resolved
 from restitution.components.letters import protected_letters
 from restitution.components.models import Model
 from restitution.components.telling import model
-from restitution.explaining.derivation import Derivation, Fact, Link, Meaning, Move, Ref, Relation
+from restitution.explaining.derivation import (
+    Derivation,
+    Fact,
+    Link,
+    Meaning,
+    Move,
+    MoveId,
+    Ref,
+    Relation,
+)
 from restitution.explaining.trials import on_either_side
 from restitution.expression.tree import (
+    Binary,
     Degrees,
     Expression,
     Letter,
@@ -26,7 +37,7 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
-from restitution.planning.desk import Desk, NotPlannedError, together
+from restitution.planning.desk import Desk, NotPlannedError, chain, together
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import plain_direction
@@ -55,8 +66,7 @@ def on_one_side(
         return ()
     if any(each.sign(_line(each.frames[number]).x) <= 0 for each in own):
         return ()
-    given = _is_given(desk, number, own[0].frames[number].wall)
-    if given is not None:
+    if _given_angle(desk, number, own[0].frames[number].wall) is not None:
         in_numbers = all(x.is_number for each in own for x in each.frames[number].n)
         return tuple(own) if in_numbers else ()
     if any(_is_turned(facts, body) for body in desk.events[0].bodies):
@@ -93,16 +103,45 @@ def _angle(number: int, wall: str | None) -> Quantity:
     return Quantity("angle", (line, Unit("i")))
 
 
-def _is_given(desk: Desk, number: int, wall: str | None) -> str | None:
+@dataclass(frozen=True)
+class _Given:
+    """The fact that gives the angle to **i**: of the line itself, or of the impulse on a body."""
+
+    fact: str
+    angle: Expression
+    body: str | None = None
+
+
+def _given_angle(desk: Desk, number: int, wall: str | None) -> _Given | None:
     """The fact that gives the angle to **i**."""
     asked = _angle(number, wall)
-    turned = replace(asked, arguments=tuple(reversed(asked.arguments)))
+    forms: dict[Expression, str | None] = {asked: None, _reversed(asked): None}
+    if wall is None:
+        for body in desk.events[number - 1].bodies:
+            pushed = Quantity("angle", (Quantity("impulse", (Name(body),), number), Unit("i")))
+            forms |= {pushed: body, _reversed(pushed): body}
     for fact in desk.facts:
         if fact.kind == "given" and desk.holds(fact.id) and len(fact.relation.options) == 1:
             first = fact.relation.only[0]
-            if first.left in (asked, turned) and first.sign == "=":
-                return fact.id
+            if first.left in forms and first.sign == "=":
+                return _Given(fact.id, first.right, forms[first.left])
     return None
+
+
+def _by_the_impulse(scene: Scene, number: int, given: _Given) -> int:
+    """The angle of a line of centres by that of an impulse, which is along it."""
+    assert given.body is not None
+    sides: list[tuple[Expression, MoveId | None]] = [(given.angle, None)]
+    if given.body == scene.bodies(number)[0]:
+        # The line is from the first sphere to the second, as the impulse on that.
+        rest = Binary("-", Degrees(Fraction(180)), given.angle)
+        sides = [(rest, None), (tree_of(scene.value(rest), angle=True), "rearrange")]
+    move = Move("law", "across-the-impulse", number, (given.body,))
+    return scene.desk.write(move, (given.fact,), chain(_angle(number, None), *sides))
+
+
+def _reversed(angle: Quantity) -> Quantity:
+    return replace(angle, arguments=tuple(reversed(angle.arguments)))
 
 
 def angle_of_centres(scene: Scene, number: int) -> Expression | None:
@@ -110,29 +149,42 @@ def angle_of_centres(scene: Scene, number: int) -> Expression | None:
     own = scene.model.frames[number]
     if own.angle is not None:
         return Letter(own.angle.name)
-    given = _is_given(scene.desk, number, own.wall)
-    fact = scene.facts.get(f"axis {number}" if given is None else given)
-    if fact is None:
+    given = _given_angle(scene.desk, number, own.wall)
+    fact = scene.facts.get(f"axis {number}")
+    if given is not None:
+        if given.body is not None and given.body == scene.bodies(number)[0]:
+            return tree_of(
+                scene.value(Binary("-", Degrees(Fraction(180)), given.angle)), angle=True
+            )
+        angle = given.angle
+    elif fact is not None:
+        angle = fact.relation.only[0].right
+    else:
         return None
-    (link,) = fact.relation.only
-    return link.right if isinstance(link.right, Letter | Degrees) else None
+    return angle if isinstance(angle, Letter | Degrees) else None
 
 
 def frame_on_one_side(scene: Scene, number: int) -> Frame | None:
     """The frame of such a line of centres, by the angle that it makes with **i**."""
     own = scene.model.frames[number]
     centres = Quantity("line_of_centres", (), number)
-    given = _is_given(scene.desk, number, own.wall)
-    if not scene.sided or (own.angle is None and given is None):
+    if not scene.sided:
         return None
-    ref: Ref = str(given)
+    given = _given_angle(scene.desk, number, own.wall)
+    ref: Ref
     if own.angle is not None:
         asked = _angle(number, own.wall)
-        turned = replace(asked, arguments=tuple(reversed(asked.arguments)))
+        turned = _reversed(asked)
         if any(node == turned for tree in trees(scene.problem) for node in walk(tree)):
             asked = turned  # as the question says it
         meaning = Meaning(own.angle.name, asked, angle="acute")
         ref = scene.desk.write(Move("let"), (), meaning)
+    elif given is None:
+        return None
+    elif given.body is None:
+        ref = given.fact
+    else:
+        ref = _by_the_impulse(scene, number, given)
     # Of a wall, the direction is into it.
     n, sign = (own.n, 1) if own.wall is None else (-own.n, -1)
     return Frame(number, own.wall, centres, None, n, n.turned_left(), (ref,), sign)

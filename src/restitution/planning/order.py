@@ -243,6 +243,7 @@ class Solver:
             symbol
             for number, frame in self.scene.model.frames.items()
             if frame.wall is None
+            and number in self.scene.frames
             and separations.separation_known(self.scene, self.scene.frame(number)) is not None
             for symbol in self._after(number)
         )
@@ -298,7 +299,9 @@ class Solver:
     def _by_separation(self, value: sp.Expr) -> sp.Expr:
         """A value with the speed of separation put in, where that is all of its two components."""
         for number, frame in self.scene.model.frames.items():
-            if frame.wall is None and self._only_apart(value, number):
+            if frame.wall is not None or number not in self.scene.frames:
+                continue  # a separation that is a line has its frame
+            if self._only_apart(value, number):
                 value = separations.with_separation(self.scene, self.scene.frame(number), value)
         return value
 

@@ -49,6 +49,7 @@ from restitution.planning.checking import require_true
 from restitution.planning.clashes import write_clash
 from restitution.planning.desk import UNPLANNED, Desk, NotPlannedError
 from restitution.planning.direct_tangents import with_direct_tangents
+from restitution.planning.directions_of_others import write_velocities_of_others
 from restitution.planning.early import Early, early_items, terms
 from restitution.planning.either_side import on_one_side, write_other_side
 from restitution.planning.extrema import only_answer, write_extremum
@@ -423,6 +424,7 @@ def _write_end(
         _write_item(scene, solver, item, result, now, name)
 
     if result.error is None:
+        write_velocities_of_others(scene, solver)
         write_open_lines(scene)
         write()
         if scene.sided:

@@ -359,7 +359,7 @@ class Leads:
             if fact is not None and fact.kind == "given"
         ]
         return any(
-            link.sign == "parallel to"
+            link.sign in ("parallel to", "perpendicular to")
             or (isinstance(link.left, Quantity) and link.left.kind == "direction")
             for link in links
         )

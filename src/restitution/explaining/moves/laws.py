@@ -169,11 +169,11 @@ def _one_signed(step: Step, link: Link) -> Expression | None:
 
 def _is_tied(step: Step, line: Link, template: Link) -> bool:
     """Of two directions: parallel or perpendicular, by cross or scalar product."""
-    if line.sign != template.sign:
-        return False
     chosen = step.under(opaque=step.opaque | {template.left})
     rules = chosen.rules()
     template = _from_rest(chosen, template, rules)
+    if line.sign != template.sign:
+        return False
     values = []
     for each in (line, template):
         left, right = chosen.world.pointing(each.left), chosen.world.pointing(each.right)
@@ -203,8 +203,11 @@ def _from_rest(step: Step, template: Link, rules: Rules) -> Link:
             case Link(Quantity("direction", (own,), int(event)), "=", angle):
                 if (own, event) == (body, stage):
                     return replace(template, right=Polar(Number(Fraction(1)), angle))
-            case Link(left, "parallel to", right) if late in (left, right):
-                return replace(template, right=right if left == late else left)
+            case Link(left, "parallel to" | "perpendicular to" as sign, right) if late in (
+                left,
+                right,
+            ):
+                return Link(template.left, sign, right if left == late else left)
     return template
 
 
