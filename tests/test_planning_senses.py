@@ -346,6 +346,60 @@ find direction(P), deflection(P)
         ("P came in the direction of 𝐢", "    δ = arctan(√3/2)"),
         ("tan δ", "turns through"),
     ),
+    "a deflection from i to the right": (
+        """
+sphere A: mass m, velocity u i, radius a
+sphere B: mass m, at rest, radius a
+A hits B: offset a, e = 2/3
+find direction(A), deflection(A)
+""",
+        ("A came in the direction of 𝐢", "    δ = arctan(5√3/9)"),
+        ("= 0°",),
+    ),
+    "a speed by the angle that is given": (
+        """
+sphere A: mass m, velocity u at 30°
+sphere B: mass m, at rest
+A hits B: along i
+given angle(velocity(A), line_of_centres) = 60°
+find e, speed(A)
+""",
+        ("speed of A = (u/2)/sin 60° = √3 u/3",),
+        ("Speed, from its components", "v = √3 u/6"),
+    ),
+    "a speed by the angle to a wall that is given": (
+        """
+wall W: along i
+sphere P: mass m, velocity u at 60° to W
+P hits W
+given angle(velocity(P), W) = 30°
+find speed(P)
+""",
+        ("speed of P = (u/2)/cos 30°",),
+        ("e = ",),
+    ),
+    "a ratio of speeds in which an angle that was found cancels": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, at rest
+A hits B: along i, e = 1/4
+given angle(velocity(A), velocity(B)) = 60°
+find tan(alpha), speed(A)/speed(B)
+""",
+        ("(⅙u cos α)/cos 60° = ⅓u cos α", "= ⅓u cos α/((5/12)u cos α) = ⅘"),
+        ("√39",),
+    ),
+    "a given angle to the line, and the sense of the component": (
+        """
+sphere A: mass 2m, velocity u at 30°
+sphere B: mass m, at rest
+A hits B: along i
+given angle(velocity(A), line_of_centres) = 45°
+find e
+""",
+        ("is 45°, and\nv > 0, as e ≤ 1:",),
+        (),
+    ),
     "a speed that is asked after the energy": (
         """
 wall W: along i

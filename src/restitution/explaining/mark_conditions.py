@@ -24,6 +24,7 @@ from restitution.explaining.trees import trees_of
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Number,
@@ -324,7 +325,9 @@ def _of_one_term(work: Work, line: Line) -> bool:
         isinstance(each, Apply) and each.function in ("sqrt", "abs") and _is_sum(each.argument)
         for each in nodes
     )
-    return not (squares or rooted or len({e.axis for e in nodes if isinstance(e, Unit)}) > 1)
+    angled = any(isinstance(each, Apply) and isinstance(each.argument, Degrees) for each in nodes)
+    axes = {each.axis for each in nodes if isinstance(each, Unit)}
+    return not (squares or rooted or angled or len(axes) > 1)
 
 
 def is_given(work: Work, line: Line) -> bool:

@@ -106,6 +106,24 @@ def by_angles(step: Step, event: Event | None) -> Iterator[Link]:
                     if sign is not None:
                         size = component if sign >= 0 else Negate(component)
                         yield Link(Binary("*", speed, Apply(ratio, angle)), "=", size)
+            yield from _by_the_other(step, event, body, stage)
+
+
+def _by_the_other(step: Step, event: Event, body: str, stage: int) -> Iterator[Link]:
+    """The speed by the angle to the velocity of the other sphere, which is along the line."""
+    axis = Quantity("line_of_centres", (), event.number)
+    own, speed = (Quantity(kind, (Name(body),), stage) for kind in ("velocity", "speed"))
+    for other in () if event.wall else event.bodies:
+        velocity = Quantity("velocity", (Name(other),), stage)
+        if other == body or _sign(step, Quantity("across", (velocity, axis))) != 0:
+            continue
+        sense = _sign(step, Quantity("along", (velocity, axis)))
+        component: Expression = Quantity("along", (own, axis))
+        if sense:
+            size = component if sense > 0 else Negate(component)
+            for pair in ((own, velocity), (velocity, own)):
+                angle = Apply("cos", Quantity("angle", pair))
+                yield Link(Binary("*", speed, angle), "=", size)
 
 
 def _sign(step: Step, component: Quantity) -> int | None:

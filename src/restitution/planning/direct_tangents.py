@@ -34,7 +34,7 @@ _TANGENTS = ("tan", "tan-direction")
 
 
 @dataclass(frozen=True)
-class _Component:
+class PutIn:
     """A line that puts ratios of an angle into a component: ``plain`` is that in letters.
 
     ``line`` is what says it so: another line, or this one without its end.
@@ -63,12 +63,12 @@ def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation
             value = relation.only[-1].right
         case _:
             return None
-    parts = list(_components(derivation, line))
+    parts = list(components_put_in(derivation, line))
     if len(parts) != 2 or letters(value):
         return None
     plain: Expression = quotient
     for part in parts:
-        plain = rebuilt(plain, lambda each, part=part: _in_letters(each, part))  # type: ignore[misc]
+        plain = rebuilt(plain, lambda each, part=part: without_value(each, part))  # type: ignore[misc]
     names = {name for part in parts for name in _angles(part.plain)}
     if plain == quotient or len(names) != 1 or letters(plain) & letters(value):
         return None
@@ -87,7 +87,7 @@ def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation
         line,
         number=free,
         relation=chain(left, (plain, None), (short, "rearrange")),
-        premises=_with(line.premises, numbers),
+        premises=with_others(line.premises, numbers),
     )
     put = replace(
         line,
@@ -99,7 +99,7 @@ def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation
     here = derivation.asked.get(line.item or "")
     for each in derivation.lines:
         at_home = derivation.asked.get(each.item or "") == here
-        premises = _with(each.premises, numbers) if at_home else each.premises
+        premises = with_others(each.premises, numbers) if at_home else each.premises
         if premises != each.premises and each.move.id == "inverse":
             # The sign of a component in letters is that of a ratio of the angle.
             ranges = [ref for ref in known.premises if isinstance(ref, str)]
@@ -114,7 +114,7 @@ def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation
         else:
             lines.append(replace(each, premises=premises))
     for part in parts:
-        _once_needed(lines, derivation, part)
+        once_needed(lines, derivation, part)
     whole = replace(derivation, lines=tuple(lines))
     read = reader_of(whole, oracle)
     touched = {own.number, known.number, put.number, *numbers.values()}
@@ -122,7 +122,7 @@ def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation
     return whole if all(read.accepts(read.lines[n]) for n in touched) else None  # type: ignore[index]
 
 
-def _once_needed(lines: list[Line], derivation: Derivation, part: _Component) -> None:
+def once_needed(lines: list[Line], derivation: Derivation, part: PutIn) -> None:
     """Puts a component that another part needs, with its ratios, before the line that does."""
     own = derivation.line(part.number)
     first = next((n for n, each in enumerate(lines) if part.number in each.premises), None)
@@ -131,12 +131,12 @@ def _once_needed(lines: list[Line], derivation: Derivation, part: _Component) ->
     lines.insert(first, replace(own, item=lines[first].item))
 
 
-def _with(premises: tuple[Ref, ...], numbers: dict[Ref, Ref]) -> tuple[Ref, ...]:
+def with_others(premises: tuple[Ref, ...], numbers: dict[Ref, Ref]) -> tuple[Ref, ...]:
     """Premises with some lines replaced."""
     return tuple(dict.fromkeys(numbers.get(each, each) for each in premises))
 
 
-def _components(derivation: Derivation, line: Line) -> Iterator[_Component]:
+def components_put_in(derivation: Derivation, line: Line) -> Iterator[PutIn]:
     """The components in a tangent into which ratios were put for it alone."""
     part = derivation.asked.get(line.item or "")
     for ref in line.premises:
@@ -161,7 +161,7 @@ def _components(derivation: Derivation, line: Line) -> Iterator[_Component]:
             match None if base is None else base.relation:
                 case Relation(((*_, last),)) as above if above.only[0].left == links[0].left:
                     assert base is not None
-                    yield _Component(links[0].right, last.right, own.number, base, ratios)
+                    yield PutIn(links[0].right, last.right, own.number, base, ratios)
         elif own.move.id == "law" and len(links) == 2 and links[-1].by == "put":
             rest = {each.number for each in ratios}
             shorter = replace(
@@ -169,7 +169,7 @@ def _components(derivation: Derivation, line: Line) -> Iterator[_Component]:
                 relation=Relation((links[:1],)),
                 premises=tuple(each for each in own.premises if each not in rest),
             )
-            yield _Component(links[-1].right, links[0].right, own.number, shorter, ratios)
+            yield PutIn(links[-1].right, links[0].right, own.number, shorter, ratios)
 
 
 def _users(derivation: Derivation, numbers: set[int]) -> list[Line]:
@@ -190,7 +190,7 @@ def _is_ratio(line: Line) -> bool:
     return False
 
 
-def _in_letters(tree: Expression, part: _Component) -> Expression:
+def without_value(tree: Expression, part: PutIn) -> Expression:
     """A component in letters for its value; its size for the size of that."""
     if tree == part.value:
         return part.plain
@@ -224,7 +224,7 @@ def _multiple_of_tangent(quotient: Expression, name: str) -> Expression | None:
     return None
 
 
-def _tangent_line(derivation: Derivation, name: str, parts: list[_Component]) -> Line | None:
+def _tangent_line(derivation: Derivation, name: str, parts: list[PutIn]) -> Line | None:
     """The line that gives the tangent of an angle: one that stands, or one by another ratio."""
     ratios = {each.number: each for part in parts for each in part.ratios}
     tangent = Apply("tan", Letter(name))

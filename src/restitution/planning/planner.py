@@ -48,6 +48,7 @@ from restitution.planning.cases import joined, without_idle
 from restitution.planning.checking import require_true
 from restitution.planning.clashes import write_clash
 from restitution.planning.desk import UNPLANNED, Desk, NotPlannedError
+from restitution.planning.direct_ratios import with_direct_ratios
 from restitution.planning.direct_tangents import with_direct_tangents
 from restitution.planning.directions_of_others import write_velocities_of_others
 from restitution.planning.early import Early, early_items, terms
@@ -112,7 +113,9 @@ def plan(solution: Solution, route: int = 1, *, partial: bool = False) -> Deriva
         )
     )
     oracle = Oracle(roles(problem))
-    whole = pruned(with_direct_tangents(without_idle(whole), oracle))
+    whole = without_idle(whole)
+    for shortened in (with_direct_tangents, with_direct_ratios):
+        whole = pruned(shortened(whole, oracle))
     for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):
         whole = mended(whole, oracle)
     return gathered(whole)

@@ -20,7 +20,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.desk import chain
-from restitution.planning.forms import difference, tree_of
+from restitution.planning.forms import difference, negative, tree_of
 from restitution.planning.named_angles import letter_of
 from restitution.planning.scene import Scene
 
@@ -52,8 +52,9 @@ def turn_of_directions(scene: Scene, asked: Quantity) -> int | None:
     above = scene.model.sign(after - before) > 0
     pair = (right, early) if above else (early, right)
     final = tree_of(tidy(abs(after - before)), angle=True)
-    if early == Degrees(Fraction(0)) and above:
-        steps: list[tuple[Expression, MoveId | None]] = [(pair[0], None)]
+    if early == Degrees(Fraction(0)):
+        size = right if above else negative(right)
+        steps: list[tuple[Expression, MoveId | None]] = [(size, None)]
     else:
         steps = [(difference(*pair), None)]
         steps += [(final, "rearrange")] if isinstance(final, Degrees) else []

@@ -13,6 +13,7 @@ from restitution.explaining.derivation import Move, Ref
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Name,
     Polar,
@@ -230,13 +231,68 @@ def _initial_square(scene: Scene, body: str) -> tuple[Expression, sp.Expr, tuple
 def speed_formula(scene: Scene, quantity: Quantity) -> Formula:
     """A speed, by Pythagoras."""
     body, stage = body_and_stage(scene, quantity)
-    tree, value, refs = squares(scene, body, stage)
     move = Move("define", "speed", stage or None, (body,))
+    by_angle = _by_its_angle(scene, body, stage)
+    if by_angle is not None:
+        right, size, refs = by_angle
+        needed = scene.judge.needed(move, refs, chain(quantity, (right, None)), refs[:1])
+        if needed is not None:
+            return Formula(move, itself, quantity, right, size, needed)
+    tree, value, refs = squares(scene, body, stage)
     size = _of_one_square(scene, tree) or tidy(sp.sqrt(tidy(expanded(value))))
     if len({atom.args for atom in value.atoms(sp.sin, sp.cos)}) > 1:
         # Products of ratios of several angles are longer multiplied out.
         size = min(size, _with_factor_outside(value), key=lambda each: each.count_ops())
     return Formula(move, itself, quantity, Apply("sqrt", tree), size, refs)
+
+
+def _by_its_angle(
+    scene: Scene, body: str, stage: int
+) -> tuple[Expression, sp.Expr, tuple[Ref, ...]] | None:
+    """A speed by one component and the angle of the velocity to a line, which is given in degrees.
+
+    Of the two components it is one that stands without anything put in. None without such an angle.
+    """
+    if stage not in scene.model.frames or scene.model.frames[stage].angle is not None:
+        return None
+    frame = scene.frame(stage)
+    velocity = Quantity("velocity", (Name(body),), stage)
+    centres = Quantity("angle", (velocity, Quantity("line_of_centres", (), stage)))
+    lines: dict[Expression, tuple[str | None, str, tuple[Ref, ...]]] = {centres: ("sin", "cos", ())}
+    if frame.wall is not None:
+        lines[Quantity("angle", (velocity, Name(frame.wall)))] = ("cos", "sin", ())
+    for other in scene.spheres(stage):
+        own = [scene.desk.known(frame.component(k, other, stage)) for k in ("along", "across")]
+        if other == body or own[0] is None or own[1] is None or own[1].value != 0:
+            continue
+        second = Quantity("velocity", (Name(other),), stage)
+        for pair in ((velocity, second), (second, velocity)):
+            refs = together(*(each.whole for each in own if each is not None))
+            lines[Quantity("angle", pair)] = (None, "cos", refs)
+    for each in scene.given:
+        line = lines.get(each.link.left) if each.link.sign == "=" else None
+        if line is None or not isinstance(each.link.right, Degrees):
+            continue
+        across, along, more = line
+        kinds = [(kind, own) for kind, own in (("across", across), ("along", along)) if own]
+        stand = [each for each in kinds if _stands(scene, frame.component(each[0], body, stage))]
+        for kind, ratio in (stand or kinds)[:1]:
+            known = in_direction(scene, kind, body, stage, frame)
+            sign = scene.model.proved_sign(scene.model.in_data(known.value))
+            if sign and not scene.unknown(known.value):
+                size, below = tidy(sign * known.value), Apply(ratio, each.link.right)
+                refs = together(each.refs, known.whole, more, frame.refs)
+                value = tidy(size / scene.scalar(below))
+                return swept(Binary("/", tree_of(size), below)), value, refs
+    return None
+
+
+def _stands(scene: Scene, component: Quantity) -> bool:
+    """Whether a component is known, and nothing has to be put in."""
+    known = scene.desk.known(component)
+    if known is None or scene.unknown(known.value):
+        return False
+    return not scene.put(known.value)[1]
 
 
 def _of_one_square(scene: Scene, tree: Expression) -> sp.Expr | None:

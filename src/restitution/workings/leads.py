@@ -177,7 +177,33 @@ class Leads:
             spheres = line.move.record == "energy-lost" and event is not None and not event.wall
             name = "given.by-those-that-change" if spheres else "given.by-what-changes"
             return (say("given.and", fact=sentence), say(name))
-        return (*self._sine_of_an_offset(line), say("given.fact", fact=sentence))
+        offset = self._sine_of_an_offset(line)
+        return (*offset, self._and_its_sense(line, sentence) or say("given.fact", fact=sentence))
+
+    def _and_its_sense(self, line: Line, fact: Sentence | lay.Layout) -> Sentence | None:
+        """A given angle to a line, of which the tangent has a component of a certain sign below."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.options[0][0]:
+            case Link(left, "=", Binary("/", _, below)) if line.move.record == "tan":
+                if letters(left):
+                    return None
+            case _:
+                return None
+        for own in map(self._cited, line.premises):
+            match None if own is None else own.relation:
+                case Relation((((Link(Letter(), "=") as first), *_),)) as relation:
+                    known = self._reasons.sign_by_a_bound(below)
+                    if relation.only[-1].right != below or known is None:
+                        continue
+                    sense = Relation(((Link(first.left, known[0], Number(Fraction(0))),),))
+                    bound = self._naming.relation(Relation(((known[1],),)))
+                    return say(
+                        "given.fact-sense",
+                        fact=fact,
+                        sense=self._naming.relation(sense),
+                        bound=bound,
+                    )
+        return None
 
     def given_before(self, line: Line) -> tuple[Sentence, ...]:
         """The given fact that says a velocity by another one, before a law that takes it."""
@@ -274,6 +300,8 @@ class Leads:
                 return None
             case "speed", Binary("*"):
                 return say("derived-speed.resolved", body=bodies[0])
+            case "speed", Quantity() if _is_by_an_angle(first.right):
+                return say("derived-speed.by-angle", body=bodies[0])
             case "size", _ if not any(map(_under, walk(first.right))):
                 return None  # of one component it is read off
         if name is None:
@@ -1152,6 +1180,14 @@ def _is_rest(fact: Fact) -> bool:
     match fact.relation.only[0].right:
         case Pair(x, y):
             return is_zero(x) and is_zero(y)
+    return False
+
+
+def _is_by_an_angle(speed: Expression) -> bool:
+    """Whether a speed is a component over a sine or cosine of an angle in degrees."""
+    match speed:
+        case Binary("/", _, Apply("sin" | "cos", Degrees())):
+            return True
     return False
 
 

@@ -16,6 +16,7 @@ from restitution.explaining.derivation import (
     Move,
     Ref,
     Relation,
+    Sign,
 )
 from restitution.explaining.notation import read_relation, read_tree
 from restitution.explaining.quotients import NotComparableError, Quotient
@@ -78,6 +79,10 @@ class Reasons:
         """Whether a letter of the statement is positive for all that it may be."""
         role = self._roles.get(name)
         return role is not None and role.symbol(name).is_positive is True
+
+    def sign_by_a_bound(self, value: Expression) -> tuple[Sign, Link] | None:
+        """That a component is positive, or not negative, by a bound of a coefficient."""
+        return self._right_angles.sign_by_a_bound(value)
 
     def right_angle_among(self, line: Line) -> Relation | None:
         """For which letters one of the angles of which a line makes another is a right one."""

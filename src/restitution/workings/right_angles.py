@@ -10,7 +10,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
-from restitution.explaining.derivation import Derivation, Line, Link, Ref, Relation
+from restitution.explaining.derivation import Derivation, Line, Link, Ref, Relation, Sign
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.trees import rebuilt
 from restitution.expression.evaluate import in_letters
@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Number,
     Quantity,
     letters,
     walk,
@@ -58,6 +59,28 @@ class RightAngles:
     def of(self, line: Line) -> Sentence | None:
         """What is said behind a tangent of an angle that may be 90°, or made of such a one."""
         return self._right_angle(line) or self._upright_too(line)
+
+    def sign_by_a_bound(self, value: Expression) -> tuple[Sign, Link] | None:
+        """That a component is positive, or not negative, by a bound of a coefficient.
+
+        None where it has no coefficient of restitution, or is not linear in that.
+        """
+        worth = in_letters_alone(value)
+        known = {name: self._roles[name] for name in letters(value) if name in self._roles}
+        names = [name for name, role in known.items() if role.kind == "restitution"]
+        if worth is None or len(names) != 1:
+            return None
+        (name,) = names
+        symbol = sp.Symbol(name)
+        worth = sp.expand(worth)
+        slope = sp.diff(worth, symbol)
+        oracle = Oracle(known)
+        if slope.has(symbol) or not oracle.proves(Claim(worth, ">=")):
+            return None
+        sign: Sign = ">" if oracle.proves(Claim(worth, ">")) else ">="
+        zero, one = (Number(Fraction(n)) for n in (0, 1))
+        falls = oracle.proves(Claim(-slope, ">"))
+        return sign, Link(Letter(name), "<=", one) if falls else Link(Letter(name), ">=", zero)
 
     def among(self, line: Line) -> Relation | None:
         """For which letters one of the angles of which a line makes another is a right one."""
