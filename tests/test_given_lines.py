@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 import sympy as sp
 from workings import planned
 
 from restitution import parse, solve
 from restitution.errors import RestitutionError
+from restitution.explaining.derivation import Note
 from restitution.workings import explain, to_text
 from restitution.workings.derived import explanation_of
 
@@ -78,3 +81,15 @@ def test_a_fact_of_one_part_is_no_fact_of_another() -> None:
     # Of the second: 3t = 6.6 − √2/2 and vt = 10.8 − √2/2.
     other = (sp.Rational(54, 5) - 1 / sp.sqrt(2)) * 3 / (sp.Rational(33, 5) - 1 / sp.sqrt(2))
     assert [sp.simplify(a - b) for a, b in zip(values, (5, other), strict=True)] == [0, 0]
+
+
+def test_what_a_note_names_is_introduced_before_it() -> None:
+    """A time whose working is not written out stands below the letter for it."""
+    problem, derivation = planned(
+        f"{START}given line_of_centres parallel to 3i + 4j\nfind time(1)\n"
+    )
+    (end,) = derivation.items
+    note = Note(end.item, "unwritten", 0, reason="2", claim=end.answer)
+    bare = replace(derivation, lines=(), items=(), notes=(note,))
+    text = to_text(explanation_of(bare, problem))
+    assert text.index("Let t be the time") < text.index("t = 2 s")

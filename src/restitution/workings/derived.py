@@ -264,7 +264,6 @@ class _Writer:
         """Why items have no answer, or why a claim is not true."""
         for note, sentence in self.notes.sentences(notes):
             self.afresh()
-            yield from self._introduced()
             points = tuple(_because(mark) for mark in note.marks)
             item = self.ends.place_of(note.item)
             if note.kind in ("unwritten", "standing") and note.claim is not None:
@@ -273,9 +272,12 @@ class _Writer:
                 shown = isinstance(self.ends.item(note.item), Show)
                 asides = (*last.asides, *REQUIRED) if shown else last.asides
                 last = replace(last, points=points, asides=asides, answer=not shown)
-                yield Step("result", (*rows, last), sentences=(sentence,), item=item)
+                step = Step("result", (*rows, last), sentences=(sentence,), item=item)
             else:
-                yield Step("note", sentences=(sentence,), points=points, item=item)
+                step = Step("note", sentences=(sentence,), points=points, item=item)
+            # What the note names is introduced before it.
+            yield from self._introduced()
+            yield step
 
     def _introduced(self) -> Iterator[Step]:
         """What letters stand for that have come into use."""
