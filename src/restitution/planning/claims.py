@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Self
 
@@ -139,6 +140,9 @@ class Claims:
             if line is not None:
                 return line
             line = self._by_squares(quantities, relation)
+            if line is not None:
+                return line
+            line = self._by_values(lines, relation)
             if line is not None:
                 return line
         mark = self.worths.mark()
@@ -481,6 +485,30 @@ class Claims:
         self.worths.back(mark)
         return None
 
+    def _by_values(self, lines: Sequence[int], relation: Relation) -> int | None:
+        """One side compared with what the other is worth, by a bound that stands or by its own."""
+        if len(relation.only) != 1 or len(lines) != 2:
+            return None
+        (link,) = relation.only
+        for one, other in (lines, lines[::-1]):
+            left, whole = (self.scene.desk.last_link(each) for each in (one, other))
+            own = link if link.left == left.left else turned(link)
+            if (own.left, own.right) != (left.left, whole.left):
+                continue
+            mark = self.worths.mark()
+            bound = Relation(((Link(own.left, own.sign, whole.right),),))
+            for standing in self._bounds_above(own.left):
+                line = self.compared([standing], bound) or self._at_an_end(standing, bound)
+                if line is not None:
+                    return self.compared([line, other], relation)
+            line = write_difference(self, one, bound)
+            if line is not None:
+                line = self.compared([line, other], relation)
+                if line is not None:
+                    return line
+            self.worths.back(mark)
+        return None
+
     def _attempts(
         self, target: set[str], relation: Relation
     ) -> Iterator[Callable[[list[Ref], Relation], int | None]]:
@@ -531,8 +559,12 @@ class Claims:
         """The ranges of the letters in some lines, where lines above say them."""
         desk = self.scene.desk
         inside = {n for each in lines for n in letters(desk.last_link(each).right)}
-        bounds = [line for each in sorted(inside) for line in self._bounds_of(Letter(each))]
-        return [each for each in bounds if len(desk.relation(each).only) == 2]
+        return [line for each in sorted(inside) for line in self.ranges_of(each)]
+
+    def ranges_of(self, letter: str) -> list[int]:
+        """The lines above that say between what a letter is."""
+        bounds = self._bounds_of(Letter(letter))
+        return [each for each in bounds if len(self.scene.desk.relation(each).only) == 2]
 
     def _bounds_of(self, subject: Expression) -> list[int]:
         """The lines above that bound a letter, or a ratio of one."""
@@ -544,6 +576,36 @@ class Claims:
             and len(line.relation.options) == 1
             and all(link.sign in FLIPPED for link in line.relation.only)
             and subject_of(line.relation) == subject
+            and desk.holds(line.number)
+        ]
+
+    def _at_an_end(self, standing: int, relation: Relation) -> int | None:
+        """A bound by one that stands, with the end of one letter put in that first."""
+        own = self.scene.desk.relation(standing).only[0]
+        value = self.worths.value(own.right)
+        for symbol in sorted(value.free_symbols, key=lambda s: s.name):
+            role = roles(self.scene.problem).get(symbol.name)
+            if role is None or role.kind != "restitution" or role.high is None:
+                continue
+            mark = self.worths.mark()
+            there = tree_of(tidy(value.subs(symbol, role.high)))
+            first = self.compared([standing], Relation(((replace(own, right=there),),)))
+            line = None if first is None else self.compared([first], relation)
+            if line is not None:
+                return line
+            self.worths.back(mark)
+        return None
+
+    def _bounds_above(self, subject: Expression) -> list[int]:
+        """The lines above that bound a quantity, or an expression of quantities."""
+        desk = self.scene.desk
+        return [
+            line.number
+            for line in desk.lines
+            if isinstance(line.relation, Relation)
+            and [len(links) for links in line.relation.options] == [1]
+            and line.relation.only[0].left == subject
+            and line.relation.only[0].sign in FLIPPED
             and desk.holds(line.number)
         ]
 

@@ -26,10 +26,12 @@ from restitution.planning.angle_pairs import (
     made_of_two,
     tangent_of_two,
 )
+from restitution.planning.angles_at_ends import AngleAtEnds, is_angle_of_motion
 from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import ONE, ZERO, product, square, total, tree_of
 from restitution.planning.gaps import is_left, is_plain, write_difference
+from restitution.planning.letter_ranges import ranges_of
 from restitution.planning.order import Solver, Standing
 from restitution.planning.polynomials import cancelled, expanded, factored, one_fraction
 from restitution.planning.quotients import by_tangent, write_quotient
@@ -120,7 +122,13 @@ class _Extremum:
     def write(self) -> int:
         """Writes the lines, and returns the number of the last."""
         if _is_angle(self.asked) or is_of_two_angles(self.asked):
-            return self._of_angle()
+            start, end, value = self.claims.worths.mark(), self.end, self.value
+            try:
+                return self._of_angle()
+            except NotPlannedError:
+                self.claims.worths.back(start)
+                self.end, self.value = end, value
+                return self._at_an_end()
         if (
             isinstance(self.asked, Letter)
             and (tied := self._of_tied_letter(self.asked)) is not None
@@ -188,6 +196,23 @@ class _Extremum:
                     self.end = whole
                     return self.scene.desk.write(self.move, [last, there], own)
             self.claims.worths.back(mark)
+        raise NotPlannedError("the greatest or least angle")
+
+    def _at_an_end(self) -> int:
+        """An angle that a line gives by inverse tangents, at an end of the letter."""
+        if not is_angle_of_motion(self.asked):
+            raise NotPlannedError("the greatest or least angle")
+        assert isinstance(self.asked, Quantity)
+        own = AngleAtEnds(self.claims, self.claims.solver, self.asked)
+        name = self.symbol.name
+        for end, bounds in own.ends_of(name):
+            self.place = Link(Letter(name), "=", tree_of(end, angle=self.angle))
+            self.end = replace(self.end, right=own.at(name, end))
+            bound = own.bounded(self._relation, bounds)
+            if bound is not None:
+                last = self._reached(own.line, bound)
+                if last is not None:
+                    return last
         raise NotPlannedError("the greatest or least angle")
 
     def _tangent(self, asked: Expression) -> tuple[int, Expression, tuple[Ref, ...]]:
@@ -454,7 +479,14 @@ class _Extremum:
     def _monotone(self, line: int) -> int | None:
         """What only grows, or only falls, is greatest or least at an end."""
         pool = [line, *self._known(*self._names(self._value(line)))]
-        return self.judge.write((Move("monotone"),), pool, self._relation)
+        bound = self.judge.write((Move("monotone"),), pool, self._relation)
+        if bound is not None:
+            return bound
+        for each in ranges_of(self.claims, self.symbol.name):
+            bound = self.judge.write((Move("monotone"),), [line, each, *pool[1:]], self._relation)
+            if bound is not None:
+                return bound
+        return None
 
     def _quotient(self, line: int) -> int | None:
         """``c t/(a + d t + b t²)``: divided by t, and a/t + b t as a square and what is left."""

@@ -8,7 +8,8 @@ from typing import Any
 import sympy as sp
 
 from restitution.explaining.derivation import Link, Move, Relation, Sign
-from restitution.expression.tree import Apply, Expression, has_quantity
+from restitution.expression.tree import Apply, Expression, Quantity, has_quantity
+from restitution.planning.angles_at_ends import AngleAtEnds, is_angle_of_motion, write_at_ends
 from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import tree_of
@@ -36,11 +37,47 @@ def write_range(
         elif len(relation.options) > 1:
             line = claims.write_parts(asked, relation)
         else:
-            line = claims.join_the_rest(claims.write(relation), relation)
-            line = _with_what_holds(claims, line, relation)
-            if not shown:
-                relation = _by_its_ratio(claims, asked, line, relation)
+            mark = claims.worths.mark()
+            try:
+                line = claims.join_the_rest(claims.write(relation), relation)
+                line = _with_what_holds(claims, line, relation)
+                if not shown:
+                    relation = _by_its_ratio(claims, asked, line, relation)
+            except NotPlannedError:
+                claims.worths.back(mark)
+                line, relation = _at_ends(claims, solver, asked, relation, shown)
     scene.desk.end(name, line, relation, shown=shown)
+
+
+def _at_ends(
+    claims: Claims, solver: Solver, asked: Expression, relation: Relation, shown: bool
+) -> tuple[int, Relation]:
+    """The range of an angle, or a bound of one that is shown, by what it is at ends of a letter.
+
+    Raises NotPlannedError for what is no such angle.
+    """
+    if shown:
+        return write_at_ends(claims, solver, relation), relation
+    if not isinstance(asked, Quantity) or not is_angle_of_motion(asked):
+        raise NotPlannedError("an inequality")
+    own = AngleAtEnds(claims, solver, asked)
+    for whole, bounds in own.ranges():
+        line = own.bounded(whole, bounds)
+        if line is not None and same(claims, whole, relation):
+            return line, whole
+    raise NotPlannedError("a range of an angle")
+
+
+def same(claims: Claims, own: Relation, other: Relation) -> bool:
+    """Whether two relations have the same ends in other forms."""
+    pairs = list(zip(own.only, other.only, strict=False))
+    if len(own.only) != len(other.only) or any(a.sign != b.sign for a, b in pairs):
+        return False
+    sides = [(a.left, b.left) for a, b in pairs] + [(a.right, b.right) for a, b in pairs]
+    scene = claims.scene
+    return all(
+        a == b or scene.model.identically_zero(scene.scalar(a) - scene.scalar(b)) for a, b in sides
+    )
 
 
 def _by_an_earlier_one(scene: Scene, solver: Solver, relation: Relation) -> int | None:

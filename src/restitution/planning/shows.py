@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     letters,
 )
 from restitution.planning.angle_ratios import write_other_ratio
+from restitution.planning.angles_at_ends import write_at_ends
 from restitution.planning.claims import Claims
 from restitution.planning.comparisons import Comparison
 from restitution.planning.desk import NotPlannedError, chain
@@ -205,7 +206,12 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
                     return Comparison(claims).write(links[0])
                 except NotPlannedError:
                     claims.worths.back(mark)
-            return claims.write(relation), relation
+            mark = claims.worths.mark()
+            try:
+                return claims.write(relation), relation
+            except NotPlannedError:
+                claims.worths.back(mark)
+                return write_at_ends(claims, claims.solver, relation), relation
         case Meets():
             links = links_of(scene.problem, item.relation, now)
             if not links:

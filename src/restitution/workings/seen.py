@@ -193,6 +193,8 @@ class _Sight:
                 return None
             turned = own if x.exp > 0 else -own
             return turned * (sign or 1) if x.exp.is_even else turned
+        if isinstance(x, sp.atan):
+            return self.way(x.args[0])
         if isinstance(x, (sp.sin, sp.cos, sp.tan)) and self.angle:
             acute = self.sign(sp.cos(self.symbol)) == 1 == self.sign(sp.sin(self.symbol))
             if acute and x.args[0] == self.symbol:
