@@ -68,11 +68,22 @@ def spellings(answer: str) -> list[str]:
     # A place follows "P is at", any other value an equals sign; worked out by a velocity and a time
     # it is a vector.
     own = [answer, *(f"{start}{in_decimals}" for start in ("=", "=(", "isat"))]
-    place = re.fullmatch(r"\(([^,]+),([^,]+)\)", in_decimals)
-    if place is not None:
-        sign = "" if place[2].startswith("−") else "+"
-        own.append(f"=({place[1]}𝐢{sign}{place[2]}𝐣)")
+    for point in (answer, in_decimals):
+        place = re.fullmatch(r"\(([^,]+),([^,]+)\)", point)
+        vector = "" if place is None else _as_a_vector(*place.groups())
+        own += [f"={vector}", f"=({vector})"] if vector else []
     return own
+
+
+def _as_a_vector(x: str, y: str) -> str:
+    """A place by its coordinates, as a vector; one of zero is left out."""
+    whole = ""
+    for size, unit in ((x, "𝐢"), (y, "𝐣")):
+        sign, size_ = ("−", size[1:]) if size.startswith("−") else ("+" if whole else "", size)
+        if size_ != "0":
+            bare = "" if size_ == "1" else f"({size_})" if "/" in size_ else size_
+            whole += f"{sign}{bare}{unit}"
+    return whole
 
 
 def _decimal(fraction: re.Match[str]) -> str:
