@@ -59,8 +59,3 @@ class Alteration:
     def mistake(self) -> str:
         """The id of the mistake of which this is a variant."""
         return self.id.partition("/")[0]
-
-    @property
-    def replaces(self) -> frozenset[LawName]:
-        """The laws that do not hold any more, of one body at least."""
-        return frozenset(each.law for each in self.laws)

@@ -98,11 +98,6 @@ def level_of(attempts: Sequence[_Attempt]) -> int:
     return last.level
 
 
-def due_on(attempts: Iterable[Mapping[str, object]]) -> dict[str, int]:
-    """The day on which each topic tried so far comes back."""
-    return {name: _due(tried) for name, tried in _by_topic(attempts).items()}
-
-
 # --- of one topic -------------------------------------------------------------------------------
 
 
