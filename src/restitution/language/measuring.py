@@ -205,8 +205,15 @@ def _letters_of(problem: Problem, of_letters: Mapping[str, Dimension]) -> frozen
 
 
 def dimensions_of_letters(problem: Problem) -> dict[str, Dimension]:
-    """Letters that alone, or times a number, are the value of a property: of its dimension."""
+    """Letters that alone, or times a number, are the value of a property: of its dimension.
+
+    A coefficient of restitution is a number, also where it stands beside one, as in 5 + e.
+    """
     dimensions: dict[str, Dimension] = {}
+    for _, step in problem.steps():
+        if isinstance(step, Impact):
+            e = Letter("e") if step.e is None else step.e
+            dimensions.update(dict.fromkeys(_alone(e, angle=False), NONE))
 
     def look(tree: Any, slot: Slot) -> Any:
         dimension = slot.dimension

@@ -178,6 +178,8 @@ class Conditions:
 
         None of one that does not, or that no line says.
         """
+        if len(fact.relation.only) > 1:
+            return None
         (link,) = fact.relation.only
         mark = self.worths.mark()
         first = self.stated(fact, None, shown="line")

@@ -37,7 +37,6 @@ from restitution.expression.tree import (
     Expression,
     Negate,
     Number,
-    has_quantity,
     letters,
     walk,
 )
@@ -469,8 +468,8 @@ def _write_item(
 def _write_one_value(
     scene: Scene, solver: Solver, asked: Expression, relation: Relation, name: str
 ) -> bool:
-    """Ends the range of a quantity that has one value only by that value; False for any other."""
-    if not has_quantity(asked) or len(relation.options) > 1 or relation.only[0].sign != "=":
+    """Ends the range of what has one value only by that value; False for any other."""
+    if len(relation.options) > 1 or relation.only[0].sign != "=":
         return False
     mark = solver.mark()
     try:

@@ -10,6 +10,7 @@ from restitution.expression.tree import (
     Apply,
     Degrees,
     Letter,
+    Name,
     Quantity,
     has_quantity,
     letters,
@@ -44,6 +45,7 @@ from restitution.problem import (
     trees_of_relation,
 )
 from restitution.solving.solution import ItemResult
+from restitution.vector import Vector
 
 # What later items take as it is shown, and do not work out again.
 _QUOTED = ("speed", "energy", "energy_lost", "total_energy_lost", "impulse")
@@ -151,6 +153,10 @@ def _quotable(scene: Scene, line: int, relation: Relation) -> None:
     match link.left:
         case Quantity(kind, whom, int()) if kind in _QUOTED and not (kind == "impulse" and whom):
             scene.desk.know(link.left, scene.scalar(link.right), (line,))
+        case Quantity("velocity", (Name(),), int()) if isinstance(
+            vector := scene.value(link.right), Vector
+        ):
+            scene.desk.know(link.left, vector, (line,))
         case Letter(name) if f"let {name}" in scene.facts:
             scene.desk.know(link.left, scene.scalar(link.right), (line,))
         case Apply("tan", Quantity("angle" | "deflection", _, int() | None)):

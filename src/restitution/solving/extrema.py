@@ -30,9 +30,14 @@ from restitution.solving.letters import is_angle
 from restitution.solving.limits import limit_at, limits, turning
 from restitution.solving.numbers import Sample, at, sample
 from restitution.solving.part import Desk, Outcome
-from restitution.solving.ranges import require_stated, values_of_trials
+from restitution.solving.ranges import (
+    fixed_values,
+    require_stated,
+    values_in,
+    values_of_trials,
+)
 from restitution.solving.regions import DRAWS, DRAWS_TRIED, Region
-from restitution.solving.setting import Trial
+from restitution.solving.setting import Setting, Trial
 from restitution.solving.solution import Answer, ItemResult
 from restitution.solving.validity import defined, with_condition
 
@@ -56,7 +61,7 @@ def find_extremum(
     setting = desk.settle(in_terms_of, item)
     if name not in setting.roles:
         raise UnsupportedError(f"nothing depends on {name}")
-    outcome = desk.outcome(setting)
+    outcome = _with_a_letter_to_vary(desk, name, setting)
     walls = frozenset(wall.name for wall in desk.problem.walls)
     angles = {n for n, role in setting.roles.items() if role.kind == "angle"}
     angle = is_angle(item.expression, angles, walls)
@@ -108,6 +113,25 @@ def find_extremum(
         answer = with_condition(answer, layout, defined(outcome, trial, (place,)))
     proof = _proved(replace(outcome, trials=(trial,)), values[id(trial)], candidate, reached, sign)
     return ItemResult(item, line, item.text, "extremum", (answer,), proof=proof)
+
+
+def _with_a_letter_to_vary(desk: Desk, name: str, setting: Setting) -> Outcome:
+    """What solving gives where a letter may vary. Raises UnsupportedError where facts fix it."""
+    clash: ContradictionError | None = None
+    try:
+        outcome = desk.outcome(setting)
+        values = values_in(name, outcome.accepted)
+    except ContradictionError as error:
+        clash = error
+        values = fixed_values(desk, name, setting)
+    if values is not sp.S.EmptySet:
+        raise UnsupportedError(
+            f"what is given fixes {name}, so there is nothing to vary: what is given only for "
+            "later belongs in a part of its own"
+        )
+    if clash is not None:
+        raise clash
+    return outcome
 
 
 def _proved(outcome: Outcome, value: sp.Expr, best: Candidate, reached: bool, sign: int) -> Proof:

@@ -130,18 +130,21 @@ def _range_of_letter(
     """The values of a letter, each set of them with what it asks of the other letters."""
     try:
         outcome = desk.outcome(setting)
+        values = values_in(name, outcome.accepted)
+        if values is not sp.S.EmptySet:
+            return [(values, ())], "algebra"
         free = _free(outcome, in_terms_of) - {name}
         region = Region(outcome, name, tuple(sorted(free)))
         values, several = _forms(region)
     except ContradictionError:
-        values = _fixed_values(desk, name, setting)
+        values = fixed_values(desk, name, setting)
         if values is sp.S.EmptySet:
             raise
         return [(values, ())], "algebra"
     if several:
         return _by_case(several, region.roles)
     if values is sp.S.EmptySet:
-        return [(_fixed_values(desk, name, setting), ())], "algebra"  # the facts alone fix it
+        return [(fixed_values(desk, name, setting), ())], "algebra"  # the facts alone fix it
     return [(values, range_limitations(outcome, region, values))], region.proof
 
 
@@ -168,7 +171,7 @@ def _forms(region: Region | Image) -> tuple[sp.Set, list[Case]]:
     return values, cases(region)
 
 
-def _fixed_values(desk: Desk, name: str, setting: Setting) -> sp.Set:
+def fixed_values(desk: Desk, name: str, setting: Setting) -> sp.Set:
     """The values of a letter that the facts fix, though it was to run over a range."""
     own = frozenset({name})
     sought = replace(
@@ -181,6 +184,11 @@ def _fixed_values(desk: Desk, name: str, setting: Setting) -> sp.Set:
         accepted = desk.outcome(sought).accepted
     except RestitutionError:
         return sp.S.EmptySet
+    return values_in(name, accepted)
+
+
+def values_in(name: str, accepted: Sequence[Trial]) -> sp.Set:
+    """The values that a letter has in all solutions; none where it is open in one of them."""
     values = [trial.root.values[name] for trial in accepted if name in trial.root.values]
     return sp.FiniteSet(*map(exact.tidy, values)) if len(values) == len(accepted) else sp.S.EmptySet
 

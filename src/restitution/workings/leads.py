@@ -1100,8 +1100,12 @@ class Leads:
             ):
                 above = [each for each in map(self._cited, line.premises) if each is not None]
                 holds = any(each.move.id in ("put", "rearrange", "cancel") for each in above)
-                name = "range.every-holds" if holds else "range.every"
-                yield say(name, letter=self._naming.layout(letter))
+                facts = [self._derivation.fact(str(ref)) for ref in line.premises]
+                if any(fact is not None and fact.kind == "range" for fact in facts):
+                    yield say("given.data")  # what is given of the letter bounds it
+                else:
+                    name = "range.every-holds" if holds else "range.every"
+                    yield say(name, letter=self._naming.layout(letter))
         for ref in line.premises if line.move.id == "compare" else ():
             own = self._derivation.line(ref) if isinstance(ref, int) else None
             if own is None or own.shown != "silent" or own.move.id != "put":

@@ -217,6 +217,8 @@ def _of_subject(
         (true,) = note.sides
         value = naming.layout(true.right)
         return say("refuted.value", quantity=extreme, claimed=claimed, value=value)
+    if note.claim is not None:
+        claim = naming.relation(note.claim)
     if note.sides:
         true_range = naming.relation(Relation((note.sides,)))
         return say("refuted.range-is", range=claim, true=true_range)

@@ -1,0 +1,83 @@
+"""A letter or a quantity that the facts fix: its range, what varies over it, what rests on it."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
+
+WALL = "wall W: along i\nsphere P: velocity 3i - 4j\nP hits W\n"
+TWO = """sphere A: mass m, velocity 3u at 45°
+sphere B: mass 2m, velocity u at 45° from -i
+A hits B: along i
+"""
+
+
+@pytest.mark.parametrize("given", ["e = 1/2", "2e = 1", "speed(P) = sqrt(13)"])
+@pytest.mark.parametrize("order", [(0, 1), (1, 0)])
+def test_the_range_of_a_letter_with_one_value(given: str, order: tuple[int, int]) -> None:
+    """9 + 16e² = 13 where e = ½."""
+    lines = [f"given {given}", "find range of e"]
+    solution = solve(parse(WALL + "\n".join(lines[n] for n in order)))
+    assert solution["range of e"].answers[0].value == sp.FiniteSet(sp.Rational(1, 2))
+    working = to_text(explain(solution), 80)
+    assert "every value" not in working and "not written" not in working
+
+
+def test_what_is_given_of_a_letter_bounds_it() -> None:
+    working = to_text(explain(solve(parse(WALL + "given e < 1/2\nfind range of e"))), 80)
+    assert "0 ≤ e < ½" in working
+    assert "every value" not in working
+
+
+@pytest.mark.parametrize("fact", ["alpha = 30°, e = 1/2", "e = 1/2, speed(P) = 3/4 u"])
+def test_nothing_varies_that_is_fixed(fact: str) -> None:
+    text = "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\n"
+    solution = solve(parse(f"{text}given {fact}\nfind maximum of speed(P) over alpha, speed(P)"))
+    error = solution["maximum of speed(P) over alpha"].error
+    assert error is not None
+    assert error.message.startswith("what is given fixes alpha, so there is nothing to vary")
+
+
+def test_nothing_rests_on_bodies_that_go_through_each_other() -> None:
+    """4(1 + e)/(5 − 4e) = 2(1 + e)/(1 − 2e) holds for e = −1 alone, where nothing happens."""
+    solution = solve(
+        parse(TWO + "given deflection(A) = deflection(B)\nfind e, deflection(A), speed(A, 0)")
+    )
+    for item in ("e", "deflection(A)"):
+        error = solution[item].error
+        assert error is not None and error.message.startswith("e = −1 rejected")
+    assert solution["speed(A, 0)"].exact == 3 * sp.Symbol("u", positive=True)
+
+
+def test_a_coefficient_has_no_unit_beside_a_number() -> None:
+    """4(5 + e) + 5(e − 5) = 0: the velocity that is shown has 5 + e in it, of metres a second."""
+    working = to_text(
+        explain(
+            solve(
+                parse(
+                    "wall W: along i - j\nsphere P: mass 0.3, velocity 4i - 6j\nP hits W\npart a\n"
+                    "show velocity(P) = (5 + e) i + (e - 5) j\npart b\n"
+                    "given velocity(P) perpendicular to 4i + 5j\nfind e"
+                )
+            )
+        ),
+        80,
+    )
+    assert "4(5 + e) + 5(e − 5) = 0" in working
+    assert "e = 5/9 ≈ 0.556" in working and "0.556 m" not in working
+
+
+def test_a_range_that_is_another_is_named_as_it_was_claimed() -> None:
+    text = (
+        "sphere A: mass 3m, velocity 4u i + 3u j\nsphere B: mass 5m, velocity -2u i + 3u j\n"
+        "A hits B: along i\nshow range of energy_lost: 0 <= energy_lost <= 13/4 m u^2"
+    )
+    working = " ".join(to_text(explain(solve(parse(text))), 80).split())
+    assert (
+        "The range of possible values is not 0 ≤ kinetic energy lost ≤ (13/4)mu²: it is "
+        "0 ≤ kinetic energy lost ≤ 135mu²/4."
+    ) in working
