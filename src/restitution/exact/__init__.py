@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from restitution.exact.angles import tidy_angle
 from restitution.exact.numbers import denested, is_nested
+from restitution.exact.plain_angles import merged
 from restitution.exact.rounding import decimal, significant
 from restitution.exact.simplicity import cost
 from restitution.exact.surds import rationalised, root_is_nested
@@ -20,6 +21,7 @@ __all__ = [
     "forward",
     "is_nested",
     "is_zero",
+    "merged",
     "rationalised",
     "root_is_nested",
     "same",

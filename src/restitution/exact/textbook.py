@@ -15,6 +15,7 @@ from sympy import Add, Expr, Mul, Pow, Rational, Symbol
 
 from restitution.exact.factors import factored
 from restitution.exact.numbers import rebuilt, tidy_number
+from restitution.exact.plain_angles import merged
 from restitution.exact.roots import (
     divided_roots,
     has_fractions,
@@ -62,6 +63,7 @@ def tidy(expression: Any) -> Any:
 
 def _tidy(expression: Expr) -> Expr:
     spend()
+    expression = merged(expression)
     if not expression.free_symbols:
         return tidy_number(expression)
     if expression.has(sympy.Abs):

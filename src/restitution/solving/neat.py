@@ -9,7 +9,7 @@ from contextlib import suppress
 
 import sympy as sp
 
-from restitution.exact import rationalised
+from restitution.exact import merged, rationalised
 from restitution.solving.polynomials import TooLargeError, reduced, without_cos_squared
 from restitution.solving.signs import rational_below
 from restitution.work import remembered, spend
@@ -24,7 +24,7 @@ def neat(x: sp.Expr) -> sp.Expr:
     x = sp.sympify(x, strict=True)
     if x.is_Number or x.is_Symbol:
         return x
-    x = pythagoras(x)
+    x = pythagoras(merged(x))
     if not x.free_symbols:
         if x.has(sp.Pow, sp.CRootOf):
             return rational_below(x, max_terms=6)

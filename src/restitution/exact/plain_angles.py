@@ -1,0 +1,186 @@
+"""Products of cosines and sines of plain angles, such as 37°, merged into one.
+
+``5 cos 70° cos 35° + 5 sin 70° sin 35°`` is ``5 cos 35°``, and ``sin 35° − √3 cos 35°`` is
+``−2 cos 65°``: components of a velocity at one angle along a line at another. A number is told as a
+sum of cosines of multiples of π; those whose angles differ by multiples of 15°, of which all ratios
+are surds, make one.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import sympy
+from sympy import Add, Expr, Mul, Pow, Rational, S
+
+from restitution.exact.numbers import tidy_number
+from restitution.exact.simplicity import node_count
+from restitution.work import remembered, spend
+
+_STEP = Fraction(1, 12)
+_RIGHT = Fraction(1, 2)
+_POWERS = 6
+_TERMS = 200
+
+# The coefficient of the cosine of each multiple of π from 0 to 1; of 0 it is what stands alone.
+_Cosines = dict[Fraction, Expr]
+
+
+class _OtherError(Exception):
+    """A number is no sum of products of cosines and surds."""
+
+
+def merged(value: Expr) -> Expr:
+    """The same with the cosines and sines of plain angles merged, wherever that is shorter."""
+    if not _has_plain_angles(value):
+        return value
+    return _merged(value)
+
+
+def _has_plain_angles(value: Expr) -> bool:
+    return any(not each.free_symbols for each in value.atoms(sympy.sin, sympy.cos))
+
+
+@remembered(2048)
+def _merged(value: Expr) -> Expr:
+    if value.is_Atom or isinstance(value, sympy.Function) or not _has_plain_angles(value):
+        return value
+    spend()
+    value = value.func(*map(_merged, value.args))
+    if not isinstance(value, Add | Mul | Pow):
+        return value
+    if not value.free_symbols:
+        return _of_number(value)
+    if not isinstance(value, Add):
+        number, rest = value.as_independent(*value.free_symbols, as_Add=False)
+        return _of_number(number) * rest if _has_plain_angles(number) else value
+    numbers: dict[Expr, Expr] = {}
+    for term in value.args:
+        number, rest = term.as_independent(*value.free_symbols, as_Add=False)
+        numbers[rest] = numbers.get(rest, S.Zero) + number
+    return Add(*(_of_number(number) * rest for rest, number in numbers.items()))
+
+
+@remembered(2048)
+def _of_number(value: Expr) -> Expr:
+    """A number, where its merged form is shorter."""
+    if not _has_plain_angles(value):
+        return value
+    try:
+        cosines = _cosines(value)
+    except _OtherError:
+        return value
+    form = Add(*_classes(cosines))
+    shorter = node_count(form, 2 * _TERMS) < node_count(value, 2 * _TERMS)
+    return form if shorter else value
+
+
+def _cosines(value: Expr) -> _Cosines:
+    """A number as a sum of cosines. Raises _OtherError where it is none."""
+    if not value.has(sympy.sin, sympy.cos):
+        return {Fraction(0): value}
+    match value:
+        case sympy.cos():
+            return {_angle(value.args[0]): S.One}
+        case sympy.sin():
+            return _cosine(_RIGHT - _turns(value.args[0]), S.One)
+        case Add():
+            total: _Cosines = {}
+            for term in value.args:
+                for angle, number in _cosines(term).items():
+                    total[angle] = total.get(angle, S.Zero) + number
+            return total
+        case Mul():
+            return _product([_cosines(factor) for factor in value.args])
+        case Pow() if value.exp.is_Integer and 1 < value.exp <= _POWERS:
+            return _product([_cosines(value.base)] * int(value.exp))
+    raise _OtherError
+
+
+def _product(factors: list[_Cosines]) -> _Cosines:
+    """2 cos α cos β = cos(α − β) + cos(α + β)."""
+    result: _Cosines = {Fraction(0): S.One}
+    for factor in factors:
+        if len(result) * len(factor) > _TERMS:
+            raise _OtherError
+        product: _Cosines = {}
+        for a, x in result.items():
+            for b, y in factor.items():
+                for angle in (a - b, a + b):
+                    for own, number in _cosine(angle, sympy.expand(x * y) / 2).items():
+                        product[own] = product.get(own, S.Zero) + number
+        result = product
+    return result
+
+
+def _turns(angle: Expr) -> Fraction:
+    """An angle as a multiple of π. Raises _OtherError where it is no rational one."""
+    turns = angle / sympy.pi
+    if not turns.is_Rational:
+        raise _OtherError
+    return Fraction(int(turns.p), int(turns.q))
+
+
+def _angle(angle: Expr) -> Fraction:
+    turns = _turns(angle) % 2
+    return min(turns, 2 - turns)
+
+
+def _cosine(turns: Fraction, number: Expr) -> _Cosines:
+    """A multiple of a cosine of any angle, by the angle from 0 to π that has the same."""
+    turns %= 2
+    return {min(turns, 2 - turns): number}
+
+
+def _classes(cosines: _Cosines) -> list[Expr]:
+    """One term for all cosines whose angles differ by multiples of 15°, or add up to one."""
+    classes: dict[Fraction, tuple[Expr, Expr]] = {}
+    single: dict[Fraction, list[Expr]] = {}
+    for turns, number in cosines.items():
+        rest = turns % _STEP
+        sign = 1
+        if 2 * rest > _STEP:  # cos α = cos(−α)
+            rest, sign = _STEP - rest, -1
+        further = _of(sign * turns - rest)
+        # cos(ρ + φ) = cos ρ cos φ − sin ρ sin φ
+        a, b = classes.get(rest, (S.Zero, S.Zero))
+        a += number * sympy.cos(further)
+        b -= number * sympy.sin(further)
+        classes[rest] = a, b
+        single.setdefault(rest, []).append(tidy_number(number) * _plain(turns))
+    terms: list[Expr] = []
+    for rest, pair in classes.items():
+        one = _term(rest, *map(tidy_number, pair))
+        terms.extend(single[rest] if one is None else [one])
+    return terms
+
+
+def _of(turns: Fraction) -> Expr:
+    return Rational(turns.numerator, turns.denominator) * sympy.pi
+
+
+def _term(rest: Fraction, a: Expr, b: Expr) -> Expr | None:
+    """A cos ρ + b sin ρ as one cosine; None where no multiple of 15° turns it into one."""
+    if not rest:
+        return a
+    for further in range(12):
+        turn = further * _STEP
+        # b cos φ = a sin φ: then it is R cos(ρ − φ) with a = R cos φ, b = R sin φ.
+        cosine, sine = sympy.cos(_of(turn)), sympy.sin(_of(turn))
+        if tidy_number(sympy.expand(b * cosine - a * sine)) != 0:
+            continue
+        size = tidy_number(sympy.radsimp(a / cosine if cosine != 0 else b / sine))
+        return size * _plain(rest - turn)
+    return None
+
+
+def _plain(turns: Fraction) -> Expr:
+    """A cosine by that of an acute angle, or by the sine of an angle below 45°."""
+    turns %= 2
+    turns = min(turns, 2 - turns)
+    sign = 1
+    if turns > _RIGHT:
+        turns, sign = 1 - turns, -1
+    if 2 * turns > _RIGHT:
+        return sign * sympy.sin(_of(_RIGHT - turns))
+    return sign * sympy.cos(_of(turns))
