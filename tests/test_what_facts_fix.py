@@ -81,3 +81,18 @@ def test_a_range_that_is_another_is_named_as_it_was_claimed() -> None:
         "The range of possible values is not 0 ≤ kinetic energy lost ≤ (13/4)mu²: it is "
         "0 ≤ kinetic energy lost ≤ 135mu²/4."
     ) in working
+
+
+def test_no_sphere_comes_to_a_wall_through_another() -> None:
+    """A follows B with 0.7u; B has come back from W to it and moves on before it."""
+    solution = solve(
+        parse(
+            "wall W: along j, through (6a, 0)\nsphere A: mass 4m, at (a, 0), velocity u i\n"
+            "sphere B: mass m, at (3a, 0), at rest\nA hits B: along i, e = 1/2\n"
+            "B hits W: e = 1/2\nA hits B: along i, e = 1/2\nshow A will hit W\nshow B will hit W"
+        )
+    )
+    error = solution["A will hit W"].error
+    assert error is not None
+    assert error.message == "B is between A and W, on one line with both"
+    assert solution["B will hit W"].holds is True

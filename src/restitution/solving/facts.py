@@ -182,6 +182,7 @@ def _meets(relation: Meets, story: Story, now: int) -> list[Requirement]:
     one, other = relation.first.name, relation.second.name
     name = _sphere(story, relation.first)
     if other in story.walls:
+        _require_free_line(story, now, name, other)
         conditions, reason, refused = _towards_wall(relation, story, now, name)
     else:
         _sphere(story, relation.second)
@@ -216,14 +217,9 @@ def _leave_their_line(story: Story, event: Happening, one: str, other: str, now:
     since = story.happenings[event.number : now]
     if not any({one, other} & set(each.bodies) for each in since):
         return False
-    stages = range(event.number, now + 1)
-    centres = event.oriented()
-    across = [
-        story.rational((story.velocity(one, n) - story.velocity(other, n)).cross(centres))
-        for n in stages
-    ]
-    if all(story.field.is_zero(each) for each in across):
+    if _keep_to_their_line(story, event, one, other, now):
         return False
+    stages = range(event.number, now + 1)
     if _placed(story, event, now):
         return True
     if any(story.sign(_approach(story, event, one, other, n)) in (1, None) for n in stages):
@@ -232,6 +228,16 @@ def _leave_their_line(story: Story, event: Happening, one: str, other: str, now:
             "across their line of centres, one relative to the other"
         )
     return True
+
+
+def _keep_to_their_line(story: Story, event: Happening, one: str, other: str, now: int) -> bool:
+    """Whether two spheres move, one relative to the other, along the line of an impact alone."""
+    centres = event.oriented()
+    across = (
+        story.rational((story.velocity(one, n) - story.velocity(other, n)).cross(centres))
+        for n in range(event.number, now + 1)
+    )
+    return all(story.field.is_zero(each) for each in across)
 
 
 def _placed(story: Story, event: Happening, now: int) -> bool:
@@ -278,6 +284,31 @@ def _met_by_places(
             return [Condition(each, ">", reason, "fact") for each in (room, closing)]
         touch = Condition(-room, ">=", reason, "fact")
     return [AnyOf((touch, Condition(-closing, ">=", reason, "fact")), refused, "fact")]
+
+
+def _require_free_line(story: Story, now: int, name: str, wall: str) -> None:
+    """Raise MissingError where another sphere stays between a sphere and a wall, on one line.
+
+    That is the sphere which it struck last on its line perpendicular to the wall, both having
+    kept to that line, and which struck the wall.
+    """
+    velocity = story.velocity(name, now)
+    for other in story.spheres:
+        met = [h for h in story.happenings[:now] if set(h.bodies) == {name, other}]
+        if not met or other == name:
+            continue
+        towards = met[-1].oriented() if met[-1].bodies[0] == name else -met[-1].oriented()
+        against = [h for h in story.happenings[:now] if h.bodies == (other, wall)]
+        if not against or not all(
+            story.field.is_zero(story.rational(each.cross(towards)))
+            for each in (velocity, against[-1].oriented())
+        ):
+            continue
+        ahead = (against[-1].oriented().dot(towards), velocity.dot(towards))
+        if all(story.sign(story.rational(each)) == 1 for each in ahead) and (
+            _keep_to_their_line(story, met[-1], name, other, now)
+        ):
+            raise MissingError(f"{other} is between {name} and {wall}, on one line with both")
 
 
 def _towards_wall(
