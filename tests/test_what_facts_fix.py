@@ -96,3 +96,27 @@ def test_no_sphere_comes_to_a_wall_through_another() -> None:
     assert error is not None
     assert error.message == "B is between A and W, on one line with both"
     assert solution["B will hit W"].holds is True
+
+
+def test_nothing_is_lost_where_a_coefficient_is_above_one() -> None:
+    """cos θ = ⅓ and so w = 8u/3 = e × 4u/3: the kinetic energy would grow by 2mu²."""
+    solution = solve(
+        parse(
+            "sphere A: mass 3m, velocity 2u at 60°\nsphere B: mass m, velocity u at theta from -i\n"
+            "A hits B: along i\ngiven velocity(A) perpendicular to i\n"
+            "given velocity(B) perpendicular to velocity(B, 0)\nfind e, theta, energy_lost"
+        )
+    )
+    assert solution["theta"].exact == sp.acos(sp.Rational(1, 3))
+    for item in ("e", "energy_lost"):
+        error = solution[item].error
+        assert error is not None and error.message.startswith("e = 2 rejected")
+
+
+def test_a_contradiction_is_named_once() -> None:
+    text = (
+        "sphere A: mass 2, velocity 4i\nsphere B: mass 3, velocity 2j\nA receives p i + 4 j\n"
+        "A hits B: along i, e = 1/4\ngiven velocity(A) = 1/2 velocity(B) + 3j\n"
+        "find p, velocity(B)"
+    )
+    assert to_text(explain(solve(parse(text))), 80).count("contradict each other") == 1

@@ -29,9 +29,18 @@ class Notes:
         self._order = {item: n for n, item in enumerate(derivation.asked)}
 
     def of_part(self, label: str | None) -> list[Note]:
-        """The notes of a part, in the order asked."""
+        """The notes of a part, in the order asked; a contradiction of the data once for all."""
         own = [each for each in self._derivation.notes if each.part == label]
-        return sorted(own, key=lambda note: note.place)
+        clashes: set[object] = set()
+        kept = []
+        for note in sorted(own, key=lambda each: each.place):
+            clash = note.reason, note.lines
+            if note.kind == "contradiction" and note.lines:
+                if clash in clashes:
+                    continue
+                clashes.add(clash)
+            kept.append(note)
+        return kept
 
     def places(self, label: str | None, items: Sequence[str | None]) -> dict[int, list[Note]]:
         """The notes of a part by the number of its lines above them.
