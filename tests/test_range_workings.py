@@ -184,6 +184,6 @@ def test_which_way_a_body_moves_gives_the_sign_and_what_holds_anyway_is_said() -
 
 def test_pieces_of_a_range_whose_order_rests_on_letters_have_no_working() -> None:
     text = "sphere A: mass 2, velocity 3i\nsphere B: velocity -2i\nA hits B: along i, e = 1/2\n"
-    text += "given speed(A)/speed(B) = m u\nfind range of energy(A) + energy(B)"
+    text += "given speed(A)/speed(B) = m u\nfind range of energy(A) + energy(B) in terms of m, u"
     working = " ".join(str(explain(restitution.solve(parse(text)))).split())
     assert "The steps from here are not written out." in working

@@ -59,6 +59,10 @@ READ = {
     "show speed(A) = 3.2 m/s to 2 s.f.": "show speed(A) = 3.2 to 2 s.f.",
     "find distance(A, B, at 3 s)": "find distance(A, B, at 3)",
     "show speed(A) - 2 m/s > 0": "show speed(A) - 2 > 0",
+    # One letter of the unit is a letter of the statement, another is none.
+    "sphere P: mass 2m, velocity 3 m/s at 30°": "sphere P: mass 2m, velocity 3 at 30°",
+    "sphere P: mass 2m, radius 5 cm": "sphere P: mass 2m, radius 0.05",
+    "A receives 2i N s\npoint N: (0, 0)": "A receives 2i\npoint N: (0, 0)",
 }
 
 
@@ -114,12 +118,11 @@ REFUSED = {
     "A receives 3i m/s": (15, "the impulse on A is in N s"),
     "given energy_lost = 3 kg": (23, "energy_lost is in J"),
     "given energy_lost = 3 kJ": (23, "the unit 'kJ' is not read: energy_lost is in J"),
-    "given e = 3 kg": (13, "leave out 'kg'"),
+    "given e = 3 kg": (13, "'kg' is a unit of mass"),
     "given speed(A)^2 = 9 m/s": (22, "leave out 'm/s'"),
-    # the letters of the unit are letters of the statement
-    "sphere P: mass 2m, velocity 3 m/s at 30°": (31, "m is a letter of this statement"),
-    "sphere P: mass 2 kg\ngiven g = 9.8": (18, "g is a letter of this statement"),
-    "A receives 2i N s\npoint N: (0, 0)": (15, "N is a letter of this statement"),
+    # letters of the unit are letters of the statement, and it does not fit
+    "sphere P: mass 2m, radius 3 m/s": (29, "m is a letter of this statement"),
+    "sphere P: mass 2 kg, velocity 4 kg at 30°\ngiven g = 9.8": (33, "g is a letter of this"),
 }
 
 

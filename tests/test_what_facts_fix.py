@@ -120,3 +120,15 @@ def test_a_contradiction_is_named_once() -> None:
         "find p, velocity(B)"
     )
     assert to_text(explain(solve(parse(text))), 80).count("contradict each other") == 1
+
+
+def test_a_range_goes_over_an_angle_that_a_fact_bounds() -> None:
+    """cos²α + (9/25)sin²α ≥ 16/25 where sin α ≤ ¾: then α + arctan(⅗ tan α) ≤ arccos(1/8)."""
+    solution = solve(
+        parse(
+            "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 3/5\n"
+            "given speed(P) >= 4/5 u\nfind range of deflection(P)"
+        )
+    )
+    values = solution["range of deflection(P)"].answers[0].value
+    assert values == sp.Interval.Lopen(0, sp.acos(sp.Rational(1, 8)))

@@ -405,7 +405,10 @@ def _refusal(reading: _Reading, measured: Measured, slot: Slot) -> StatementErro
     fixes = [_leave_out(measured)]
     dimension = slot.dimension
     si = NAMES.get(dimension) if dimension is not None and dimension != NONE else None
-    clash = sorted(letters_of(unit) & reading.letters & _SYMBOLS)
+    own = letters_of(unit)
+    # With c no letter, 5 cm is a length, also where m is a mass.
+    fits = known.dimension == slot.dimension and not own <= reading.letters
+    clash = [] if fits else sorted(own & reading.letters & _SYMBOLS)
     if clash:
         are = "is a letter" if len(clash) == 1 else "are letters"
         message = (

@@ -8,6 +8,7 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.components.verdicts import proved_sign
+from restitution.errors import StatementError
 from restitution.exact import tidy
 from restitution.explaining.derivation import FLIPPED, Link, Move, Relation, Sign
 from restitution.explaining.trees import rebuilt
@@ -76,7 +77,11 @@ def is_left(worths: Worths, tree: Expression, value: sp.Expr) -> bool:
         match term:
             case Binary("^", _, Number(Fraction(numerator=2))):
                 rest = rebuilt(tree, lambda each: ZERO if each == term else each)  # noqa: B023
-                if tidy(worths.value(rest) - value) == 0:
+                try:
+                    left = worths.value(rest)
+                except StatementError:  # the square stands below a bar
+                    continue
+                if tidy(left - value) == 0:
                     return True
     return False
 

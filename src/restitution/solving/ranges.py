@@ -14,8 +14,10 @@ from restitution.errors import (
     RestitutionError,
     UnsupportedError,
 )
+from restitution.expression.dimensions import NONE
 from restitution.expression.evaluate import Evaluator, Symbolic
 from restitution.expression.tree import Expression, Letter, has_quantity, letters
+from restitution.language.measuring import dimensions_of_letters
 from restitution.oracle import Proof
 from restitution.oracle.roles import Role
 from restitution.problem import Compare, Find, Problem, Range, Show
@@ -223,7 +225,8 @@ def _range_of_quantity(
     values = values_of_trials(outcome, tree, now)
     present = {s.name for _, value in values for s in value.free_symbols}
     free = ((_free(first, in_terms_of) | named) & present) - (fixed - named)
-    free = free or _restricted(outcome) & present
+    free = free or _restricted(outcome) & present or _without_dimension(outcome) & present
+    free -= set(in_terms_of or ())
     if not free:
         return [(sp.FiniteSet(*[value for _, value in values]), ())], angle, "algebra"
     if any(name.startswith("_") for name in present):
@@ -244,6 +247,12 @@ def _restricted(outcome: Outcome) -> set[str]:
                     operand.name for operand in relation.operands if isinstance(operand, Letter)
                 }
     return names
+
+
+def _without_dimension(outcome: Outcome) -> set[str]:
+    """Angles and ratios among the letters: over these a range goes where nothing else varies."""
+    dimensions = dimensions_of_letters(outcome.setting.problem)
+    return {name for name in outcome.setting.roles if dimensions.get(name, NONE) == NONE}
 
 
 def values_of_trials(
