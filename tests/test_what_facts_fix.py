@@ -42,7 +42,7 @@ def test_nothing_varies_that_is_fixed(fact: str) -> None:
     assert error.message.startswith("what is given fixes alpha, so there is nothing to vary")
 
 
-def test_nothing_rests_on_bodies_that_go_through_each_other() -> None:
+def test_nothing_rests_on_an_impact_at_which_nothing_happens() -> None:
     """4(1 + e)/(5 − 4e) = 2(1 + e)/(1 − 2e) holds for e = −1 alone, where nothing happens."""
     solution = solve(
         parse(TWO + "given deflection(A) = deflection(B)\nfind e, deflection(A), speed(A, 0)")

@@ -118,8 +118,8 @@ def without_impossible(
 def _rests(branch: Branch, setting: Setting, tree: Expression, now: int) -> bool:
     """Whether the facts leave an expression open, were the coefficients no longer tied together.
 
-    To first order, at this solution: they fix it if its gradient is made up of theirs. A negative
-    coefficient would be bodies that go through each other: then what tells of it fixes nothing.
+    To first order, at this solution: they fix it if its gradient is made up of theirs. With −1
+    nothing happens at the impact: then what tells of it fixes nothing.
     """
     if any(letters(tree) & wrong.letters for wrong in impossible_coefficients(branch)):
         return True
@@ -142,7 +142,7 @@ def _rests(branch: Branch, setting: Setting, tree: Expression, now: int) -> bool
 
     try:
         fixed = _gradients(facts, values, unknowns)
-        if any(each.sign < 0 for each in own.values()):
+        if any((each + 1).sign == 0 for each in own.values()):
             fixed = [row for row in fixed if not any(row[len(branch.values) :])]
         return any(not _is_combination(row, fixed) for row in _gradients(asked, values, unknowns))
     except (RestitutionError, ArithmeticError):
