@@ -132,3 +132,14 @@ def test_a_range_goes_over_an_angle_that_a_fact_bounds() -> None:
     )
     values = solution["range of deflection(P)"].answers[0].value
     assert values == sp.Interval.Lopen(0, sp.acos(sp.Rational(1, 8)))
+
+
+def test_what_rests_on_an_impossible_coefficient_says_so() -> None:
+    """tan 120° gives e = 7/5; the line of v takes it."""
+    text = (
+        "sphere A: mass m, velocity u at 60°\nsphere B: mass 5m, at rest\nA hits B: along i\n"
+        "given angle(velocity(A), velocity(B)) = 120°\nfind e, speed(A)"
+    )
+    working = " ".join(to_text(explain(solve(parse(text))), 80).split())
+    assert "What follows is implied by what is given all the same." in working
+    assert "does not rest on e" not in working

@@ -611,6 +611,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "note.above-one": "{value} is impossible, as a coefficient of restitution is at most 1.{more}",
     "note.goes-on": " What follows does not rest on {letter}.",
+    "note.rests-on": " What follows is implied by what is given all the same.",
     "note.below-zero": (
         "{value} is impossible, as a coefficient of restitution is not negative.{more}"
     ),

@@ -134,7 +134,8 @@ class Notes:
         over = "<=" in str(bound)
         if self._ends_in(note):
             after = self._naming.layout(relation.only[0].left)
-            more = say("note.goes-on", letter=after) if self._goes_on(note) else ""
+            name = "note.rests-on" if self._rests(note) else "note.goes-on"
+            more = say(name, letter=after) if self._goes_on(note) else ""
             return say("note.above-one" if over else "note.below-zero", value=equation, more=more)
         if any(each.premises == note.premises and self._ends_in(each) for each in self._all):
             return say("note.none-either", items=items)
@@ -156,6 +157,15 @@ class Notes:
             line.number > last and line.shown != "silent" and self._ends.part(line) == note.part
             for line in self._derivation.lines
         )
+
+    def _rests(self, note: Note) -> bool:
+        """Whether lines below those of a note rest on the value that it is about."""
+        resting = {note.premises[0]}
+        for line in self._derivation.lines:
+            if resting & set(line.premises):
+                resting.add(line.number)
+        last = max(note.lines, default=0)
+        return any(isinstance(ref, int) and ref > last for ref in resting)
 
     def _relation(self, ref: Ref) -> Relation:
         own = self._derivation.line(ref) if isinstance(ref, int) else self._derivation.fact(ref)
