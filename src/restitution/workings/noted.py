@@ -134,8 +134,10 @@ class Notes:
         over = "<=" in str(bound)
         if self._ends_in(note):
             after = self._naming.layout(relation.only[0].left)
-            name = "note.rests-on" if self._rests(note) else "note.goes-on"
-            more = say(name, letter=after) if self._goes_on(note) else ""
+            more: Sentence | str = ""
+            if self._goes_on(note):
+                rests = self._rests(note)
+                more = say("note.rests-on") if rests else say("note.goes-on", letter=after)
             return say("note.above-one" if over else "note.below-zero", value=equation, more=more)
         if any(each.premises == note.premises and self._ends_in(each) for each in self._all):
             return say("note.none-either", items=items)
