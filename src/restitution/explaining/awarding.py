@@ -115,7 +115,12 @@ class _Awarding:
             last = max(note.lines, default=0)
             if last and self.lines[last].item == note.item:
                 self.ends.setdefault(last, None)
-        self.shown = {each.line for each in derivation.items if each.shown}
+        # A line of an earlier part that a later one has to show was found there.
+        self.shown = {
+            each.line
+            for each in derivation.items
+            if each.shown and self.parts.get(self.lines[each.line].item or "") == each.part
+        }
         self.order = {item: n for n, item in enumerate(self.parts)}
         self.walls = {event.number: event.wall for event in derivation.events}
         self.further = {

@@ -232,6 +232,8 @@ class Claims:
         known = roles(self.scene.problem)
         lines: list[int] = []
         for tie in self.ties.lines():
+            if len(self.scene.desk.relation(tie).options) > 1:
+                continue
             link = self.scene.desk.last_link(tie)
             for name in sorted((letters(link.left) | letters(link.right)) - own):
                 if name not in known or known[name].kind != "restitution":

@@ -72,8 +72,9 @@ def write_quotient(claims: Comparing, line: int, symbol: sp.Symbol, end: Link) -
     quotient = judge.write((Move("put"),), [above, let, *known], by_name)
     if quotient is None:
         return None
-    roots = [tree_of(tidy(sp.sqrt(each))) for each in (a, b)]
-    gap = square(Binary("-", roots[0], product(roots[1], own)))
+    front = _common(a, b)
+    roots = [tree_of(tidy(sp.sqrt(each / front))) for each in (a, b)]
+    gap = product(tree_of(front), square(Binary("-", roots[0], product(roots[1], own))))
     rest = tree_of(tidy(2 * sp.sqrt(a) * sp.sqrt(b) + d))
     lettered = bool(a.free_symbols | b.free_symbols)
     if a.free_symbols and b.free_symbols:
@@ -95,6 +96,15 @@ def write_quotient(claims: Comparing, line: int, symbol: sp.Symbol, end: Link) -
         return None
     place = Link(own, "=", Binary("/", *roots)) if lettered else None
     return Bound(last, (quotient, bound), place, end.right)
+
+
+def _common(a: sp.Expr, b: sp.Expr) -> sp.Expr:
+    """What stands before the square: 8(1 − k)² for 8 and 8, and not (2√2 − 2√2 k)²."""
+    if not (a.is_Rational and b.is_Rational) or (sp.sqrt(a).is_Rational and sp.sqrt(b).is_Rational):
+        return sp.Integer(1)
+    both = sp.gcd(a, b)
+    plain = all(sp.sqrt(each / both).is_Rational for each in (a, b))
+    return both if plain else sp.Integer(1)
 
 
 def _letter_for(scene: Scene, tree: Expression) -> str:

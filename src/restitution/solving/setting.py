@@ -211,6 +211,8 @@ class Setting:
         ``open_story`` is the story told with ``letters_``, ``wanted`` its requirements: nothing
         new is told where no values have been added to those of the letters.
         """
+        if any(value.has(sp.I) for value in assignment.values.values()):
+            return Trial(assignment, (), "it has no real value", "equation")
         long = any(sp.count_ops(value) > UNWIELDY for value in assignment.values.values())
         if long or by_nested_roots(assignment.values):
             return self.try_at_points(assignment, letters_)
@@ -421,6 +423,16 @@ def holds(condition: Condition) -> bool:
     """Whether a condition holds, in numbers."""
     sign = Enclosed.of(condition.value).sign
     return {">": sign > 0, ">=": sign >= 0, "!=": sign != 0}[condition.relation]
+
+
+def is_met(requirement: Equation | Condition | AnyOf) -> bool:
+    """Whether a requirement is met, in numbers."""
+    match requirement:
+        case Equation(value):
+            return Enclosed.of(value).sign == 0
+        case AnyOf(options):
+            return any(map(holds, options))
+    return holds(requirement)
 
 
 def out_of_range(name: str, value: Enclosed, role: Role | None) -> tuple[str, str] | None:

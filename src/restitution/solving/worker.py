@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
@@ -33,6 +33,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.oracle.roles import Role
 from restitution.problem import (
     Extremum,
     Find,
@@ -64,10 +65,10 @@ from restitution.solving.coefficients import (
     without_impossible,
 )
 from restitution.solving.letters import is_angle
-from restitution.solving.numbers import at, sample
+from restitution.solving.numbers import Sample, at, sample
 from restitution.solving.part import Desk, Outcome, impossible
 from restitution.solving.quantities import stage_number
-from restitution.solving.setting import UNWIELDY, Setting, Trial
+from restitution.solving.setting import UNWIELDY, Setting, Trial, is_met
 from restitution.solving.solution import (
     Answer,
     Branch,
@@ -86,6 +87,8 @@ from restitution.vector import Vector
 
 # A speed that is more to read than this may be shorter in other components.
 LONG = 16
+# Draws of the letters at which only a coefficient may be wrong.
+_TRIES = 8
 
 
 def asks(part: Part) -> bool:
@@ -276,14 +279,10 @@ class Worker:
         for trial in outcome.refused:
             if trial.kind != "coefficient":
                 continue
-            free = sorted(set(known) - set(trial.root.values))
-            values = sample(free, known, random.Random(41))
-            try:
-                for name, value in trial.root.values.items():
-                    values[name] = at(value, values)
-                story = outcome.setting.tell(Numbers(values))
-            except (UndefinedError, KeyError, ImpossibleError):
+            told = self._told_with(outcome.setting, trial, known)
+            if told is None:
                 continue
+            values, story = told
             wrong = [happening for happening in story.happenings if outside(happening)]
             implied = set(trial.root.values)
             if not all(coefficient_letters(h.step) <= implied for h in wrong):
@@ -293,6 +292,28 @@ class Worker:
                 replace(trial, samples=(values,), admission=None, story=None, numbers=None)
             )
         return kept or through
+
+    def _told_with(
+        self, setting: Setting, trial: Trial, known: Mapping[str, Role]
+    ) -> tuple[Sample, Story] | None:
+        """Values of the letters, and the story with them, at which only the coefficient is wrong.
+
+        A root of an equation that was squared is no value that the data imply.
+        """
+        free = sorted(set(known) - set(trial.root.values))
+        dice = random.Random(41)
+        for _ in range(_TRIES if free else 1):
+            values = sample(free, known, dice)
+            try:
+                for name, value in trial.root.values.items():
+                    values[name] = at(value, values)
+                story = setting.tell(Numbers(values))
+                wanted = (*story.equations, *story.conditions, *setting.requirements(story))
+            except (UndefinedError, KeyError, ImpossibleError):
+                continue
+            if all(each.kind == "coefficient" or is_met(each) for each in wanted):
+                return values, story
+        return None
 
     def _warn_of_coefficient(self, branches: list[Branch]) -> None:
         implied = [wrong.text for each in branches for wrong in impossible_coefficients(each)]

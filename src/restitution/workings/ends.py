@@ -83,8 +83,12 @@ class Ends:
         return min(self._at(line), key=lambda each: each.shown, default=None)
 
     def is_required(self, line: Line) -> bool:
-        """Whether a line is, as it stands, what was to be shown."""
-        return any(each.shown and self._claim(each) is None for each in self._at(line))
+        """Whether a line is, as it stands, what was to be shown in its part."""
+        return any(
+            each.shown and self._parts.get(each.item) == self.part(line)
+            for each in self._at(line)
+            if self._claim(each) is None
+        )
 
     def _at(self, line: Line) -> Sequence[ItemEnd]:
         return self._ends.get(line.number, ())

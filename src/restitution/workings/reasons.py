@@ -726,6 +726,12 @@ def _squares(tree: Expression, sign: str) -> Iterator[tuple[Expression, Expressi
                     yield term, term
                 case Binary("/", Binary("^", _, Number(Fraction(numerator=2))) as inner, _):
                     yield term, inner
+                case Binary(
+                    "/",
+                    Binary("*", Number(), Binary("^", _, Number(Fraction(numerator=2))) as own),
+                    _,
+                ):
+                    yield term, own
                 case Binary("*", factor, Binary("^", _, Number(Fraction(numerator=2))) as inner):
                     if not letters(factor):
                         yield term, inner
