@@ -427,7 +427,7 @@ def _given_after(scene: Scene, kind: str, body: str, frame: Frame) -> Source | N
     """A component of a velocity after an impact that is given as a vector."""
     velocity = Quantity("velocity", (Name(body),), frame.number)
     given = velocity_given(scene, body, frame.number)
-    if given is not None:
+    if given is not None and scene.desk.known(velocity) is None:
         speed = Quantity("speed", velocity.arguments, frame.number)
         is_given = any(each.link.left == speed for each in scene.given)
         along = is_given and tidy(given[1].cross(frame.direction(kind))) == 0

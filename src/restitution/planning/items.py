@@ -37,6 +37,7 @@ from restitution.planning.momenta import write_by_momentum, write_total_kept
 from restitution.planning.order import Solver
 from restitution.planning.quantities import formula
 from restitution.planning.ratios import inverse
+from restitution.planning.related_velocities import write_related
 from restitution.planning.scene import Scene
 from restitution.planning.separations import event_of_relative
 from restitution.planning.turning import is_angle, quantity_of, write_angle, write_ratio
@@ -60,6 +61,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
     else:
         determine(scene, solver, asked)
         _determine_velocities(scene, solver, asked)
+    write_related(scene, asked)
     named = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
     asked = in_a_frame(scene, asked, write=True)
     match asked:
