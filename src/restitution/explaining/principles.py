@@ -258,7 +258,6 @@ DEFINITIONS = (
         (
             "tan(direction(X, 1)) = along(velocity(X, 1), j)/along(velocity(X, 1), i)",
             "tan(direction(X, 0)) = along(velocity(X, 0), j)/along(velocity(X, 0), i)",
-            "cot(direction(X, 1)) = along(velocity(X, 1), i)/along(velocity(X, 1), j)",
         ),
         gives=("direction",),
     ),

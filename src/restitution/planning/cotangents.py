@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move
+from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.expression.tree import Apply, Binary, Letter, Quantity
 from restitution.planning.angles import RIGHT
 from restitution.planning.desk import Source, chain, together
@@ -48,4 +48,34 @@ def write_by_cotangent(scene: Scene, direction: Quantity, x: Source, y: Source) 
     return scene.desk.write(Move("inverse"), premises, relation)
 
 
-__all__ = ["write_by_cotangent", "write_ratio_of"]
+def write_open_angle(scene: Scene, line: int, letter: str, extent: Ref) -> int | None:
+    """The line of an angle that may be obtuse or not: ``β = 90° − arctan(a/b)``.
+
+    Its cotangent is defined by what the line of its tangent rests on. None of another line.
+    """
+    own = scene.desk.line(line)
+    match own.move.id, own.relation:
+        case "define", Relation(((Link(Apply("tan"), "=", Binary("/", above, below)), *_),)):
+            value = tidy(scene.scalar(below) / scene.scalar(above))
+        case _:
+            return None
+    mark = scene.desk.mark()
+    cotangent = Apply("cot", Letter(letter))
+    first = ratio_line(scene, own.move, own.premises, cotangent, Binary("/", below, above), value)
+    right = difference(RIGHT, Apply("arctan", tree_of(value)))
+    relation = chain(Letter(letter), (right, None))
+    lets = (ref for ref in own.premises if _introduces(scene, ref, letter))
+    premises = scene.judge.needed(Move("inverse"), (first, extent, *lets), relation)
+    if premises is None or not scene.judge.follows(own.move, own.premises, scene.desk.relation(first)):
+        scene.desk.back(mark)
+        return None
+    return scene.desk.write(Move("inverse"), premises, relation)
+
+
+def _introduces(scene: Scene, ref: Ref, letter: str) -> bool:
+    """Whether a premise is the line that introduces a letter."""
+    own = scene.desk.line(ref).relation if isinstance(ref, int) else None
+    return isinstance(own, Meaning) and own.letter == letter
+
+
+__all__ = ["write_by_cotangent", "write_open_angle", "write_ratio_of"]

@@ -26,7 +26,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angle_ratios import range_of
 from restitution.planning.angles import angle_to_a_line
-from restitution.planning.cotangents import write_by_cotangent
+from restitution.planning.cotangents import write_by_cotangent, write_open_angle
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.either_side import angle_of_centres
 from restitution.planning.forms import difference, in_tangents, swept, total, tree_of
@@ -194,7 +194,13 @@ def _by_inverse(scene: Scene, own: Ratio) -> int:
     if own.open:
         raise NotPlannedError("it is open on which side of j a direction is")
     if own.function == "tan" and own.angle is None:
-        _sign_of_tangent(scene, own)
+        try:
+            _sign_of_tangent(scene, own)
+        except NotPlannedError:
+            line = write_open_angle(scene, own.line, own.letter, own.extent)
+            if line is None:
+                raise
+            return line
     right = own.angle or _angle_of(own)
     named: tuple[Ref, ...] = ()
     if isinstance(right, Binary) and isinstance(right.right, Letter):

@@ -648,9 +648,13 @@ class Leads:
                 straight = first.right == Degrees(Fraction(180))
                 name = "turned-wall.straight" if straight else "turned-wall.along"
             return say(name, body=body, wall=event.bodies[1])
-        for each in (*walk(first.left), *walk(first.right)):
-            meaning = self._naming.meanings.get(each.name) if isinstance(each, Letter) else None
-            match None if meaning is None else meaning.quantity:
+        cited = (self._derivation.line(ref) for ref in line.premises if isinstance(ref, int))
+        named = [each.relation for each in cited if each and isinstance(each.relation, Meaning)]
+        for node in (*walk(first.left), *walk(first.right)):
+            if isinstance(node, Letter) and node.name in self._naming.meanings:
+                named.append(self._naming.meanings[node.name])
+        for each in named:
+            match each.quantity:
                 case Quantity("angle", (Quantity("velocity"), Unit() as axis)):
                     return say("turned.from", body=body, axis=self._naming.layout(axis))
         form = self._form_of(first)

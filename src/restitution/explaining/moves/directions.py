@@ -59,11 +59,12 @@ def between_ratios(step: Step, relation: Relation) -> bool:
 
 
 def is_of_a_cotangent(step: Step, link: Link) -> bool:
-    """Whether a direction is 90° less the inverse tangent of its cotangent, which is cited.
+    """Whether an angle of up to 180° is 90° less the inverse tangent of its cited cotangent.
 
-    Below **i** it is that less 180°: a component that is cited tells on which side it is.
+    So is a direction above **i**; below it, it is that less 180°. A component that is cited tells
+    on which side it is.
     """
-    angle = _direction(step, link.left)
+    angle = _angle(step, link.left)
     if angle is None or link.sign != "=":
         return False
     ratios = [
@@ -72,9 +73,12 @@ def is_of_a_cotangent(step: Step, link: Link) -> bool:
         if each.sign == "="
         and isinstance(each.left, Apply)
         and each.left.function == "cot"
-        and _direction(step, each.left.argument) == angle
+        and _angle(step, each.left.argument) == angle
     ]
-    up = {_UP: 1, _DOWN: -1}.get(_half_plane(step, angle), 0)  # type: ignore[arg-type]
+    if angle.kind == "direction":
+        up = {_UP: 1, _DOWN: -1}.get(_half_plane(step, angle), 0)  # type: ignore[arg-type]
+    else:
+        up = 1 if ratios and _is_cited_to_180(step, link.left, angle) else 0
     value = _value(step, link.right)
     whole, arc = value.as_independent(*value.free_symbols, as_Add=True)
     factor, inverse = arc.as_coeff_Mul()
@@ -83,6 +87,22 @@ def is_of_a_cotangent(step: Step, link: Link) -> bool:
     return factor in (1, -1) and any(
         equal_in(step, -factor * inverse.args[0], _value(step, each)) for each in ratios
     )
+
+
+def _angle(step: Step, side: Expression) -> Quantity | None:
+    """An angle of the motion that a side is, or for which it is a letter."""
+    if isinstance(side, Letter):
+        side = next((let.quantity for let in step.lets if let.letter == side.name), side)
+    if isinstance(side, Quantity) and side.kind in ("angle", "deflection", "direction"):
+        return side
+    return None
+
+
+def _is_cited_to_180(step: Step, side: Expression, angle: Quantity) -> bool:
+    """Whether it is cited that an angle is from 0° to 180°, or less."""
+    role = step.setting.of_angle(angle)
+    cited = any(isinstance(side, Letter) and side.name in each.letters for each in step.known)
+    return cited and role is not None and role.low == 0
 
 
 def _direction(step: Step, side: Expression) -> Quantity | None:

@@ -53,12 +53,23 @@ def _templates(step: Step, line: Link) -> Iterator[Link]:
         return
     for relation in record.relations(event, step.move.bodies):
         for link in relation.only:
-            yield step.setting.settled(link)
+            yield step.setting.settled(_upside_down(link, line) or link)
     for link in WORKED_OUT.get(record.id, nothing)(step, event):
         yield step.setting.settled(link)
     if record.id in ("straight-line", "distance"):
         for link in places(step, event, line):
             yield step.setting.settled(link)
+
+
+def _upside_down(link: Link, line: Link) -> Link | None:
+    """The cotangent of an angle by the definition of its tangent, where a line has that."""
+    match link, line.left:
+        case (
+            Link(Apply("tan", angle), "=", Binary("/", above, below)),
+            Apply("cot"),
+        ):
+            return Link(Apply("cot", angle), "=", Binary("/", below, above))
+    return None
 
 
 def _take_part(step: Step, record: Record, event: Event | None) -> bool:
@@ -154,14 +165,14 @@ def _one_signed(step: Step, link: Link) -> Expression | None:
     tangent.
     """
     match link:
-        case Link(Apply("tan" | "cos" | "sin" as ratio_, Quantity() as angle), "=", right):
+        case Link(Apply("tan" | "cot" | "cos" | "sin" as ratio_, Quantity() as angle), "=", right):
             role = step.setting.of_angle(angle)
             if role is None or role.low != 0:
                 return None
             if role.high == sp.pi / 2:
                 return right
-            if ratio_ == "tan" and isinstance(right, Binary) and right.op == "/":
-                return right.left
+            if ratio_ in ("tan", "cot") and isinstance(right, Binary) and right.op == "/":
+                return right.left if ratio_ == "tan" else right.right
         case Link(Quantity("impulse", ()), "=", right) if not isinstance(right, Apply):
             return right
     return None
