@@ -38,7 +38,7 @@ from restitution.expression.tree import (
 from restitution.planning.angle_inequalities import write_of_angles
 from restitution.planning.conditions import Conditions
 from restitution.planning.desk import NotPlannedError
-from restitution.planning.directions_bounded import write_of_direction
+from restitution.planning.directions_bounded import write_of_direction, write_of_wide_angle
 from restitution.planning.forms import ONE, ZERO, tree_of
 from restitution.planning.gaps import is_left, is_plain, write_difference
 from restitution.planning.inequalities import (
@@ -126,7 +126,7 @@ class Claims:
                 line = self.compared(base, relation)
                 if line is not None:
                     return line
-            for proof in (write_of_direction, write_of_angles, write_turn, write_by_cosine):
+            for proof in _PROOFS:
                 line = proof(self, quantities, relation)
                 if line is not None:
                     return line
@@ -940,6 +940,9 @@ def _is_subject(tree: Expression) -> bool:
 
 
 _RATIOS = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan}
+
+
+_PROOFS = (write_of_direction, write_of_angles, write_turn, write_of_wide_angle, write_by_cosine)
 
 
 def _near(sign: Sign) -> tuple[str, ...]:

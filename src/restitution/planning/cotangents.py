@@ -48,10 +48,10 @@ def write_by_cotangent(scene: Scene, direction: Quantity, x: Source, y: Source) 
     return scene.desk.write(Move("inverse"), premises, relation)
 
 
-def write_open_angle(scene: Scene, line: int, letter: str, extent: Ref) -> int | None:
-    """The line of an angle that may be obtuse or not: ``β = 90° − arctan(a/b)``.
+def cotangent_of(scene: Scene, line: int, letter: str) -> int | None:
+    """The line of a cotangent by what the line of the tangent rests on.
 
-    Its cotangent is defined by what the line of its tangent rests on. None of another line.
+    None of a tangent that is not defined by a quotient.
     """
     own = scene.desk.line(line)
     match own.move.id, own.relation:
@@ -62,11 +62,26 @@ def write_open_angle(scene: Scene, line: int, letter: str, extent: Ref) -> int |
     mark = scene.desk.mark()
     cotangent = Apply("cot", Letter(letter))
     first = ratio_line(scene, own.move, own.premises, cotangent, Binary("/", below, above), value)
-    right = difference(RIGHT, Apply("arctan", tree_of(value)))
+    if scene.judge.follows(own.move, scene.desk.line(first).premises, scene.desk.relation(first)):
+        return first
+    scene.desk.back(mark)
+    return None
+
+
+def write_open_angle(scene: Scene, line: int, letter: str, extent: Ref) -> int | None:
+    """The line of an angle that may be obtuse or not: ``β = 90° − arctan(a/b)``.
+
+    None where the tangent, of which the line is given, is not defined by a quotient.
+    """
+    mark = scene.desk.mark()
+    first = cotangent_of(scene, line, letter)
+    if first is None:
+        return None
+    right = difference(RIGHT, Apply("arctan", scene.desk.last_link(first).right))
     relation = chain(Letter(letter), (right, None))
-    lets = (ref for ref in own.premises if _introduces(scene, ref, letter))
+    lets = (ref for ref in scene.desk.line(first).premises if _introduces(scene, ref, letter))
     premises = scene.judge.needed(Move("inverse"), (first, extent, *lets), relation)
-    if premises is None or not scene.judge.follows(own.move, own.premises, scene.desk.relation(first)):
+    if premises is None:
         scene.desk.back(mark)
         return None
     return scene.desk.write(Move("inverse"), premises, relation)
@@ -78,4 +93,4 @@ def _introduces(scene: Scene, ref: Ref, letter: str) -> bool:
     return isinstance(own, Meaning) and own.letter == letter
 
 
-__all__ = ["write_by_cotangent", "write_open_angle", "write_ratio_of"]
+__all__ = ["cotangent_of", "write_by_cotangent", "write_open_angle", "write_ratio_of"]

@@ -1,4 +1,4 @@
-"""Bounds of the direction of a velocity: by its tangent, or its cotangent where that has none."""
+"""Bounds of an angle that may be a right angle: by its cotangent, where it has no tangent."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity, letters, walk
 from restitution.planning.comparing import Comparing
-from restitution.planning.cotangents import write_ratio_of
-from restitution.planning.desk import Source
+from restitution.planning.cotangents import cotangent_of, write_ratio_of
+from restitution.planning.desk import NotPlannedError, Source
 from restitution.planning.forms import tree_of
 from restitution.planning.inequalities import turned
 from restitution.planning.named_angles import letter_of
@@ -70,6 +70,67 @@ def write_of_direction(
     return None
 
 
+def write_of_wide_angle(
+    claims: Comparing, quantities: Sequence[Quantity], relation: Relation
+) -> int | None:
+    """The bounds of an angle that may be obtuse, by those of its cotangent, which falls.
+
+    None where a tangent does as well, and where none is defined by a quotient.
+    """
+    match quantities:
+        case [Quantity("angle" | "deflection") as angle] if all(
+            each.sign in FLIPPED and angle in (each.left, each.right) for each in relation.only
+        ):
+            links = [_solved(claims, each, angle) for each in relation.only]
+        case _:
+            return None
+    if all(_is_acute(claims, each) for each in links):
+        return None
+    mark = claims.worths.mark()
+    scene = claims.scene
+    try:
+        tangent = claims.worths.angle_by_letter(angle) or claims.worths.angle(angle)
+    except NotPlannedError:
+        claims.worths.back(mark)
+        return None
+    letter, let = letter_of(scene, angle)
+    line = cotangent_of(scene, tangent, letter)
+    ratio = Apply("cot", Letter(letter))
+    ends = [own for each in links if (own := _bound(claims, ratio, each)) is not None]
+    if line is not None and len(ends) == len(links):
+        between = Relation((tuple(_as_bounds(ends)),))
+        bounds = claims.monotone(line, between) or claims.compared([line], between)
+        if bounds is not None:
+            names = {name for each in links for name in letters(each.right)}
+            pool = [bounds, let, f"0° <= {letter} <= 180°", *claims.judge.known(names)]
+            by_tangent = Relation(
+                tuple(tuple(_by_tangent(claims, e) for e in links) for links in relation.options)
+            )
+            last = claims.judge.write((Move("compare"),), pool, by_tangent)
+            if last is not None:
+                return last
+    claims.worths.back(mark)
+    return None
+
+
+def _by_tangent(claims: Comparing, link: Link) -> Link:
+    """A bound with an inverse cosine or sine as an inverse tangent."""
+    sides: list[Expression] = []
+    for side in (link.left, link.right):
+        match side:
+            case Apply("arccos" | "arcsin"):
+                sides.append(Apply("arctan", tree_of(tidy(sp.tan(_value(claims, side))))))
+            case _:
+                sides.append(side)
+    return Link(sides[0], link.sign, sides[1])
+
+
+def _is_acute(claims: Comparing, link: Link) -> bool:
+    """Whether a bound is a number that is less than 90°."""
+    value = _value(claims, link.right)
+    return bool(value.is_number and value < sp.pi / 2)
+
+
 def _solved(claims: Comparing, link: Link, direction: Quantity) -> Link:
     """A bound with the direction alone on the left: ``θ ≥ 90°`` of ``180° − θ ≤ 90°``."""
     sides = (link.left, link.right)
@@ -124,4 +185,4 @@ def _bound(claims: Comparing, ratio: Apply, link: Link) -> Link | None:
     return None if there.has(sp.zoo) else Link(ratio, sign, tree_of(tidy(there)))
 
 
-__all__ = ["write_of_direction"]
+__all__ = ["write_of_direction", "write_of_wide_angle"]

@@ -151,7 +151,8 @@ def _by_its_ratio(claims: Claims, asked: Expression, line: int, relation: Relati
     desk = claims.scene.desk
     own = desk.line(line)
     if own.relation != relation:
-        return relation
+        other = own.relation
+        return other if isinstance(other, Relation) and _but_for_arcs(other, relation) else relation
     for ref in own.premises:
         match desk.line(ref).relation if isinstance(ref, int) else None:
             case Relation((links,)):
@@ -171,6 +172,22 @@ def _by_its_ratio(claims: Claims, asked: Expression, line: int, relation: Relati
                 desk.lines[line - 1] = replace(own, relation=range_of_ratio)
                 return range_of_ratio
     return relation
+
+
+def _but_for_arcs(own: Relation, relation: Relation) -> bool:
+    """Whether a line says a range with its ends by other inverse ratios."""
+    if len(own.options) != 1 or len(own.only) != len(relation.only):
+        return False
+    pairs = list(zip(own.only, relation.only, strict=True))
+    sides = [pair for a, b in pairs for pair in ((a.left, b.left), (a.right, b.right))]
+    arcs = [(a, b) for a, b in sides if a != b]
+    return all(a.sign == b.sign for a, b in pairs) and all(
+        isinstance(a, Apply) and isinstance(b, Apply) and {a.function, b.function} <= _ARCS
+        for a, b in arcs
+    )
+
+
+_ARCS = {"arcsin", "arccos", "arctan"}
 
 
 def _as(claims: Claims, inverse: Apply, side: Expression) -> Expression:

@@ -1,4 +1,4 @@
-"""Directions of velocities between bounds: a ratio of them grows, or falls, in a half-plane."""
+"""Angles between bounds: a ratio of them grows, or falls, on one side of a line."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from restitution.explaining.derivation import FLIPPED, Link, Relation, Sign
 from restitution.explaining.moves.bases import equal_in
 from restitution.explaining.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.step import Step
-from restitution.expression.tree import Apply, Degrees, Expression, Letter, Name, Negate, Quantity
+from restitution.expression.tree import Apply, Degrees, Expression, Letter, Negate, Quantity
 from restitution.oracle import Relation as Claim
 from restitution.oracle import compared
 
 RIGHT = sp.pi / 2
 
 
-def speaks_of_a_direction(step: Step, relation: Relation) -> bool:
-    """Whether a relation bounds the direction of a velocity."""
+def speaks_of_an_angle(step: Step, relation: Relation) -> bool:
+    """Whether a relation bounds an angle of the motion."""
     return any(
-        _direction(step, side) is not None
+        _angle(step, side) is not None
         for links in relation.options
         for link in links
         for side in (link.left, link.right)
@@ -29,10 +29,11 @@ def speaks_of_a_direction(step: Step, relation: Relation) -> bool:
 
 
 def between_ratios(step: Step, relation: Relation) -> bool:
-    """A direction between bounds of which its tangent, or cotangent, is between those ratios.
+    """An angle between bounds of which its tangent, or cotangent, is between those ratios.
 
-    The tangent grows with the direction on either side of **j**, the cotangent falls on either
-    side of **i**: on which side a velocity points, a component of it tells that is cited.
+    The tangent grows with a direction on either side of **j**, the cotangent falls on either side
+    of **i**: on which side a velocity points, a component of it tells that is cited. Of an angle of
+    up to 180° the cotangent falls.
     """
     if len(relation.options) != 1:
         return False
@@ -40,7 +41,7 @@ def between_ratios(step: Step, relation: Relation) -> bool:
         angle
         for link in relation.only
         for side in (link.left, link.right)
-        for angle in (_direction(step, side),)
+        for angle in (_angle(step, side),)
         if angle is not None
     }
     if len(angles) != 1:
@@ -78,7 +79,7 @@ def is_of_a_cotangent(step: Step, link: Link) -> bool:
     if angle.kind == "direction":
         up = {_UP: 1, _DOWN: -1}.get(_half_plane(step, angle), 0)  # type: ignore[arg-type]
     else:
-        up = 1 if ratios and _is_cited_to_180(step, link.left, angle) else 0
+        up = 1 if ratios and _is_cited_to_180(step, angle) else 0
     value = _value(step, link.right)
     whole, arc = value.as_independent(*value.free_symbols, as_Add=True)
     factor, inverse = arc.as_coeff_Mul()
@@ -98,21 +99,12 @@ def _angle(step: Step, side: Expression) -> Quantity | None:
     return None
 
 
-def _is_cited_to_180(step: Step, side: Expression, angle: Quantity) -> bool:
+def _is_cited_to_180(step: Step, angle: Quantity) -> bool:
     """Whether it is cited that an angle is from 0° to 180°, or less."""
     role = step.setting.of_angle(angle)
-    cited = any(isinstance(side, Letter) and side.name in each.letters for each in step.known)
+    names = {let.letter for let in step.lets if let.quantity == angle}
+    cited = any(names & each.letters for each in step.known)
     return cited and role is not None and role.low == 0
-
-
-def _direction(step: Step, side: Expression) -> Quantity | None:
-    """The direction of a velocity after an event that a side is, or for which it is a letter."""
-    if isinstance(side, Letter):
-        side = next((let.quantity for let in step.lets if let.letter == side.name), side)
-    match side:
-        case Quantity("direction", (Name(),), int()):
-            return side
-    return None
 
 
 def _bounds_of(step: Step, ratio: Apply) -> Iterator[Link]:
@@ -121,7 +113,7 @@ def _bounds_of(step: Step, ratio: Apply) -> Iterator[Link]:
         for own in (link, _turned(link)):
             match own.left:
                 case Apply(function, argument) if function == ratio.function:
-                    if own.sign in FLIPPED and _direction(step, argument) == ratio.argument:
+                    if own.sign in FLIPPED and _angle(step, argument) == ratio.argument:
                         yield Link(ratio, own.sign, own.right)
 
 
@@ -144,8 +136,10 @@ _UP, _DOWN = _Window(sp.Integer(0), sp.pi), _Window(-sp.pi, sp.Integer(0))
 
 def _is_in_a_half_plane(step: Step, relation: Relation, angle: Quantity) -> bool:
     """Whether a relation only says to which side a velocity points, as a component of it tells."""
+    if angle.kind != "direction":
+        return False
     if len(relation.only) != 2 or not all(
-        isinstance(side, Degrees | Negate) or _direction(step, side) is not None
+        isinstance(side, Degrees | Negate) or _angle(step, side) is not None
         for link in relation.only
         for side in (link.left, link.right)
     ):
@@ -164,7 +158,7 @@ def _cited_half_plane(step: Step, angle: Quantity) -> _Window | None:
     for each in step.cited:
         match each.relation:
             case Relation(((Link(Degrees() | Negate(), "<", one), Link(two, "<", _)),)):
-                if one == two and _direction(step, one) == angle:
+                if one == two and _angle(step, one) == angle:
                     return _Window(*(_value(step, end) for end in _ends(each.relation)))
     return None
 
@@ -188,6 +182,8 @@ def _components(step: Step, angle: Quantity) -> tuple[Quotient | None, Quotient 
 
 def _window(step: Step, angle: Quantity, function: str, ratios: list[Link]) -> _Window | None:
     """Where a velocity points, as far as is cited; None where that is open."""
+    if angle.kind != "direction":
+        return _UP if function == "cot" and _is_cited_to_180(step, angle) else None
     x, y = _components(step, angle)
     told = _cited_half_plane(step, angle)
     up = _sign(step, y) or {_UP: 1, _DOWN: -1}.get(told, 0)  # type: ignore[arg-type]
@@ -230,7 +226,7 @@ def _is_bounded(
     step: Step, link: Link, angle: Quantity, function: str, ratios: list[Link], window: _Window
 ) -> bool:
     """Whether a bound of a direction lies in a window, and its ratio is a bound of the ratio."""
-    own = link if _direction(step, link.left) == angle else _turned(link)
+    own = link if _angle(step, link.left) == angle else _turned(link)
     if own.sign not in FLIPPED:
         return False
     bound = _value(step, own.right)
@@ -251,4 +247,4 @@ def _value(step: Step, tree: Expression) -> sp.Expr:
     return step.world.expression(step.world.scalar(tree), step.roles)
 
 
-__all__ = ["between_ratios", "is_of_a_cotangent", "speaks_of_a_direction"]
+__all__ = ["between_ratios", "is_of_a_cotangent", "speaks_of_an_angle"]
