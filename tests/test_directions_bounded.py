@@ -186,3 +186,67 @@ def test_another_angle_with_that_cotangent_is_refused(wrong: str) -> None:
     own = last(derivation)
     false = replace(own, relation=read_relation(wrong, {}))
     assert "does-not-follow" in complaints(IN_K, false, derivation)
+
+
+OPEN = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 3m, at rest
+A hits B: along i
+find {0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("asked", "answer"),
+    [
+        ("angle(velocity(A), velocity(B))", "beta = 90° - arctan((1 - 3e)/(4tan(alpha)))"),
+        ("angle(velocity(A), i)", "beta = 90° - arctan((1 - 3e)/(4tan(alpha)))"),
+        ("deflection(A)", "delta = 90° - arctan((1 - 3e)/(4tan(alpha))) - alpha"),
+    ],
+)
+def test_an_angle_that_may_be_obtuse_is_told_by_its_cotangent(asked: str, answer: str) -> None:
+    problem, derivation = planned(OPEN.format(asked))
+    assert [write_relation(each.answer) for each in derivation.items] == [answer]
+    value = solve(problem).parts[None].items[0].distinct[0].value
+    names = {each.name: each for each in value.free_symbols}
+    for e, alpha in ((0, 0.3), (0.2, 1.1), (0.6, 0.7), (1, 0.2)):
+        v = (1 - 3 * e) * math.cos(alpha) / 4  # momentum, and w - v = e cos(alpha)
+        angle = math.atan2(math.sin(alpha), v) - (alpha if "deflection" in asked else 0)
+        put = {names["e"]: e, names["alpha"]: alpha}
+        assert float(value.subs(put)) == pytest.approx(angle)
+
+
+def test_the_bounds_of_an_angle_that_may_be_obtuse() -> None:
+    _, derivation = planned(OPEN.format("range of angle(velocity(A), velocity(B))"))
+    said = [
+        write_relation(e.relation) for e in derivation.lines if isinstance(e.relation, Relation)
+    ]
+    assert said[-2] == "-1/(2tan(alpha)) <= cot(beta) <= 1/(4tan(alpha))"
+
+
+def test_no_value_grows_through_what_is_divided_by_zero() -> None:
+    between = "angle(velocity(A), velocity(B))"
+    statement = OPEN.format(f"tan({between}), range of {between}")
+    _, derivation = planned(statement)
+    bounded = next(each for each in derivation.lines if each.move.id == "monotone")
+    tangent = derivation.items[0].line
+    cotangent, *rest = bounded.premises
+    assert tangent < cotangent  # type: ignore[operator]
+    # The derivative has one sign, but between the ends 1 - 3e is zero.
+    false = replace(
+        bounded,
+        premises=(tangent, *rest),
+        relation=read_relation("4tan(alpha) <= tan(beta) <= -2tan(alpha)", {}),
+    )
+    assert ("does-not-follow", false.number) in {
+        (each.reason, each.line)
+        for each in follow(
+            replace(
+                derivation,
+                lines=tuple(
+                    false if each.number == false.number else each for each in derivation.lines
+                ),
+            ),
+            Oracle(roles(parse(statement))),
+        )
+    }

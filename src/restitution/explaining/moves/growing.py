@@ -13,7 +13,7 @@ from restitution.expression.tree import (
     Letter,
     letters,
 )
-from restitution.oracle import REAL, compared
+from restitution.oracle import REAL, Oracle, compared
 from restitution.oracle import Relation as Claim
 
 
@@ -83,25 +83,29 @@ def _grows_between(
         if slope == 0:
             return False
         if step.oracle.proves(Claim(direction * slope, ">=")):
-            if not _is_unbroken(step, value, letter, ends):
+            if not _is_unbroken(step, value, letter):
                 return False
             return all(_is_worth(step, value, letter, *each) for each in bounds if each is not None)
     return False
 
 
-def _is_unbroken(step: Step, value: sp.Expr, letter: sp.Symbol, ends: _Ends) -> bool:
-    """Whether nothing that divides is zero between the ends: else a value only seems to grow."""
+def _is_unbroken(step: Step, value: sp.Expr, letter: sp.Symbol) -> bool:
+    """Whether nothing that divides is zero between the ends: else a value only seems to grow.
+
+    That there is such a value is no reason: it is said of each, and not of all between them.
+    """
     divisors = {each.base for each in value.atoms(sp.Pow) if each.exp.is_negative}
     divisors |= {sp.cos(each.args[0]) for each in value.atoms(sp.tan)}
     broken = [each for each in divisors if letter in each.free_symbols]
     if not broken:
         return True
-    between = [
-        compared(letter, ">" if which == "low" else "<", end)
+    between = tuple(
+        compared(step.roles.get(name, REAL).symbol(name), ">" if which == "low" else "<", end)
+        for name, ends in _cited_ranges(step).items()
         for which, (end, _) in ends.items()
         if end.is_finite is not False
-    ]
-    oracle = step.oracle.with_facts(between)
+    )
+    oracle = Oracle(step.roles, between)
     return all(oracle.proves(Claim(each, "!=")) for each in broken)
 
 
