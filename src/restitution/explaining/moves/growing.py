@@ -92,7 +92,8 @@ def _grows_between(
 def _is_unbroken(step: Step, value: sp.Expr, letter: sp.Symbol) -> bool:
     """Whether nothing that divides is zero between the ends: else a value only seems to grow.
 
-    That there is such a value is no reason: it is said of each, and not of all between them.
+    That there is such a value is no reason: it is said of each, and not of all between them. What a
+    letter may be anyway need not be cited for that.
     """
     divisors = {each.base for each in value.atoms(sp.Pow) if each.exp.is_negative}
     divisors |= {sp.cos(each.args[0]) for each in value.atoms(sp.tan)}
@@ -105,7 +106,7 @@ def _is_unbroken(step: Step, value: sp.Expr, letter: sp.Symbol) -> bool:
         for which, (end, _) in ends.items()
         if end.is_finite is not False
     )
-    oracle = Oracle(step.roles, between)
+    oracle = Oracle({**step.roles, **step.setting.roles}, between)
     return all(oracle.proves(Claim(each, "!=")) for each in broken)
 
 
