@@ -400,6 +400,26 @@ find e
         ("is 45°, and\nv > 0, as e ≤ 1:",),
         (),
     ),
+    "twice one angle to the line of centres": (
+        """
+sphere A: mass m, velocity 2u i + u j
+sphere B: mass m, velocity -2u i - u j
+A hits B: along i, e = 1
+find deflection(A)
+""",
+        (" = 180° − 2 arctan(1/2)",),
+        (),
+    ),
+    "twice one angle to a wall": (
+        """
+wall W: along i
+sphere P: velocity 3i - 2j
+P hits W: e = 1
+find deflection(P)
+""",
+        ("δ = arctan(2/3) + arctan(2/3) = 2 arctan(2/3)",),
+        (),
+    ),
     "a speed that is asked after the energy": (
         """
 wall W: along i

@@ -21,9 +21,9 @@ from restitution.expression.tree import (
     letters,
 )
 from restitution.planning.angle_ratios import given_ratio, range_of, write_other_ratio
-from restitution.planning.angles import RIGHT
+from restitution.planning.angles import RIGHT, STRAIGHT
 from restitution.planning.desk import chain, together
-from restitution.planning.forms import ONE, difference, product, swept, total, tree_of
+from restitution.planning.forms import ONE, TWO, difference, product, swept, total, tree_of
 from restitution.planning.named_angles import letter_of, tangent_line
 from restitution.planning.premises import background
 from restitution.planning.quantities import formula
@@ -71,7 +71,7 @@ def write_turn(
     right = turn.made_of(*trees)
     value = exact.tidy_angle(whole)
     plain = not value.atoms(sp.atan)
-    final = tree_of(value, angle=True, as_it_is=True) if plain else right
+    final = tree_of(value, angle=True, as_it_is=True) if plain else _collected(turn, trees) or right
     relation = chain(Letter(letter), (right, None), (final, "rearrange"))
     pool = dict.fromkeys((meaning, *refs, *turn.first.refs, *turn.second.refs, *_axis(turn)))
     premises = scene.judge.needed(turn.move, pool, relation, (meaning,))
@@ -79,6 +79,15 @@ def write_turn(
         scene.desk.back(mark)
         return None
     return scene.desk.write(turn.move, premises, relation)
+
+
+def _collected(turn: Turn, trees: Sequence[Expression | None]) -> Expression | None:
+    """The angle by twice another one, where both of which it is made are the same."""
+    one, other = trees
+    if one is None or one != other or turn.form not in ("sum", "rest of sum"):
+        return None
+    double = product(TWO, one)
+    return double if turn.form == "sum" else Binary("-", STRAIGHT, double)
 
 
 _SIGNS: Mapping[Form, tuple[int, int]] = {

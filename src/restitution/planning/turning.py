@@ -29,7 +29,15 @@ from restitution.planning.angles import angle_to_a_line
 from restitution.planning.cotangents import write_by_cotangent, write_open_angle
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.either_side import angle_of_centres
-from restitution.planning.forms import difference, in_tangents, swept, total, tree_of
+from restitution.planning.forms import (
+    TWO,
+    difference,
+    in_tangents,
+    product,
+    swept,
+    total,
+    tree_of,
+)
 from restitution.planning.formulas import Formula
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import in_direction
@@ -763,7 +771,7 @@ def _by_sum(scene: Scene, asked: Quantity) -> int:
     value = exact.tidy_angle(total_)
     tree = tree_of(value, angle=True, as_it_is=True)
     if value.has(sp.atan) and not value.free_symbols:
-        tree = right
+        tree = product(TWO, terms[0]) if terms[0] == terms[1] else right
     return scene.desk.write(
         Move("define", "sum", event, (body,)),
         together(refs),
