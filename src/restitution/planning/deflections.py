@@ -196,6 +196,8 @@ def _pair(scene: Scene, body: str, stage: int, frame: Frame) -> tuple[Source, So
 
 def _product(a: Source, b: Source) -> Expression:
     trees = tree_of(a.value), tree_of(b.value)
+    if a.value == b.value and a.value.is_Symbol:
+        return square(trees[0])
     return trees[0] if is_zero(trees[0]) else product(*trees)
 
 

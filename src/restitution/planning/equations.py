@@ -181,6 +181,10 @@ class Equations:
         law = self.law(own)
         if own.id.startswith(SHOWN):
             return Move("put")
+        if own.id in self.paths:
+            return paths.move_of(self.paths[own.id])
+        if own.id in self.rounds:
+            return rounds.move_of(self.rounds[own.id])
         if law is None:
             return move_of(self.givens[own.id])
         record = "restitution-wall" if law.kind == "wall" else law.kind

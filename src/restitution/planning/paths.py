@@ -178,7 +178,7 @@ def _write_steady(scene: Scene, path: Path, steady: Steady) -> int:
     distance = swept(difference(tree_of(last.value), tree_of(first.value)))
     way = swept(product(tree_of(pace.value), steady.time.link.right))
     whole = together(steady.time.refs, start(scene)[1], first.refs, last.refs, refs)
-    return scene.desk.write(_move(path), whole, chain(distance, (way, None)))
+    return scene.desk.write(move_of(path), whole, chain(distance, (way, None)))
 
 
 def _who_goes(scene: Scene, number: int) -> str | None:
@@ -342,7 +342,7 @@ def _slope_line(
             left, right, value = left.operand, right.operand, -value
     relation = chain(left, (right, None), (tree_of(value), "rearrange"))
     refs = together(*(each.refs for each in (begin, end, first, last, *paces)))
-    return scene.judge.write((_move(path),), refs, relation)
+    return scene.judge.write((move_of(path),), refs, relation)
 
 
 def _by_tangent(scene: Scene, path: Path, paces: Sequence[Source]) -> int | None:
@@ -387,9 +387,10 @@ def _gradient_line(
     )
     refs = together(*(each.refs for pair in ends for each in pair), *(e.refs for e in paces))
     known = background(scene, {each.name for each in ratio.free_symbols})
-    premises = scene.judge.enough(_move(path), refs, relation, known)
-    return None if premises is None else scene.desk.write(_move(path), premises, relation)
+    premises = scene.judge.enough(move_of(path), refs, relation, known)
+    return None if premises is None else scene.desk.write(move_of(path), premises, relation)
 
 
-def _move(path: Path) -> Move:
+def move_of(path: Path) -> Move:
+    """The definition that the equation of a path is."""
     return Move("define", "straight-line", path.number, (path.body,))

@@ -107,7 +107,7 @@ def write_round(scene: Scene, own: Round) -> int:
             pool.append(f"acute: {other.name}")
     a, b, c = angles
     total = chain(Binary("+", a, b), (Binary("-", _RIGHT, c), None))
-    move = Move("define", "round", own.number, (own.body,))
+    move = move_of(own)
     closing = scene.desk.write(move, together(premises), total)
     if len({*angles}) == 1:
         return closing
@@ -182,4 +182,9 @@ def _tangent(
     return worth, number
 
 
-__all__ = ["Round", "rounds", "write_round"]
+def move_of(own: Round) -> Move:
+    """The definition that the equation of a round is."""
+    return Move("define", "round", own.number, (own.body,))
+
+
+__all__ = ["Round", "move_of", "rounds", "write_round"]
