@@ -250,3 +250,45 @@ def test_no_value_grows_through_what_is_divided_by_zero() -> None:
             Oracle(roles(parse(statement))),
         )
     }
+
+
+VECTORS = """
+sphere A: mass 2, velocity 5i + 2j
+sphere B: mass 3, velocity -i - 2j
+A hits B: along i
+find {0}
+"""
+
+
+def test_an_angle_before_the_impact_has_the_definition_of_one_after_it() -> None:
+    _, derivation = planned(VECTORS.format("deflection(A)"))
+    assert [write_relation(each.answer) for each in derivation.items] == [
+        "delta = 90° - arctan((7 - 18e)/10) - arctan(2/5)"
+    ]
+
+
+def test_a_sum_of_angles_may_be_more_than_half_a_turn() -> None:
+    (item,) = solve(parse(VECTORS.format("deflection(A) + deflection(B)"))).parts[None].items
+    value = item.distinct[0].value
+    (letter,) = value.free_symbols
+    for e in (0.05, 0.5, 0.95):
+        v = (7 - 18 * e) / 5  # momentum, and w - v = 6e
+        after = math.atan2(2, v) - math.atan2(2, 5), math.atan2(-2, v + 6 * e) - math.atan2(-2, -1)
+        assert float(value.subs(letter, e)) == pytest.approx(sum(map(abs, after)))
+
+
+def test_an_angle_and_that_of_a_velocity_that_is_turned_round() -> None:
+    statement = """
+    wall W: along i
+    wall V: along j
+    sphere P: velocity u at alpha to W
+    P hits W: e = 1/2
+    P hits V: e = 1/3
+    find angle(velocity(P), velocity(P, 0)) + alpha
+    """
+    (item,) = solve(parse(statement)).parts[None].items
+    value = item.distinct[0].value
+    (letter,) = value.free_symbols
+    for alpha in (0.2, 0.8, 1.4):
+        late = math.atan2(math.sin(alpha) / 2, math.cos(alpha) / 3)  # to W, and turned round
+        assert float(value.subs(letter, alpha)) == pytest.approx(math.pi - (late - alpha) + alpha)

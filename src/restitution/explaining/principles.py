@@ -247,8 +247,12 @@ DEFINITIONS = (
                 f"/({_c('X', a)} {_c('Y', b)} + {_s('X', a)} {_s('Y', b)})"
                 for a, b in ((1, 1), (0, 0))
             ),
-            "tan(angle(velocity(X, 1), i)) = along(velocity(X, 1), j)/along(velocity(X, 1), i)",
-            "tan(angle(velocity(X, 1), j)) = along(velocity(X, 1), i)/along(velocity(X, 1), j)",
+            *(
+                f"tan(angle(velocity(X, {n}), {a}))"
+                f" = along(velocity(X, {n}), {b})/along(velocity(X, {n}), {a})"
+                for a, b in ("ij", "ji")
+                for n in (1, 0)
+            ),
         ),
         gives=("angle",),
     ),

@@ -170,7 +170,37 @@ def signed(x: sp.Expr, samples: Samples) -> sp.Expr:
 
 
 def angle(value: Angle, samples: Samples) -> sp.Expr:
-    """An angle in radians: a sum of letters, or by an inverse function of what is simplest."""
+    """An angle in radians: a sum of letters, or by an inverse function of what is simplest.
+
+    A sum of two angles may be more than half a turn.
+    """
+    own = _within_a_turn(value, samples)
+    whole = sp.sympify(value.measure(), strict=True)
+    if not whole.is_Add:
+        return own
+    turns: set[int] = set()
+    for values in samples:
+        try:
+            gap = (at(whole, values) - at(own, values)) / (2 * at(sp.pi, {}))
+        except (UndefinedError, KeyError):
+            continue
+        turns.add(round(float(gap)))
+    if len(turns) > 1:  # for some letters it is more, for others not: the sum tells both
+        return sp.Add(*(_term(each, samples) for each in whole.args))
+    return own if turns <= {0} else exact.tidy_angle(own + 2 * turns.pop() * sp.pi)
+
+
+def _term(x: sp.Expr, samples: Samples) -> sp.Expr:
+    """A term of a sum of angles, of which one may be that of a vector."""
+    factor, arc = x.as_coeff_Mul()
+    if not isinstance(arc, sp.atan2):
+        return x
+    above, below = arc.args
+    return factor * _within_a_turn(Angle(below, above, lambda: arc), samples)
+
+
+def _within_a_turn(value: Angle, samples: Samples) -> sp.Expr:
+    """An angle by the direction of a vector, from −180° to 180°."""
     x, y = (signed(sp.sympify(part, strict=True), samples) for part in (value.x, value.y))
     if not x.free_symbols and not y.free_symbols and not (x + y).has(sp.sin, sp.cos, sp.tan):
         return exact.tidy_angle(sp.atan2(_number(y), _number(x)))
