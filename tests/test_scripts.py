@@ -14,6 +14,7 @@ from altered_scripts import AlteredScript, altered_scripts
 from derived_scripts import DerivedScript, derive, parts_of, planned
 from handwriting import hand_of
 from measure_marking import ROOT, SCRIPTS, MarkedScript, Measures, measure, scripts_of
+from mistaken_scripts import mistaken_scripts
 from slipped_scripts import LIKE_LAWS, SlippedScript, slipped
 
 import restitution
@@ -280,6 +281,44 @@ def test_altered_laws_are_found_where_they_stand() -> None:
     scripts = [s for path in [*OWN, *EXAMPLES] for s in altered_of(text(path))]
     wrong = [(s.variant, s.lines, said) for s in scripts if (said := outcome(s)) is not None]
     assert len(wrong) <= 0.1 * len(scripts), wrong
+
+
+# --- mistakes with data put in, and no letter declared --------------------------------------------
+
+
+def mistaken(number: int, seed: int) -> list[AlteredScript]:
+    """So many scripts with one altered law, as students type them: of each question a few."""
+    random = Random(seed)
+    scripts: list[AlteredScript] = []
+    paths = [*OWN, *EXAMPLES, *QUESTIONS]
+    while len(scripts) < number:
+        statement = text(random.choice(paths))
+        hand = hand_of(random, statement) if random.random() < 0.5 else None
+        try:
+            found = list(mistaken_scripts(statement, random, hand))
+        except (RestitutionError, NotPlannedError, IndexError, StopIteration):
+            continue
+        scripts += random.sample(found, min(2, len(found)))
+    return scripts[:number]
+
+
+def is_found_undeclared(script: AlteredScript) -> bool:
+    lines = verdicts(script.statement, script.part, script.working, {})
+    return next((line["n"] for line in lines if line["verdict"] == "false"), None) in script.altered
+
+
+def test_a_sample_of_mistakes_is_found_where_no_letter_is_declared() -> None:
+    scripts = mistaken(8, SEED)
+    missed = [script for script in scripts if not is_found_undeclared(script)]
+    assert len(missed) <= 3, missed
+
+
+@pytest.mark.nightly
+@pytest.mark.timeout(14400)
+def test_mistakes_are_found_where_no_letter_is_declared() -> None:
+    scripts = mistaken(int(os.environ.get("MISTAKEN", "1000")), SEED)
+    missed = [script for script in scripts if not is_found_undeclared(script)]
+    assert len(missed) <= 0.3 * len(scripts), missed
 
 
 # --- slips by machine -----------------------------------------------------------------------------

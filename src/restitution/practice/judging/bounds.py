@@ -33,6 +33,7 @@ from restitution.solving.solution import PartSolution
 Array = Any
 
 _POINTS = 400
+_FEW = 40
 _LARGEST = 6.0
 _NEAR = 1e-9
 _COMPARISONS: Mapping[Sign, Callable[[Array, Array], Array]] = {
@@ -146,6 +147,7 @@ def bounded_by(
             break
     if own is None or own.all() or not own.any():
         return None
+    there = _allowed(conditions, put)
     stated = [_usual(each.claim) for each in entries if each.claim.sign in _COMPARISONS]
     usual = [Claim(Letter(name), "<=", Number(Fraction(1))) for name in sorted(coefficients)]
     for condition in (*stated, *conditions, *usual):
@@ -158,9 +160,19 @@ def bounded_by(
             if value is None:
                 continue
             region = _COMPARISONS[condition.sign](value, _worth(condition.right, put))
-            if np.mean(region == own) > 1 - 1 / _POINTS:
+            if np.mean((region == own)[there]) > 1 - 1 / _POINTS:
                 return other.number
     return None
+
+
+def _allowed(conditions: Iterable[Claim], put: Mapping[str, Array]) -> Array:
+    """The points at which the conditions on letters of the statement hold."""
+    there = np.ones(_POINTS, dtype=bool)
+    for each in conditions:
+        region = _region(each, put)
+        if region is not None and region.sum() > _FEW:
+            there = there & region
+    return there
 
 
 def _usual(claim: Claim) -> Claim:

@@ -16,6 +16,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Negate,
+    has_quantity,
     letters,
 )
 from restitution.practice.judgement import Verdict
@@ -267,6 +268,9 @@ class Following(OwnValues):
                 continue
             entry = self._entry_of(line, link, claim)
             conditions = list(conditions_of(bounds.given, self._letters_worth(line)))
+            conditions += [
+                each for each in bounds.given if not any(map(has_quantity, (each.left, each.right)))
+            ]
             known = {name: float(x.flat[0]) for name, x in self._base.letters.items()}
             entries = [each for each in self.entries if each.number <= line.number]
             source = bounded_by(entry, entries, conditions, known, bounds.coefficients)

@@ -340,7 +340,7 @@ class _Sitting:
     def _doubted(
         self, line: JudgedLine, other: JudgedLine, doubtful: Sequence[str], asks: set[str]
     ) -> JudgedLine:
-        inside = [name for name in doubtful if name in _names_in(line.line)]
+        inside = [name for name in doubtful if name in _names_in_doubt(line)]
         if line.verdict != "false" or not inside or other.verdict not in ("true", "follows"):
             return line
         asks.update(inside)
@@ -359,7 +359,7 @@ class _Sitting:
         named = mistake is not None and mistake.kind == "misconception"
         true = [_names_in(each.line) for each in lines if each.verdict == "true"]
         true += [_names_of(link) for link in line.line.links[: line.link or 0]]
-        names = _names_in(line.line)
+        names = _names_in_doubt(line)
         doubtful: set[str] = set()
         for name, meaning in self.meanings.best.at(line.line.number).items():
             if name in names and meaning.by == "inferred" and not is_phrase(name):
@@ -577,6 +577,14 @@ def _left(link: Link) -> Expression:
 
 def _names_in(line: ScriptLine) -> frozenset[str]:
     return frozenset[str]().union(*map(_names_of, line.links))
+
+
+def _names_in_doubt(line: JudgedLine) -> frozenset[str]:
+    """The letters on which it rests that a line is false.
+
+    ``p = 3(3 - 7/4) = 9/2`` is false whatever p means: its numbers do not agree.
+    """
+    return _names_in(line.line) if line.link is None else _names_of(line.line.links[line.link])
 
 
 def _names_of(link: Link) -> frozenset[str]:

@@ -70,8 +70,9 @@ def of_natures(claim: Claim, meanings: Meanings) -> Iterator[Claim]:
             meant = meanings.get(each.name) if isinstance(each, Letter) else None
             if meant is not None and (other := _of_other_nature(meant)) is not None:
                 put[each] = other
-    if put:
-        left, right = (exchanged(side, put) for side in (claim.left, claim.right))
+    single: list[dict[Expression, Expression]] = [{each: put[each]} for each in put]
+    for exchange in [put, *(single if len(put) > 1 else [])] if put else []:
+        left, right = (exchanged(side, exchange) for side in (claim.left, claim.right))
         yield replace(claim, left=left, right=right)
 
 

@@ -379,6 +379,8 @@ def kinds_of(letter: str, in_angle: bool) -> tuple[Kind, ...]:
     base, _, below = letter.rstrip("'").partition("_")
     if base in ("m", "M") and below:
         return ("mass",)
+    if base in ("t", "T") and below.isdigit():
+        return ("time", *_VELOCITIES)
     if base in _BY_LETTER:
         return _BY_LETTER[base]
     return _ANGLES if base in GREEK else _VELOCITIES

@@ -45,6 +45,8 @@ _OTHER_SENSE = 0.8
 _BESIDE = 0.6
 # Of two letters in the order of the alphabet the first mostly belongs to the first body.
 _OTHER_ORDER = 0.97
+# Nearly always so where the letters are numbered: v_1 and v_2.
+_OTHER_NUMBERS = 0.4
 # A line that defines its letter explains nothing, and less than a line that breaks a known law; one
 # that gives it a known value of the start explains as much as that.
 _DEFINED, _STARTED = -0.15, 0.6
@@ -580,13 +582,21 @@ def _naturalness(item: Item, means: Mapping[str, Candidate]) -> float:
         return _ODD_PAIR
     if one.event != other.event or one.axis != other.axis or (one.unchanged and other.unchanged):
         return _ODD_PAIR
-    order = 1.0 if (one.body or "") < (other.body or "") else _OTHER_ORDER
+    order = 1.0
+    if (one.body or "") >= (other.body or ""):
+        order = _OTHER_NUMBERS if _are_numbered(item.pair.names) else _OTHER_ORDER
     if one.beside and one.axis is not None:
         order *= _BESIDE
     same = isinstance(one.quantity, Negate) == isinstance(other.quantity, Negate)
     if item.pair.sign:
         return order if same == (item.pair.sign > 0) else _ODD_PAIR
     return order if same else _OTHER_SENSE
+
+
+def _are_numbered(names: Sequence[str]) -> bool:
+    """Whether letters are one with numbers in their order: v_1 and v_2."""
+    first, second = (name.partition("_") for name in names)
+    return first[0] == second[0] and (first[2], second[2]) == ("1", "2")
 
 
 def linear_pair(

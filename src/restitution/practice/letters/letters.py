@@ -17,7 +17,6 @@ import numpy as np
 
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
-    Apply,
     Binary,
     Degrees,
     Expression,
@@ -28,7 +27,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import By, Meaning
-from restitution.practice.letters.candidates import Candidate, kinds_of, suffix
+from restitution.practice.letters.candidates import Candidate, earlier, kinds_of, suffix
 from restitution.practice.letters.dependence import Dependence, Relation
 from restitution.practice.letters.inference import (
     Item,
@@ -81,6 +80,7 @@ _MOMENTUM = 1.8
 _PLACES = 5
 _LAST = 10**6
 _VELOCITIES = frozenset("vVwW")
+_EARLIER = frozenset("uU")
 _PERPENDICULAR = frozenset(("perp", "perpendicular", "perpendicularly", "across"))
 _ALONG = frozenset(("along", "parallel", "par", "loc", "centres", "centers"))
 
@@ -244,26 +244,19 @@ class _Search:
         return frozenset(seen - force.keys() - self.around.letters)
 
     def _definitions(self) -> Iterator[tuple[str, tuple[int, Expression]]]:
-        """Letters whose first line gives them a known value.
-
-        One for a function of an angle, t = tan α, may be defined behind its first use.
-        """
+        """Letters whose first line gives them a known value."""
         seen: set[str] = set()
         for line in self.lines:
             for link, names in self.items[line.number]:
                 fresh = names - seen
                 seen |= names
-                if len(names) != 1 or any(" " in name for name in names):
-                    continue
-                (name,) = names
-                tree = _defining(link.readings[0], name)
-                if fresh:
+                if len(names) == 1 and fresh and not any(" " in name for name in names):
+                    (name,) = names
                     self.defined.add(name)
-                elif not isinstance(tree, Apply) or not isinstance(tree.argument, Letter):
-                    continue
-                if tree is not None and (fresh or name not in self.defined):
-                    self.defined.add(name)
-                    yield name, (line.number, tree)
+                    for claim in link.readings[:1]:
+                        tree = _defining(claim, name)
+                        if tree is not None:
+                            yield name, (line.number, tree)
 
     def _vanishing(self) -> Iterator[str]:
         """Letters of which a line says that they are zero: ``v = 0``, ``2(-w) = 2 × 0``."""
@@ -368,13 +361,38 @@ class _Search:
     def _is_velocity(self, name: str) -> bool:
         """Whether a letter is one for velocities, and a vector by its first line: v = 3i + 2j."""
         base = name.partition("_")[0]
-        if name not in self.definitions or base not in _VELOCITIES:
+        if base not in _VELOCITIES | _EARLIER:
             return False
+        if name not in self.definitions:
+            return name in self.vectors
         if base in "wW" and any(each.position for each in self.around.problem.spheres):
             return False  # it may be a place
         number, tree = self.definitions[name]
         value = self.around.tester.value(tree, {}, Frame(None, self.meanings(number)))
         return isinstance(value, Vector) and not self.around.of_the_start(value)
+
+    @cached_property
+    def vectors(self) -> frozenset[str]:
+        """The letters that are vectors in an equation of vectors: ``I = 2(v - 3i + 5j)``."""
+        found: set[str] = set()
+        samples = self.around.world.samples
+        number, vector = np.ones(samples), Vector(np.ones(samples), 2 * np.ones(samples))
+        for line in self.lines:
+            frame = Frame(None, self.meanings(line.number))
+            for link, names in self.items[line.number]:
+                claim = link.readings[0]
+                if len(names) == 1 and claim.sign == "=":
+                    (name,) = names
+                    sides = claim.left, claim.right
+                    as_number, as_vector = (
+                        [self.around.tester.value(side, {name: each}, frame) for side in sides]
+                        for each in (number, vector)
+                    )
+                    if all(isinstance(each, Vector) for each in as_vector) and not all(
+                        isinstance(each, Vector) for each in as_number
+                    ):
+                        found.add(name)
+        return frozenset(found)
 
     def usual(self, name: str, scope: Scope) -> Candidate | None:
         """What a letter or phrase means where no line tells."""
@@ -385,6 +403,8 @@ class _Search:
         if self._is_velocity(name):
             moving = [each for each in self.around.candidates if each.kind == "velocity"]
             after = [each for each in moving if each.event and scope.event in (None, each.event)]
+            if earlier(name):
+                after = [each for each in moving if each.event == 0]
             own = [each for each in after if each.body == suffix(name)]
             return own[-1] if own else after[0] if len(after) == 1 else None
         usage = Usage(name, name in self.angular, scope)

@@ -27,7 +27,7 @@ from restitution.practice.letters.candidates import Candidate, before_event, can
 from restitution.practice.letters.inference import Item
 from restitution.practice.letters.instances import Instances
 from restitution.practice.letters.interpretation import FixedLetter
-from restitution.practice.letters.options import staged
+from restitution.practice.letters.options import of_trees, staged
 from restitution.practice.letters.slots import Slot, makes_idle, same_size
 from restitution.practice.letters.trial import Tester
 from restitution.practice.reading.phrases import is_phrase, read_phrase
@@ -35,6 +35,9 @@ from restitution.practice.script import ANYWHERE, Scope, Script, ScriptLine
 from restitution.practice.worlds.world import World
 from restitution.problem import Event, Find, Impact, Let, Part, Problem, trees
 from restitution.vector import Vector
+
+# What a quantity costs that is no usual one, but asked for.
+_ASKED = 0.2
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,6 +68,10 @@ class Surroundings:
     @cached_property
     def candidates(self) -> tuple[Candidate, ...]:
         """Every quantity that a letter may mean."""
+        usual = list(candidates(self.problem, self.part))
+        known = {each.quantity for each in usual}
+        further = (tree for tree in self.asked if tree not in known and isinstance(tree, Quantity))
+        usual += [replace(each, cost=_ASKED) for each in of_trees(further)]
         return tuple(
             replace(
                 each,
@@ -72,14 +79,14 @@ class Surroundings:
                 varies=self._varies(each),
                 asked=each.nature != "vector" and each.quantity in self.asked,
             )
-            for each in candidates(self.problem, self.part)
+            for each in usual
             if not self._is_no_time(each) and not self._is_of_the_axes(each)
         )
 
     @cached_property
-    def asked(self) -> frozenset[Expression]:
+    def asked(self) -> tuple[Expression, ...]:
         """The quantities that the part asks for, with the numbers of their events."""
-        return frozenset(
+        return tuple(
             staged(item.expression, self.problem, self.part, now)
             for step, now, _ in self.problem.timeline(self.part)
             if isinstance(step, Find)

@@ -409,8 +409,24 @@ class _Examiner:
                 if self.values.is_formula(line):
                     continue
                 use = self._use(line, point)
-                if use is not None:
+                if use is not None and not self._is_stated_wrongly(line, use):
                     yield line, use
+
+    def _is_stated_wrongly(self, line: JudgedLine, use: Use) -> bool:
+        """Whether a line only implies a law that a line above states wrongly."""
+        if use.principle not in _LAWS or use.altered is not None or line.verdict == "false":
+            return False
+        if line.uses[0].principle == use.principle:
+            return False
+        return any(
+            each.verdict == "false"
+            and any(
+                (own.principle, own.event) == (use.principle, use.event) and own.altered
+                for own in _fitting(each)[:1]
+            )
+            for each in self.lines
+            if each.line.number < line.line.number
+        )
 
     def _use(self, line: JudgedLine, point: MarkPoint) -> Use | None:
         """The use of the point's principle in a line, at its event and for its bodies."""

@@ -38,7 +38,10 @@ _MASS_CENTRE = frozenset(("centre", "center", "mass", "com"))
 
 @dataclass(frozen=True)
 class Features:
-    """Features of a phrase; ``names`` stand in the order of the words."""
+    """Features of a phrase; ``names`` stand in the order of the words.
+
+    ``timed`` tells that its words say whether it is before or after the event.
+    """
 
     heads: frozenset[str] = frozenset()
     names: tuple[str, ...] = ()
@@ -51,6 +54,7 @@ class Features:
     wall: bool = False
     both: bool = False
     mass_centre: bool = False
+    timed: bool = False
 
 
 def words_of(text: str) -> tuple[str, ...]:

@@ -116,7 +116,9 @@ def read_phrase(
     if event is not None and features.event is None and not features.heads & _OF_THE_WHOLE:
         features = replace(features, event=_counted(event, features, problem))
     stages: tuple[Literal["after", "before"], ...] = ("after", "before")
-    staged = [features] if features.stage else [replace(features, stage=each) for each in stages]
+    staged = [replace(features, stage=each) for each in stages]
+    if features.stage:
+        staged = [replace(features, timed=True)]
     if features.heads == {"energy"} and not (features.stage or features.names):
         # As a title it may stand for what is lost: KE: 50 - 34 = 16.
         staged.append(replace(features, heads=frozenset(("energy", "loss"))))
@@ -556,7 +558,8 @@ class _Reader:
                 yield value if normal else square
             if features.axis is None:
                 yield Binary("-", Degrees(Fraction(180)), value)
-            yield Quantity("deflection", (Name(body),), self.after(event))
+            if not features.timed:  # that of before or after is to a line
+                yield Quantity("deflection", (Name(body),), self.after(event))
         if not spheres and features.direction is None and len(self.bodies_met(event)) == 2:
             first, second = (self.of("velocity", each, event) for each in self.bodies_met(event))
             yield Quantity("angle", (first, second))  # the angle between them

@@ -46,6 +46,8 @@ from restitution.practice.script import Claim, Declaration, Link, Sign
 from restitution.problem import Impact, Problem
 
 MAX_CLAIMS = 24
+# Letters that stand for a sine, a cosine or a tangent where they are equated with one.
+_SHORT_FOR = frozenset("cstCST")
 # Words behind which a relation without a left side goes on from the last right one.
 _CONNECTING = frozenset(
     ("so", "hence", "therefore", "=>", ",", "and", "or", "then", "thus", "which", "giving", "->")
@@ -698,6 +700,11 @@ class _Reader:
 
     # -- declarations ---------------------------------------------------------------------------
 
+    def _is_shorthand(self, left: Letter, right: Expression) -> bool:
+        """Whether a letter stands for a sine, a cosine or a tangent: ``t = tan α``."""
+        free = left.name in _SHORT_FOR and left.name not in self.usage.letters
+        return free and isinstance(right, Apply) and isinstance(right.argument, Letter)
+
     def declaration(
         self,
         segment: Segment,
@@ -721,7 +728,7 @@ class _Reader:
             self.declared.declare_all(letters_before, token)
             return True
         defined = self.defines and not is_numeric(right)
-        if self.declares or defined:
+        if self.declares or defined or self._is_shorthand(left, right):
             text = self.line.text[sides[1][0].start : sides[1][-1].end]
             self.declared.add(Declaration(left.name, tuple(s.tree for s in read[1]), text))
             return True
