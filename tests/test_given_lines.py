@@ -93,3 +93,18 @@ def test_what_a_note_names_is_introduced_before_it() -> None:
     bare = replace(derivation, lines=(), items=(), notes=(note,))
     text = to_text(explanation_of(bare, problem))
     assert text.index("Let t be the time") < text.index("t = 2 s")
+
+
+def test_an_arrival_names_the_impact_that_has_the_line() -> None:
+    """The latest event is no impact: how that of the impact is asked for."""
+    text = """
+sphere A, B: mass 1
+sphere A: at (0, 0), velocity 2i + j
+sphere B: at (2, 1), at rest
+point H: (4, 1)
+A hits B: along i, e = 1/2
+B reaches H
+find line_of_centres
+"""
+    (item,) = solve(parse(text)).parts[None].items
+    assert "line_of_centres(1)" in str(item.error)

@@ -117,7 +117,7 @@ def quantity(state: State, tree: Quantity, now: int) -> Value:
         case "line_of_centres":
             event = event_of(state, tree, now)
             if event.centres is None:
-                raise _error(tree, "this event has no line of centres")
+                raise _error(tree, _without_a_line(state, event))
             along = event.oriented()
             return along / state.size(along)
         case "mass":
@@ -133,6 +133,17 @@ def quantity(state: State, tree: Quantity, now: int) -> Value:
         case "dot":
             return evaluator.vector(arguments[0]).dot(evaluator.vector(arguments[1]))
     raise UnsupportedError(f"the quantity {kind} is not known here", *line_and_column(tree.place))
+
+
+def _without_a_line(state: State, event: Happening) -> str:
+    """That an event has no line of centres, and how that of the last impact before it is named."""
+    earlier = [each for each in state.happenings[: event.number - 1] if each.centres is not None]
+    if not earlier:
+        return "this event has no line of centres"
+    return (
+        f"event {event.number} has no line of centres; that of the impact before it is "
+        f"line_of_centres({earlier[-1].number})"
+    )
 
 
 def angle_between(state: State, a: Vector, b: Vector) -> Angle:
