@@ -143,3 +143,26 @@ def test_what_rests_on_an_impossible_coefficient_says_so() -> None:
     working = " ".join(to_text(explain(solve(parse(text))), 80).split())
     assert "What follows is implied by what is given all the same." in working
     assert "does not rest on e" not in working
+
+
+def test_what_has_no_value_bounds_no_letter() -> None:
+    """v = 0 and w = u cos 30° = eu cos 30° × k: with m = 0 nothing has a value."""
+    solution = solve(
+        parse(
+            "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\nA hits B\n"
+            "given direction(A) = 60°, direction(B) = -30°\nfind e in terms of k\nfind range of k"
+        )
+    )
+    assert solution["range of k"].answers[0].value == sp.Interval(1, sp.oo)
+    assert solution["e"].rejected == ()
+
+
+def test_a_coordinate_that_is_reached_may_be_negative() -> None:
+    """From (4, 4) with −i − 2j to (0, −4)."""
+    solution = solve(
+        parse(
+            "wall W: along i + j, through (0, 0)\nsphere P: at (12, 4), velocity -3i\n"
+            "P hits W: e = 1/3\nP reaches (0, y)\nfind y"
+        )
+    )
+    assert solution["y"].exact == -4

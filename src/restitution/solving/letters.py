@@ -45,6 +45,7 @@ from restitution.oracle.roles import (
 )
 from restitution.problem import (
     Aligned,
+    Arrival,
     Compare,
     Find,
     Given,
@@ -250,16 +251,17 @@ def _components(problem: Problem) -> tuple[set[str], set[str]]:
         for value in (sphere.mass, sphere.radius):
             if isinstance(value, Expression):
                 positive.update(letters(value))
-        if isinstance(sphere.position, Pair):
-            for part in (sphere.position.x, sphere.position.y):
-                (real if _lone(part) else positive).update(letters(part))
+        _coordinates(sphere.position, positive, real)
+    reached = [step.target for _, step in problem.steps() if isinstance(step, Arrival)]
+    for target in reached:
+        _coordinates(target, positive, real)
     for wall in problem.walls:
         for value in wall.lengths:
             if isinstance(value, Expression):
                 positive.update(letters(value))
     for point in problem.points:
         positive.update(letters(point.position))
-    bodies_at = {id(sphere.position) for sphere in problem.spheres}
+    bodies_at = {id(sphere.position) for sphere in problem.spheres} | set(map(id, reached))
     places = {id(point.position) for point in problem.points} | {
         id(value) for wall in problem.walls for value in (wall.through, wall.start, wall.end)
     }
@@ -277,6 +279,13 @@ def _components(problem: Problem) -> tuple[set[str], set[str]]:
         if isinstance(step, Impact) and step.e is not None and not isinstance(step.e, Letter):
             positive.update(letters(step.e))
     return positive, real
+
+
+def _coordinates(place: object, positive: set[str], real: set[str]) -> None:
+    """A coordinate of a sphere, where it is or gets to, may be any number."""
+    if isinstance(place, Pair):
+        for part in (place.x, place.y):
+            (real if _lone(part) else positive).update(letters(part))
 
 
 def _vector_roles(tree: Expression, positive: set[str], real: set[str]) -> None:

@@ -68,6 +68,14 @@ Border = tuple[Enclosed, sp.Expr]
 """A critical value of a letter, in numbers and as it is."""
 
 
+def _has_values(trial: Trial) -> bool:
+    """Whether what a solution asks of the letters has a value: with no mass, some has none."""
+    if trial.admission is None:
+        return True
+    values = [each.value for d in trial.admission.demands for each in relations(d.formula)]
+    return not any(each.has(sp.nan, sp.zoo) for each in (*values, *trial.admission.equations))
+
+
 @dataclass
 class Region:
     """The values that one letter can take, in the setting of a part.
@@ -88,7 +96,7 @@ class Region:
         self.setting: Setting = self.outcome.setting
         self.role: Role = self.setting.roles[self.letter]
         self.symbol = self.role.symbol(self.letter)
-        self.trials = [t for t in self.outcome.trials if t.kind != "equation"]
+        self.trials = [t for t in self.outcome.trials if t.kind != "equation" and _has_values(t)]
         self._kept_atoms = self._atoms()
         matter = {s.name for each in self._kept_atoms for s in each.free_symbols}
         self.free = tuple(name for name in self.free if name in matter)

@@ -560,6 +560,11 @@ class Worker:
                 continue
             if any(is_same_value(value, each.value) for each in answers):
                 continue
+            if isinstance(item.expression, Letter) and item.expression.name not in {
+                *trial.root.values,
+                *outcome.setting.lets,
+            }:
+                continue  # the letter is open there
             parts = value if isinstance(value, tuple) else (value,)
             if any(s.name.startswith("_") for p in parts for s in p.free_symbols):
                 continue
