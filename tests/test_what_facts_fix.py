@@ -166,3 +166,16 @@ def test_a_coordinate_that_is_reached_may_be_negative() -> None:
         )
     )
     assert solution["y"].exact == -4
+
+
+def test_a_claim_does_not_rest_on_what_another_question_takes_for_granted() -> None:
+    """½mu² − ¼me²u²(1 + e²), whatever A and B do after so long a time."""
+    solution = solve(
+        parse(
+            "wall W: along j, through (0, 0)\nsphere A: mass m, at (d, 0), velocity -u i\n"
+            "sphere B: mass m, at (3d, 0), at rest\nA hits W: e = e\nA hits B: along i, e = e\n"
+            "find distance(A, B, at 4d/(e u))\n"
+            "show total_energy_lost = 1/4 m u^2 (2 - e^2 - e^4)"
+        )
+    )
+    assert solution["total_energy_lost = 1/4 m u^2 (2 - e^2 - e^4)"].holds is True

@@ -7,6 +7,7 @@ said to be undecided.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from fractions import Fraction
 from typing import Protocol
 
@@ -123,8 +124,12 @@ _WEAKNESS = ("algebra", "decision", "intervals", "witness", "undecided")
 
 def _verdict(outcome: Outcome, branch: Branch, step: Show, now: int) -> tuple[Verdict, Formula]:
     """The verdict on a claim in one solution, and the claim as a formula in its letters."""
-    claim = _formula(step, branch, now)
     letters_ = branch.letters
+    if isinstance(letters_, Letters) and not letters_.certain:
+        # Signs may have been taken for granted for other questions: told anew, for this one alone.
+        letters_ = replace(letters_, assumed=[], undecided=[])
+        branch = replace(branch, letters=letters_, exact=branch.tell(letters_))
+    claim = _formula(step, branch, now)
     oracle = _oracle(outcome, branch)
     try:
         verdict = oracle.decide(claim)
