@@ -179,3 +179,12 @@ def test_a_claim_does_not_rest_on_what_another_question_takes_for_granted() -> N
         )
     )
     assert solution["total_energy_lost = 1/4 m u^2 (2 - e^2 - e^4)"].holds is True
+
+
+def test_a_component_has_no_vector_in_it() -> None:
+    text = (
+        "sphere A: mass 2, velocity 4i\nsphere B: mass 3, velocity 2j\nA receives p i + 4 j\n"
+        "A hits B: along i, e = 1/4\ngiven velocity(A) = 1/2 velocity(B) + j\nfind velocity(B)"
+    )
+    working = " ".join(to_text(explain(solve(parse(text))), 80).split())
+    assert "It is given that 𝐯_A2 = ½𝐯_B + 𝐣." in working

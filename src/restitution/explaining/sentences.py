@@ -514,6 +514,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "centres does not close."
     ),
     "range.every": "So every value of {letter} is possible:",
+    "range.every-free": "No condition bounds {letter}, so every value of it is possible:",
     "range.every-holds": "This always holds, so every value of {letter} is possible:",
     "extremum.with": "{place} and so {other}",
     "extremum.approached": "as {place}: a bound that is approached and not reached",

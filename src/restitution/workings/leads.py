@@ -33,6 +33,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Pair,
+    Polar,
     Quantity,
     Unit,
     has_quantity,
@@ -238,7 +239,7 @@ class Leads:
                         link.right,
                         lambda e: Letter(letter) if e == velocity else e,  # noqa: B023
                     )
-                    if not has_quantity(own):
+                    if not has_quantity(own) and not _has_vector(own):
                         return Quantity("along", (link.left, line)), own
         return None
 
@@ -1108,7 +1109,12 @@ class Leads:
                 if any(fact is not None and fact.kind == "range" for fact in facts):
                     yield say("given.data")  # what is given of the letter bounds it
                 else:
-                    name = "range.every-holds" if holds else "range.every"
+                    before = any(
+                        each.item == line.item and each.number < line.number
+                        for each in self._derivation.lines
+                    )
+                    free = "range.every" if before else "range.every-free"
+                    name = "range.every-holds" if holds else free
                     yield say(name, letter=self._naming.layout(letter))
         for ref in line.premises if line.move.id == "compare" else ():
             own = self._derivation.line(ref) if isinstance(ref, int) else None
@@ -1246,6 +1252,10 @@ def _degrees(tree: Expression) -> Fraction:
         case Degrees(value):
             return value
     return Fraction(0)
+
+
+def _has_vector(tree: Expression) -> bool:
+    return any(isinstance(node, Unit | Pair | Polar) for node in walk(tree))
 
 
 def _is_multiple(relation: Relation | Meaning) -> bool:
