@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from functools import lru_cache
 from itertools import pairwise
+from pathlib import Path
 
+import numpy as np
 import pytest
 
 import restitution as r
 from restitution.errors import StatementError
 from restitution.expression import read_expression, write_expression
+from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Expression
 from restitution.practice.letters.candidates import is_odd
 from restitution.practice.letters.declaring import letters_from_mapping, letters_from_text
@@ -420,3 +423,53 @@ def test_a_line_that_is_true_of_another_quantity_is_a_question() -> None:
     lines = ["tan y = (-u/8)/(-3√3 u/8) = √3/9 so y = arctan(√3/9) - 180°"]
     verdicts = [each["verdict"] for each in r.mark(solution, lines).json()["lines"]]
     assert "false" not in verdicts
+
+
+# --- meanings in words, and the letters of diagrams -----------------------------------------------
+
+
+def _wordings() -> Iterator[tuple[str, str, str]]:
+    text = (Path(__file__).parent / "letter_meanings.txt").read_text(encoding="utf-8")
+    for chunk in text.split("=== ")[1:]:
+        statement, _, table = chunk.partition("\n")[2].partition("---\n")
+        for row in table.splitlines():
+            words, _, meant = row.partition(" | ")
+            yield statement, words, meant
+
+
+def test_there_are_fifty_wordings() -> None:
+    assert len(list(_wordings())) >= 50
+
+
+@pytest.mark.parametrize(("statement", "words", "meant"), list(_wordings()))
+def test_words_name_the_quantity_that_is_meant(statement: str, words: str, meant: str) -> None:
+    problem, solution = solved(statement)
+    (world,) = true_worlds(solution, None)
+    trees = {}
+    for text in (words, meant):
+        found = letters_from_mapping({"z": text}, problem)["z"]
+        trees[text] = found[0] if isinstance(found, tuple | list) else found
+    own, wanted = (world.value(trees[text]) for text in (words, meant))
+    assert type(own) is type(wanted)
+    if isinstance(own, Angle):
+        own, wanted = own.measure(), wanted.measure()
+    assert np.allclose(np.array(own), np.array(wanted))
+
+
+DIAGRAMS = (
+    *("two-spheres-with-vectors", "sphere-at-rest", "wall-with-vectors", "right-angled-corner"),
+    *("both-moving-at-angles", "wall-in-letters", "slanting-wall", "speeds-and-angles"),
+    *("find-e-at-a-wall", "three-spheres-oblique", "parallel-walls"),
+)
+
+
+@pytest.mark.parametrize("name", DIAGRAMS)
+def test_the_letters_of_a_diagram_are_read_again(name: str) -> None:
+    folder = Path(__file__).parents[1] / "src" / "restitution" / "examples"
+    problem, solution = solved((folder / f"{name}.impact").read_text(encoding="utf-8"))
+    rows = letters_box(problem, solution)
+    assert rows
+    assert len({row.letter for row in rows}) == len(rows)
+    assert letters_from_mapping({row.letter: row.meaning for row in rows}, problem).keys() == {
+        row.letter for row in rows
+    }
