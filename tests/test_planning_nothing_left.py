@@ -1,11 +1,16 @@
-"""Ratios that are zero, and speeds that are a component with roots in roots: each has a line."""
+"""Ratios that are zero, or of squares, and speeds with roots in roots: each has a line."""
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import pytest
 from workings import planned
 
-from restitution.explaining.notation import write_relation
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import read_relation, write_relation
+from restitution.oracle import Oracle
+from restitution.solving.letters import roles
 
 STOPPED = """
 sphere A: mass m, velocity u i
@@ -37,3 +42,22 @@ def test_what_moves_along_the_line_of_centres_has_its_component_as_speed() -> No
     assert write_relation(derivation.items[1].answer) == (
         "speed(B, 1) = u sqrt(7(19 - sqrt(73)))/24"
     )
+
+
+SQUARES = """
+sphere A: mass 2m, velocity 3u i + 4u j
+sphere B: mass 3m, velocity -2u i + u j
+A hits B: along i, e = 1/3
+find speed(A)^2/speed(A, 0)^2
+"""
+
+
+def test_a_ratio_of_squares() -> None:
+    problem, derivation = planned(SQUARES)
+    assert write_relation(derivation.items[0].answer) == "speed(A, 1)^2/speed(A, 0)^2 = 17/25"
+    *above, last = derivation.lines
+    false = read_relation("speed(A, 1)^2/speed(A, 0)^2 = 16/25", {"A": "sphere"})
+    wrong = replace(derivation, lines=(*above, replace(last, relation=false)))
+    assert "does-not-follow" in {
+        each.reason for each in follow(wrong, Oracle(roles(problem))) if each.line == last.number
+    }

@@ -57,6 +57,26 @@ def is_put(step: Step, line: Link) -> bool:
     return any(
         matches_with(step, line, expected_residual(step, each, rules), rules, each.sign)
         for each in (*flat(base.only), *_below_roots(step, base))
+    ) or _is_ratio_of_powers(step, line)
+
+
+def _is_ratio_of_powers(step: Step, line: Link) -> bool:
+    """Whether a quotient of powers of quantities is what it is with the values that are cited.
+
+    Of the square of a speed the line of the speed is no factor: what they come to is compared.
+    """
+    match line.left:
+        case Binary("/", Binary("^", Quantity(), _), Binary("^", Quantity(), _)):
+            pass
+        case _:
+            return False
+    before, after = step.residual(line), step.residual(line, step.rules())
+    return (
+        line.sign == "="
+        and isinstance(before, Quotient)
+        and isinstance(after, Quotient)
+        and after.vanishes
+        and not before.vanishes
     )
 
 
