@@ -420,6 +420,29 @@ find deflection(P)
         ("δ = arctan(2/3) + arctan(2/3) = 2 arctan(2/3)",),
         (),
     ),
+    "an offset that is found by its angle": (
+        """
+sphere A: mass m, velocity 5u i, radius 10
+sphere B: mass m, at rest, radius 10
+A hits B: offset d, e = 1/2
+given angle(line_of_centres, i) = arcsin(4/5)
+find d, speed(B)
+""",
+        ("the path of A has sine ⅘ and cosine ⅗:",),
+        ("Substituting for d",),
+    ),
+    "a speed in what is to be shown stands before no energy": (
+        """
+wall W: along j
+sphere P: velocity u at 90° - alpha
+P hits W: e = e
+let beta = angle(velocity(P), W)
+show cos(beta) * speed(P) = u cos(alpha)
+find energy(P)/energy(P, 0)
+""",
+        ("kinetic energy of P",),
+        ("Speed, from its components",),
+    ),
     "a speed that is asked after the energy": (
         """
 wall W: along i

@@ -325,9 +325,17 @@ def _of_one_term(work: Work, line: Line) -> bool:
         isinstance(each, Apply) and each.function in ("sqrt", "abs") and _is_sum(each.argument)
         for each in nodes
     )
-    angled = any(isinstance(each, Apply) and isinstance(each.argument, Degrees) for each in nodes)
+    angled = any(_is_over_a_ratio(each) for each in nodes)
     axes = {each.axis for each in nodes if isinstance(each, Unit)}
     return not (squares or rooted or angled or len(axes) > 1)
+
+
+def _is_over_a_ratio(tree: Expression) -> bool:
+    """Whether a tree is a quotient by the sine or the cosine of an angle in degrees."""
+    match tree:
+        case Binary("/", _, Apply("sin" | "cos", Degrees())):
+            return True
+    return False
 
 
 def is_given(work: Work, line: Line) -> bool:

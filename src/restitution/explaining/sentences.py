@@ -166,6 +166,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{side} of {path}. So the angle between the line of centres and that path has sine {sine}, "
         "and is {angle}:"
     ),
+    "offset.angle": (
+        "The angle between the line of centres and {path} has sine {sine} and cosine {cosine}:"
+    ),
     "offset.none": (
         "At the impact the centre of {other} is on {path}. So the line of centres is along that "
         "path:"

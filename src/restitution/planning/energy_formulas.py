@@ -94,7 +94,7 @@ def _speed_before(scene: Scene, body: str, stage: int) -> None:
     speed = Quantity("speed", (Name(body),), stage)
     if (
         stage not in scene.model.frames
-        or speed not in scene.asked
+        or speed not in scene.asked_alone
         or known_speed(scene, body, stage)
     ):
         return

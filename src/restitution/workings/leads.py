@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 from restitution.exact import tidy
 from restitution.explaining.definitions import past_a_right_angle, tie_of
@@ -49,7 +50,7 @@ from restitution.workings.in_any_case import range_behind
 from restitution.workings.measured import worth
 from restitution.workings.meetings import condition_of, passing_of
 from restitution.workings.naming import Naming
-from restitution.workings.offsets import is_offset, offset_sentence
+from restitution.workings.offsets import angle_of_offset, is_offset, offset_sentence
 from restitution.workings.one_component import vector_resolved
 from restitution.workings.reasons import Reasons
 from restitution.workings.sources import Source, Sources
@@ -426,12 +427,10 @@ class Leads:
                 yield say("given.fact", fact=words)
             elif (offset := next(filter(is_offset, given), None)) is not None:
                 # Once the offset is known, the same fact gives the line in numbers.
-                again = offset.id in self._given
-                yield (
-                    self._worked_out(offset, line)
-                    if again
-                    else offset_sentence(offset, self._naming, given=False)
-                )
+                if offset.id in self._given:
+                    yield self._of_a_known_offset(offset, line) or self._worked_out(offset, line)
+                else:
+                    yield offset_sentence(offset, self._naming, given=False)
                 self._given.add(offset.id)
             else:
                 yield say("given.data")
@@ -566,6 +565,20 @@ class Leads:
             ).equals(0):
                 return say("derived.divided", factor=self._naming.layout(each))
         return None
+
+    def _of_a_known_offset(self, fact: Fact, line: Line) -> Sentence | None:
+        """The angle of an offset that was found, if the line of centres stands in no letters."""
+        assert isinstance(line.relation, Relation)
+        known: dict[str, Any] = {}
+        for each in self._derivation.lines[: line.number - 1]:
+            if not isinstance(each.relation, Relation) or len(each.relation.options) != 1:
+                continue
+            if each.relation.only[0].left == line.relation.only[0].left:
+                return None
+            left = each.relation.only[0].left
+            if each.number in line.premises and isinstance(left, Letter):
+                known[left.name] = worth(each.relation.only[-1].right)
+        return angle_of_offset(fact, known, self._naming)
 
     def _sine_of_an_offset(self, line: Line) -> Iterator[Sentence]:
         """How an offset gives the sine of an angle that is given, said the first time."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import sympy as sp
@@ -22,6 +23,26 @@ def is_offset(fact: Fact) -> bool:
         case ((Link(_, "=", Polar(_, Apply("arcsin"))),),):
             return True
     return False
+
+
+def angle_of_offset(fact: Fact, known: Mapping[str, sp.Expr], naming: Naming) -> Sentence | None:
+    """The sine and the cosine of the angle that an offset gives, with letters that are known.
+
+    None where others are left.
+    """
+    match fact.relation.only[0].right:
+        case Polar(_, Apply(_, sine_), origin):
+            sine = worth(sine_)
+        case _:
+            return None
+    sine = sine.subs({each: known[each.name] for each in sine.free_symbols if each.name in known})
+    sine = tidy(sp.cancel(sine))
+    if not sine.is_number:
+        return None
+    one, other = naming.events[int(fact.id.partition(" ")[2])].bodies
+    ratios = (tree_of(each) for each in (abs(sine), tidy(sp.sqrt(1 - sine**2))))
+    sides = dict(zip(("sine", "cosine"), map(naming.layout, ratios), strict=True))
+    return say("offset.angle", path=_path(naming, one, other, origin), **sides)
 
 
 def offset_sentence(fact: Fact, naming: Naming, given: bool) -> Sentence:
