@@ -188,3 +188,14 @@ def test_a_component_has_no_vector_in_it() -> None:
     )
     working = " ".join(to_text(explain(solve(parse(text))), 80).split())
     assert "It is given that 𝐯_A2 = ½𝐯_B + 𝐣." in working
+
+
+def test_a_sum_that_is_not_zero_is_divided_by() -> None:
+    """28(1 + e)k/(25 + (4 − 21e)k) = 21(1 + e)/(25k − 3 − 28e) is linear in e without 1 + e."""
+    text = (
+        "sphere A: mass m, velocity 3u i + 4u j\nsphere B: mass k m, velocity -4u i - 3u j\n"
+        "A hits B: along i\ngiven deflection(A) = deflection(B)\nfind e in terms of k"
+    )
+    working = " ".join(to_text(explain(solve(parse(text))), 80).split())
+    assert "Dividing by 1 + e, which is not zero as e ≥ 0:" in working
+    assert "e²" not in working

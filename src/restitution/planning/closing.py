@@ -60,7 +60,7 @@ def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
     symbol = _unknown_of(scene, number, symbol)
     if symbol not in residual(scene, number).free_symbols:
         raise NotPlannedError(f"{symbol} is not in line {number}")
-    number = root_taken(scene, number, symbol)
+    number = _without_common_sums(scene, root_taken(scene, number, symbol), symbol)
     if not (is_square_of_sum(scene, number, symbol) or is_product_of_sums(scene, number, symbol)):
         number = multiplied_out(scene, number, symbol)
     for shape in SHAPES:
@@ -71,6 +71,36 @@ def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
         if source is not None:
             return source
     raise NotPlannedError(f"no way from line {number} to {symbol}")
+
+
+def _without_common_sums(scene: Scene, number: int, symbol: sp.Symbol) -> int:
+    """The line without a sum such as 1 + e, certain not to vanish, that both sides have above."""
+    link = scene.desk.last_link(number)
+    if link.sign != "=" or link.right == ZERO:
+        return number
+    sides = [factored(scene_value(scene, side)) for side in (link.left, link.right)]
+    first, second = (_sums_above(side) for side in sides)
+    common = [
+        base ** min(power, second[base])
+        for base, power in first.items()
+        if base in second and proved_sign(scene.model.ground, base)
+    ]
+    if not common:
+        return number
+    whole = sp.Mul(*common)
+    if symbol not in numerator((sides[0] - sides[1]) / whole).free_symbols:
+        return number  # the sum that goes is all that has the unknown
+    left, right = (tree_of(tidy(side / whole)) for side in sides)
+    relation = chain(left, (right, None))
+    known = background(scene, {each.name for each in whole.free_symbols})
+    refs = scene.judge.enough(Move("cancel"), (number,), relation, known)
+    return number if refs is None else scene.desk.write(Move("cancel"), refs, relation)
+
+
+def _sums_above(value: sp.Expr) -> dict[sp.Expr, sp.Expr]:
+    """The sums that are factors of the upper part of a quotient, each with its power."""
+    powers = (factor.as_base_exp() for factor in sp.Mul.make_args(value))
+    return {base: power for base, power in powers if base.is_Add and power.is_Integer and power > 0}
 
 
 def with_known(scene: Scene, number: int, symbol: sp.Symbol | None = None) -> int:
