@@ -79,8 +79,7 @@ class Item:
     """A link of a line, in all its readings; ``slots`` are the places of the letters in it.
 
     ``weight`` is what it is worth if true. ``line`` is the number of its line. ``fresh`` tells that
-    the lines above do not decide it, ``idle`` that it follows from them. ``pair`` is there where it
-    is linear in two letters alone.
+    the lines above do not decide it. ``pair`` is there where it is linear in two letters alone.
     """
 
     line: int
@@ -91,7 +90,6 @@ class Item:
     frame: Frame = field(default_factory=Frame)
     pair: LinearPair | None = None
     fresh: bool = True
-    idle: bool = False
 
 
 Broken = Callable[[Item, Sequence[Slot]], Mapping[tuple[int, ...], float]]
@@ -145,7 +143,7 @@ def _searched(
         extended = list(_extended(states, number, item, slots, tester, tries))
         if (
             broken is not None
-            and not item.idle
+            and item.fresh
             and not all(number in each.satisfied for each in extended)
         ):
             extended += _breaking(states, number, item, slots, broken(item, slots))
@@ -229,7 +227,7 @@ def _with_item(
     if any(states[0].options[s] < 0 for s in used):
         return list(states)
     judged = list(_judged(states, number, item, slots, tester))
-    if broken is None or item.idle:
+    if broken is None or not item.fresh:
         return judged
     ways = broken(item, slots)
     return [_broken_or_not(state, number, item, slots, ways) for state in judged]

@@ -524,8 +524,7 @@ class _Search:
             if relation == "new" and _is_momentum(item):
                 factor = _MOMENTUM
             fresh = relation == "new"
-            idle = relation == "follows"
-            weighed.append(replace(item, weight=item.weight * factor, fresh=fresh, idle=idle))
+            weighed.append(replace(item, weight=item.weight * factor, fresh=fresh))
         return weighed
 
     def _interpretation(
