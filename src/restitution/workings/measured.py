@@ -218,6 +218,15 @@ def rounded(tree: Expression) -> lay.Layout | None:
     return _rounded(value, _is_angle(tree))
 
 
+def to_figures(tree: Expression, figures: int) -> lay.Layout | None:
+    """A number to so many figures; None for what is none."""
+    try:
+        value = worth(tree)
+    except (RestitutionError, sp.SympifyError):
+        return None
+    return lay.decimal_number(value, figures) if value.is_real else None
+
+
 def to_three_figures(tree: Expression) -> lay.Layout | None:
     """A rounded number with the zeros at its end: 76.0°; None for what is no such number."""
     match tree:

@@ -43,6 +43,7 @@ from restitution.workings.measured import (
     is_plain,
     percentage,
     rounded,
+    to_figures,
     to_three_figures,
     with_unit,
 )
@@ -54,6 +55,9 @@ from restitution.workings.steps import REQUIRED, Row
 _GOES_ON = frozenset({"rearrange", "put", "identity", "value", "cancel"})
 # So many lines after a letter was introduced a reader still knows what it stands for.
 _REMEMBERED = 3
+# Of a value on the way, so that three are right in the end.
+_FIGURES_BETWEEN = 4
+_RATIOS = frozenset({"sin", "cos", "tan"})
 _TANGENTS = frozenset({"tan", "tan-direction"})
 _ORDERS = frozenset({"<", "<=", ">", ">="})
 # What two values are that are known to differ.
@@ -402,6 +406,14 @@ class Rows:
                 if side != sides[-1] and not (sign == "=" and _has_decimals(sides[-1])):
                     sides.append(side)
                     signs.append(sign)
+        if end is None and unit and links[-1].sign == "=" and _of_plain_angles(right):
+            # A component away from a wall is printed with the other sign.
+            printed = (right, right.operand) if isinstance(right, Negate) else (right,)
+            tree = next((e for e in printed if self._naming.layout(e) == sides[-1]), None)
+            figures = None if tree is None else to_figures(tree, _FIGURES_BETWEEN)
+            if figures is not None:
+                sides.append(figures)
+                signs.append("≈")
         nothing = sides[-1] in (lay.Number("0"), lay.ZERO_VECTOR)
         answered = end is not None and not has_quantity(right)
         if unit and not nothing and (answered or is_plain(sides[-1])):
@@ -506,6 +518,12 @@ class Rows:
         if _is_value(trees[0]) and is_plain(sides[-1]) and signs[-1] in ("=", "≈"):
             sides[-1] = with_unit(sides[-1], self._measures.unit(trees[0]))
         return lay.Relation(tuple(sides), tuple(signs))
+
+
+def _of_plain_angles(tree: Expression) -> bool:
+    """Whether a number has ratios of angles such as 37°, of which only a calculator knows."""
+    ratios = [e for e in walk(tree) if isinstance(e, Apply) and e.function in _RATIOS]
+    return bool(ratios) and not letters(tree)
 
 
 def _has_function(tree: Expression) -> bool:
