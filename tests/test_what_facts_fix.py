@@ -199,3 +199,15 @@ def test_a_sum_that_is_not_zero_is_divided_by() -> None:
     working = " ".join(to_text(explain(solve(parse(text))), 80).split())
     assert "Dividing by 1 + e, which is not zero as e ≥ 0:" in working
     assert "e²" not in working
+
+
+def test_a_value_of_whole_degrees_has_four_figures_on_the_way() -> None:
+    """0.7 × 3.4 sin 40° = 1.5298: P moves at 25° + 15° to the wall."""
+    text = (
+        "wall W: along 25°\nsphere P: mass 0.2, velocity 3.4 at -15°\nP hits W: e = 0.7\n"
+        "find speed(P), impulse, deflection(P), energy_lost"
+    )
+    working = " ".join(to_text(explain(solve(parse(text))), 80).split())
+    assert "0.7 × 3.4 sin 40° = 2.38 sin 40° ≈ 1.530 m s⁻¹" in working
+    assert "√((2.38 sin 40°)² + (3.4 cos 40°)²) ≈ 3.02 m s⁻¹" in working
+    assert "not written" not in working and "√(cos" not in working
