@@ -1,0 +1,286 @@
+"""The words before lines of angles: how a body turns, and by which identity."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from restitution.explaining.derivation import (
+    Fact,
+    Line,
+    Link,
+    Meaning,
+    Relation,
+)
+from restitution.explaining.saying import Sentence, say
+from restitution.explaining.trees import trees_of
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    Unit,
+    walk,
+)
+from restitution.workings.lines_around import LinesAround
+
+BY = {
+    "pythagoras": "derived.pythagoras",
+    "double-angle": "derived.double-angle",
+    "half-angle": "derived.half-angle",
+    "sum-of-angles": "derived.sum-of-angles",
+    "complement": "derived.complement",
+}
+# How an angle is made of two to the line of centres, and what is said of it.
+_TANGENTS = {"sum": "derived.tangent-of-sum", "difference": "derived.tangent-of-difference"}
+_TURNED = {
+    "difference": "turned.on",
+    "rest-of-sum": "turned.back",
+    "straight": "turned.straight",
+}
+_OR_ACROSS = {"difference": "turned.on-or-across", "rest-of-sum": "turned.back-or-across"}
+_BESIDE = {
+    "square": "between.beside-same",
+    "square-and-more": "between.beside-opposite",
+}
+_BETWEEN = {
+    "sum": "between.opposite-sides",
+    "difference": "between.one-side",
+    "rest-of-sum": "between.opposite-senses",
+    "rest-of-difference": "between.both-opposite",
+    "square": "between.square-same",
+    "square-and-more": "between.square-opposite",
+    "straight": "between.right",
+}
+
+
+class TurnLeads(LinesAround):
+    """The words before angles of deflection, angles that are the same, and identities."""
+
+    def _identity(self, line: Line) -> str:
+        """The name of an identity: of a tangent that of a sum, or of a difference."""
+        name = BY[line.move.record or ""]
+        named = self._angles_given(line) or self._angles_named(line)
+        base = next(filter(None, map(self._cited, line.premises)), named)
+        if line.move.record != "sum-of-angles" or base is None:
+            return name
+        assert isinstance(line.relation, Relation)
+        link = line.relation.options[0][0]
+        nodes = (*walk(link.left), *walk(link.right))
+        ratios = {e.function for e in nodes if isinstance(e, Apply)} - {"sqrt"}
+        if ratios != {"tan"}:
+            return _of_differences(base, name)
+        sides: tuple[Expression, ...]
+        if isinstance(base.relation, Relation):
+            whole = base.relation.options[0][0]
+            sides = (whole.right, whole.left)
+        else:
+            sides = (base.relation.quantity,)
+        for side in sides:
+            form = _form_of(side) if isinstance(side, Binary) else ""
+            if form in _TANGENTS:
+                return _TANGENTS[form]
+        return name
+
+    def _angles_given(self, line: Line) -> Fact | None:
+        """The given sum or difference of angles of which a line is the tangent."""
+        facts = (
+            self._derivation.fact(premise) for premise in line.premises if isinstance(premise, str)
+        )
+        for fact in facts:
+            if fact is not None and fact.kind == "given" and len(fact.relation.options) == 1:
+                match fact.relation.only:
+                    case (Link(Binary("+" | "-"), "=") | Link(_, "=", Binary("+" | "-")),):
+                        return fact
+                    case (Link(left, "=", right),) if line.move.record == "double-angle":
+                        if isinstance(left, Binary) or isinstance(right, Binary):
+                            return fact
+        return None
+
+    def _angles_named(self, line: Line) -> Fact | None:
+        """The sum or difference of angles that the statement calls by a letter."""
+        for ref in line.premises:
+            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            if fact is not None and fact.id.partition(" ")[0] == "let":
+                match fact.relation.only:
+                    case (Link(Binary("+" | "-"), "="),):
+                        return fact
+        return None
+
+    def _turned(self, line: Line) -> Sentence | None:
+        """How an angle is made of two others; None of a line that makes none."""
+        if line.move.record == "tan-from-axis":
+            return self._came_along(line)
+        event = self._naming.events.get(line.move.event or 0)
+        if line.move.record not in ("sum", "difference") or event is None:
+            return None
+        assert isinstance(line.relation, Relation)
+        first = line.relation.options[0][0]
+        if isinstance(first.left, Quantity) and first.left.kind == "energy_lost":
+            return None
+        body = line.move.bodies[0]
+        if self._by_directions(line):
+            came = self._came_along(line) if not isinstance(first.right, Binary) else None
+            return came or say("turned.directions", body=body)
+        same = self._same(first)
+        if same is not None:
+            return same
+        if event.wall:
+            name = "turned-wall.sum"
+            if line.move.record == "difference":
+                straight = first.right == Degrees(Fraction(180))
+                name = "turned-wall.straight" if straight else "turned-wall.along"
+            return say(name, body=body, wall=event.bodies[1])
+        cited = (self._derivation.line(ref) for ref in line.premises if isinstance(ref, int))
+        named = [each.relation for each in cited if each and isinstance(each.relation, Meaning)]
+        for node in (*walk(first.left), *walk(first.right)):
+            if isinstance(node, Letter) and node.name in self._naming.meanings:
+                named.append(self._naming.meanings[node.name])
+        for each in named:
+            match each.quantity:
+                case Quantity("angle", (Quantity("velocity"), Unit() as axis)):
+                    return say("turned.from", body=body, axis=self._naming.layout(axis))
+        form = self._form_of(first)
+        alone = len(line.move.bodies) == 1
+        if not alone:
+            still = self._standing(line).get("along")
+            if still is not None and form in _BESIDE:
+                (other,) = (each for each in line.move.bodies if each != still)
+                return say(_BESIDE[form], one=still, other=other)
+            if not isinstance(first.right, Binary | Degrees) and (one := self._on_the_line(line)):
+                return say("between.line", body=one)
+            return say(_BETWEEN[form], bodies=line.move.bodies)
+        if form in _OR_ACROSS and (at := self._reasons.right_angle_among(line)) is not None:
+            return say(_OR_ACROSS[form], body=body, at=self._naming.relation(at))
+        if form == "square":
+            name = "turned.square" if self._ends_square(line) else "turned.from-square"
+            return say(name, body=body)
+        turn = self._turn_too_wide(line, first) if form == "rest-of-sum" else None
+        if turn is not None:
+            return say("turned.back-as", body=body, turn=self._naming.layout(turn))
+        return say(_TURNED[form], body=body) if form in _TURNED else None
+
+    def _by_directions(self, line: Line) -> bool:
+        """Whether a deflection is made of directions alone: one of the data, one that stands."""
+        stands = False
+        for ref in line.premises:
+            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            match fact.relation if fact is not None else None if own is None else own.relation:
+                case Relation(((Link(Quantity("direction"), "="), *_),)):
+                    stands = True
+                case Relation(((Link(Letter(name), "="), *_),)) if own is not None:
+                    meaning = self._naming.meanings.get(name)
+                    if meaning is None or _kind_of(meaning.quantity) != "direction":
+                        return False
+                    stands = True
+                case Meaning() | Relation(((Link(Quantity("velocity"), "="), *_),)):
+                    pass
+                case _:
+                    return False
+        return stands
+
+    def _turn_too_wide(self, line: Line, link: Link) -> Expression | None:
+        """The given deflection, where a body that keeps its sense is turned through less."""
+        facts = (self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str))
+        for fact in facts:
+            match None if fact is None else fact.relation.options[0][0]:
+                case Link(Quantity("deflection"), "=", Degrees(value) as turn):
+                    pass
+                case _:
+                    continue
+            degrees = [e.value for e in walk(link.right) if isinstance(e, Degrees)]
+            if sorted(degrees)[-1:] != [180] or value not in degrees or len(degrees) != 3:
+                return None
+            degrees.remove(value)
+            first = min(degrees)
+            return turn if value >= max(first, 90 - first) else None
+        return None
+
+    def _same(self, link: Link) -> Sentence | None:
+        """That an angle to a wall, or to an axis, is the one from **i** that has a letter."""
+        angles = [
+            meaning.quantity
+            for side in (link.left, link.right)
+            for each in walk(side)
+            if isinstance(each, Letter) and (meaning := self._naming.meanings.get(each.name))
+        ]
+        match angles:
+            case [
+                Quantity("angle", (one, Quantity("line_of_centres"))),
+                Quantity("angle", (other, Name(wall))),
+            ] if one == other:
+                return say("same.parallel", wall=wall)
+            case [one, other] if "direction" in (_kind_of(one), _kind_of(other)):
+                pass
+            case _:
+                return None
+        walls = [
+            side
+            for each in angles
+            if isinstance(each, Quantity) and each.kind == "angle"
+            for side in each.arguments
+            if isinstance(side, Name)
+        ]
+        moving = [
+            side
+            for each in angles
+            for side in (each.arguments if isinstance(each, Quantity) else ())
+            if isinstance(side, Quantity)
+        ]
+        if not walls and moving:
+            velocity, axis = (self._naming.layout(e) for e in (moving[0], Unit("j")))
+            return say("same.angle", velocity=velocity, axis=axis)
+        if not walls:
+            return None
+        return say("same.wall", wall=walls[0].name, axis=self._naming.layout(Unit("i")))
+
+    def _form_of(self, link: Link) -> str:
+        """How an angle is made of two to the line of centres, of which a line may give one."""
+        if isinstance(link.left, Binary):
+            return _form_of(link.left)
+        meaning = (
+            self._naming.meanings.get(link.left.name) if isinstance(link.left, Letter) else None
+        )
+        match None if meaning is None else meaning.quantity:
+            case Quantity("angle", (Quantity("velocity"), Quantity("line_of_centres"))):
+                form = _form_of(link.right)
+                return "difference" if form == "sum" else form
+        return _form_of(link.right)
+
+
+def _of_differences(base: Line | Fact, name: str) -> str:
+    """The name of the identity of a sum of angles; of a difference, where all in it are that."""
+    if not isinstance(base.relation, Relation):
+        return name
+    signs = {
+        each.argument.op
+        for tree in trees_of(base.relation)
+        for each in walk(tree)
+        if isinstance(each, Apply) and isinstance(each.argument, Binary)
+        if each.function in ("sin", "cos", "tan") and each.argument.op in ("+", "-")
+    }
+    return "derived.difference-of-angles" if signs == {"-"} else name
+
+
+def _kind_of(angle: Expression) -> str:
+    return angle.kind if isinstance(angle, Quantity) else ""
+
+
+def _form_of(angle: Expression) -> str:
+    """The form in which an angle is written by others."""
+    straight, right = Degrees(Fraction(180)), Degrees(Fraction(90))
+    match angle:
+        case Degrees():
+            return "straight"
+        case Binary("+" | "-" as sign, left, other) if right in (left, other):
+            return "square" if sign == "-" else "square-and-more"
+        case Binary("+", Binary("-", left, _), _) if left == straight:
+            return "rest-of-difference"
+        case Binary("+"):
+            return "sum"
+        case Binary("-", Binary("-", left, _), _) if left == straight:
+            return "rest-of-sum"
+    return "difference"
