@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -10,7 +9,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Meaning, Move, MoveId, Ref, Relation
+from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -26,13 +25,17 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angle_ratios import range_of
 from restitution.planning.angles import angle_to_a_line
-from restitution.planning.cotangents import write_by_cotangent, write_open_angle
+from restitution.planning.cotangents import write_open_angle
 from restitution.planning.desk import NotPlannedError, Source, chain, together
-from restitution.planning.either_side import angle_of_centres
+from restitution.planning.directions import (
+    along_an_axis,
+    along_the_centres,
+    direction_ratio,
+    in_degrees_of,
+)
 from restitution.planning.forms import (
     TWO,
     difference,
-    in_tangents,
     product,
     swept,
     total,
@@ -56,8 +59,9 @@ from restitution.planning.named_angles import (
     tangent_line,
 )
 from restitution.planning.polynomials import expanded
-from restitution.planning.premises import background, nonzero, sign_known
+from restitution.planning.premises import background, sign_known
 from restitution.planning.quantities import formula
+from restitution.planning.ratio_of_an_angle import RANGES, Ratio
 from restitution.planning.same_angles import angle_by_the_same, write_same_angle
 from restitution.planning.scalar_angles import is_long, write_cosine, write_right_angle
 from restitution.planning.scene import Scene
@@ -74,27 +78,7 @@ from restitution.planning.velocity_formulas import (
 from restitution.planning.wall_turns import tangent_at_a_wall
 from restitution.vector import Vector
 
-_RANGES = {"deflection": "0° <= {} <= 180°", "direction": "-180° < {} <= 180°"}
 _FIGURES = 3
-
-Components = tuple[Source, Source]
-
-
-@dataclass(frozen=True)
-class Ratio:
-    """A line that gives a ratio of an angle, and what makes the angle the only one.
-
-    ``open`` tells that the angle is another for other values of the letters.
-    """
-
-    line: int
-    letter: str
-    function: str
-    value: Any
-    extent: str
-    side: tuple[Ref, ...] = ()
-    angle: Expression | None = None
-    open: bool = False
 
 
 def write_angle(scene: Scene, asked: Expression) -> tuple[int, Relation]:
@@ -131,7 +115,7 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
         return next(ref for ref in known.refs if isinstance(ref, int))
     line = None
     if asked.kind == "direction":
-        line = _along_the_centres(scene, asked) or _along_an_axis(scene, asked)
+        line = along_the_centres(scene, asked) or along_an_axis(scene, asked)
     if line is None:
         line = turn_of_directions(scene, asked) or _same_angle(scene, asked)
     if line is None:
@@ -192,7 +176,7 @@ def _by_a_known_ratio(scene: Scene, asked: Quantity) -> Ratio | None:
             if scene.desk.holds(line.number) and line.relation.only[0].left == tree:
                 value = tidy(scene.scalar(scene.desk.last_link(line.number).right))
                 if not value.free_symbols:
-                    extent = _RANGES["deflection"].format(letter)
+                    extent = RANGES["deflection"].format(letter)
                     return Ratio(line.number, letter, function, value, extent)
     return None
 
@@ -269,7 +253,7 @@ def _ratio(scene: Scene, asked: Quantity, wanted: str | None = None) -> Ratio | 
                     raise
             return _between_lines(scene, asked)
         case Quantity("direction", (Name(),), int()):
-            return _direction(scene, asked, wanted)
+            return direction_ratio(scene, asked, wanted)
     raise NotPlannedError(f"no way to the {asked.kind}")
 
 
@@ -305,7 +289,7 @@ def _angle_of(own: Ratio) -> Expression:
     value = own.value
     if own.function == "tan" and not value.free_symbols and value < 0:
         straight = Degrees(Fraction(180))
-        size = _degrees(sp.atan(-value), -value)
+        size = in_degrees_of(sp.atan(-value), -value)
         if isinstance(size, Degrees):
             return Degrees(straight.value - size.value)
         return difference(straight, size)
@@ -313,7 +297,7 @@ def _angle_of(own: Ratio) -> Expression:
         return tree_of(value.args[0])
     if own.function == "tan" and (1 / value).func is sp.tan and (1 / value).args[0].is_Symbol:
         return difference(Degrees(Fraction(90)), tree_of((1 / value).args[0]))
-    return _degrees({"tan": sp.atan, "cos": sp.acos}[own.function](value), value)
+    return in_degrees_of({"tan": sp.atan, "cos": sp.acos}[own.function](value), value)
 
 
 def _to_a_line(scene: Scene, asked: Quantity) -> Ratio:
@@ -323,168 +307,12 @@ def _to_a_line(scene: Scene, asked: Quantity) -> Ratio:
         letter, meaning = letter_of(scene, asked)
         refs = together((meaning,), own.refs)
         line = ratio_line(scene, own.move, refs, Apply("cos", Letter(letter)), own.right, own.value)
-        return Ratio(line, letter, "cos", own.value, _RANGES["deflection"].format(letter))
+        return Ratio(line, letter, "cos", own.value, RANGES["deflection"].format(letter))
     move = Move("define", "tan", own.move.event, own.move.bodies)
     line, letter = tangent_line(scene, asked, own, move)
     to_i_or_j = isinstance(asked.arguments[1], Unit)
-    extent = _RANGES["deflection"] if to_i_or_j else "0° <= {} <= 90°"
+    extent = RANGES["deflection"] if to_i_or_j else "0° <= {} <= 90°"
     return Ratio(line, letter, "tan", own.value, extent.format(letter))
-
-
-def _direction(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int:
-    """The direction of a velocity, from **i**: by its tangent, on the side to which it points."""
-    body, stage = body_and_stage(scene, asked)
-    x, y = in_the_plane(scene, body, stage)
-    if scene.model.identically_zero(x.value):
-        return _along_j(scene, asked, x, y)
-    before_j = scene.model.sign(x.value) > 0
-    open_ = not scene.model.decide(x.value, ">=" if before_j else "<=", 0)
-    turned = write_by_cotangent(scene, asked, x, y) if open_ and wanted is None else None
-    if turned is not None:
-        return turned
-    own = formula(scene, asked)
-    model_frame = scene.model.frames.get(stage)
-    if model_frame is not None and model_frame.angle is not None:
-        own = _needed(scene, asked, own)
-    line, letter = tangent_line(scene, asked, own, own.move)
-    extent = _RANGES["direction"].format(letter)
-    value = own.value
-    if before_j:
-        right = _degrees(sp.atan(value), value)
-    else:
-        # On the other side of j the angle is measured from −i.
-        sign = scene.model.sign(y.value)
-        size = _degrees(sp.atan(-value * sign), -value * sign)
-        straight = Degrees(Fraction(180))
-        if isinstance(size, Degrees):
-            right = Degrees(straight.value - size.value)
-            right = Negate(right) if sign < 0 else right
-        elif sign == 0:
-            right = straight
-        else:
-            right = difference(straight, size) if sign > 0 else difference(size, straight)
-    side = together(x.whole, nonzero(scene, x.value))
-    return Ratio(line, letter, "tan", value, extent, side, right, open_)
-
-
-def _needed(scene: Scene, asked: Quantity, own: Formula) -> Formula:
-    """A tangent without the premises that it can do without."""
-    letter, meaning = letter_of(scene, asked)
-    relation = chain(Apply("tan", Letter(letter)), (own.right, None))
-    refs = scene.judge.needed(own.move, together(own.refs, (meaning,)), relation)
-    return own if refs is None else replace(own, refs=refs)
-
-
-def _along_the_centres(scene: Scene, asked: Quantity) -> int | None:
-    """The line of a direction along a line of centres that is told by its angle."""
-    body, stage = body_and_stage(scene, asked)
-    model_frame = scene.model.frames.get(stage)
-    if model_frame is None or model_frame.wall is not None or model_frame.axis is not None:
-        return None
-    frame = scene.frame(stage)
-    angle = angle_of_centres(scene, stage)
-    along, across = (in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))
-    if angle is None:
-        angle = _in_whole_degrees(frame)
-    if angle is None:
-        return None
-    if along.value == 0 and across.value != 0:
-        return _across_the_centres(scene, asked, angle, (along, across))
-    if across.value != 0 or scene.model.proved_sign(scene.model.in_data(along.value)) != 1:
-        return None
-    known = scene.desk.known(angle) if isinstance(angle, Letter) else None
-    steps: list[tuple[Expression, MoveId | None]] = [(angle, None)]
-    if known is not None:
-        steps.append((tree_of(known.value, angle=True, as_it_is=True), "put"))
-    relation = chain(asked, *steps)
-    move = Move("define", "parallel", stage, (body,))
-    pool = together(across.whole, along.whole, frame.refs, () if known is None else known.refs)
-    premises = scene.judge.needed(move, [*pool, *nonzero(scene, along.value)], relation)
-    return None if premises is None else scene.desk.write(move, premises, relation)
-
-
-def _in_whole_degrees(frame: Frame) -> Expression | None:
-    """The direction of a line of centres that was worked out, if it is one of degrees."""
-    x, y = (sp.sympify(each, strict=True) for each in frame.n)
-    if x.free_symbols | y.free_symbols:
-        return None
-    angle = tree_of(tidy(sp.atan2(y, x)), angle=True)
-    size = angle.operand if isinstance(angle, Negate) else angle
-    return angle if isinstance(size, Degrees) else None
-
-
-def _across_the_centres(
-    scene: Scene, asked: Quantity, angle: Expression, parts: Components
-) -> int | None:
-    """The line of a direction perpendicular to a line of centres that is told by its angle."""
-    body, stage = body_and_stage(scene, asked)
-    sign = scene.model.proved_sign(scene.model.in_data(parts[1].value))
-    if not sign:
-        return None
-    turn = sp.pi / 2 if sign > 0 else -sp.pi / 2
-    right = Binary("+" if sign > 0 else "-", angle, Degrees(Fraction(90)))
-    known = scene.desk.known(angle) if isinstance(angle, Letter) else None
-    steps: list[tuple[Expression, MoveId | None]] = [(right, None)]
-    if known is not None:
-        steps.append((tree_of(tidy(known.value + turn), angle=True, as_it_is=True), "put"))
-    elif not isinstance(angle, Letter):
-        whole = tidy(scene.scalar(angle) + turn)
-        steps.append((tree_of(whole, angle=True, as_it_is=True), "rearrange"))
-    relation, move = chain(asked, *steps), Move("define", "parallel", stage, (body,))
-    refs = () if known is None else known.refs
-    pool = together(*(part.whole for part in parts), scene.frame(stage).refs, refs)
-    premises = scene.judge.needed(move, [*pool, *nonzero(scene, parts[1].value)], relation)
-    return None if premises is None else scene.desk.write(move, premises, relation)
-
-
-def _along_an_axis(scene: Scene, asked: Quantity) -> int | None:
-    """The line of a direction along **i** or **j**, which is read off: one component is 0."""
-    body, stage = body_and_stage(scene, asked)
-    x, y = in_the_plane(scene, body, stage)
-    angle: Expression
-    if y.value == 0 and scene.model.proved_sign(scene.model.in_data(x.value)):
-        angle = Degrees(Fraction(0 if scene.model.sign(x.value) > 0 else 180))
-    elif x.value == 0 and scene.model.proved_sign(scene.model.in_data(y.value)):
-        x, y = y, x
-        angle = Degrees(Fraction(90))
-        angle = angle if scene.model.sign(x.value) > 0 else Negate(angle)
-    else:
-        return None
-    move = Move("define", "parallel", stage or None, (body,))
-    relation = chain(asked, (angle, None))
-    pool = (*y.whole, *x.whole)
-    premises = scene.judge.needed(move, [*pool, *nonzero(scene, x.value)], relation)
-    return None if premises is None else scene.desk.write(move, premises, relation)
-
-
-def _along_j(scene: Scene, asked: Quantity, x: Source, y: Source) -> Ratio:
-    """A direction of 90° or −90°, which has no tangent: by its cosine, which is 0."""
-    body, stage = body_and_stage(scene, asked)
-    letter, meaning = letter_of(scene, asked)
-    zero = sp.Integer(0)
-    line = scene.desk.write(
-        Move("define", "scalar-angle", stage or None, (body,)),
-        together((meaning,), x.whole),
-        chain(Apply("cos", Letter(letter)), (tree_of(zero), None)),
-    )
-    right = Degrees(Fraction(90))
-    up = scene.model.sign(y.value) > 0
-    side = together(y.whole, nonzero(scene, y.value))
-    extent = _RANGES["direction"].format(letter)
-    return Ratio(line, letter, "cos", zero, extent, side, right if up else Negate(right))
-
-
-def _degrees(angle: sp.Expr, value: sp.Expr) -> Expression:
-    """An inverse tangent: in degrees where it is plain, else as it is."""
-    degrees = sp.nsimplify(angle * 180 / sp.pi) if not angle.has(sp.atan, sp.acos) else None
-    if degrees is not None and degrees.is_Rational:
-        number = Fraction(int(degrees.p), int(degrees.q))
-        return Negate(Degrees(-number)) if number < 0 else Degrees(number)
-    function = "arccos" if angle.has(sp.acos) else "arctan"
-    tree = tree_of(in_tangents(value) if value.is_number else value)
-    if function == "arctan" and isinstance(tree, Negate):
-        return Negate(Apply(function, tree.operand))
-    return Apply(function, tree)
 
 
 def _between(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int:
@@ -504,7 +332,7 @@ def _between(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int:
         else:
             if own.move.record == "tan" and not _is_right_angle(scene, own):
                 line, letter = tangent_line(scene, asked, own, own.move)
-                return Ratio(line, letter, "tan", own.value, _RANGES["deflection"].format(letter))
+                return Ratio(line, letter, "tan", own.value, RANGES["deflection"].format(letter))
     sources = [whole_velocity(scene, *each) for each in pair]
     event = max(stage for _, stage in pair) or None
     bodies = tuple(dict.fromkeys(body for body, _ in pair))
@@ -532,7 +360,7 @@ def _between_lines(scene: Scene, asked: Quantity) -> Ratio:
     refs = together((meaning,), own.refs)
     line = ratio_line(scene, own.move, refs, Apply("cos", Letter(letter)), own.right, own.value)
     to_a_line = any(map(is_line, asked.arguments))
-    extent = "0° <= {} <= 90°" if to_a_line else _RANGES["deflection"]
+    extent = "0° <= {} <= 90°" if to_a_line else RANGES["deflection"]
     return Ratio(line, letter, "cos", own.value, extent.format(letter))
 
 
@@ -559,7 +387,7 @@ def _by_scalar(
     letter, meaning = letter_of(scene, asked)
     refs = together((meaning,), *(source.whole for source in sources))
     line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
-    return Ratio(line, letter, "cos", value, _RANGES["deflection"].format(letter))
+    return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
 
 
 def _has_its_product(scene: Scene, asked: Quantity) -> bool:
@@ -611,7 +439,7 @@ def _deflection(
         move = Move("define", "scalar-angle", event, (body,))
         refs = together((meaning,), refs, *(_own_size(scene, each) for each in (a, b)))
         line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
-        return Ratio(line, letter, "cos", value, _RANGES["deflection"].format(letter))
+        return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
     if wanted != "cos" and frame.is_slanted:
         from_axis = _from_an_axis(scene, body, event, asked)
         if from_axis is not None:
@@ -623,7 +451,7 @@ def _deflection(
         if number is not None:
             letter, _ = letter_of(scene, asked)
             value = tidy(scene.scalar(scene.desk.last_link(number).right))
-            return Ratio(number, letter, "tan", value, _RANGES["deflection"].format(letter))
+            return Ratio(number, letter, "tan", value, RANGES["deflection"].format(letter))
     if (
         wanted != "tan"
         and _vectors_in_numbers(scene, body, event, a, b)
@@ -637,7 +465,7 @@ def _deflection(
         return turned
     own = formula(scene, asked)
     line, letter = tangent_line(scene, asked, own, own.move)
-    return Ratio(line, letter, "tan", own.value, _RANGES["deflection"].format(letter))
+    return Ratio(line, letter, "tan", own.value, RANGES["deflection"].format(letter))
 
 
 def _from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio | None:
@@ -671,7 +499,7 @@ def _from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio
     if refs is None:
         return None
     line = ratio_line(scene, move, refs, subject, right, value)
-    return Ratio(line, letter, "tan", value, _RANGES["deflection"].format(letter))
+    return Ratio(line, letter, "tan", value, RANGES["deflection"].format(letter))
 
 
 def _turned_by_a_blow(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio | int:
@@ -692,7 +520,7 @@ def _by_cosine(scene: Scene, asked: Quantity) -> Ratio | None:
         return None
     letter, _ = letter_of(scene, asked)
     value = tidy(scene.scalar(scene.desk.last_link(line).right))
-    return Ratio(line, letter, "cos", value, _RANGES["deflection"].format(letter))
+    return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
 
 
 def _by_turn(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int | None:
@@ -716,7 +544,7 @@ def _by_turn(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int |
         scene.desk.back(mark)
     else:
         return None
-    return Ratio(line, letter, "tan", value, _RANGES["deflection"].format(letter))
+    return Ratio(line, letter, "tan", value, RANGES["deflection"].format(letter))
 
 
 def _is_nested(square_: sp.Expr) -> bool:
