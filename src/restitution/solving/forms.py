@@ -86,6 +86,10 @@ def open_in(value: Angle | Vector | sp.Expr, samples: Samples) -> list[str]:
     return angles
 
 
+LONG = 30
+"""What there is more to read in, by its cost, is tidied once more."""
+
+
 def plain(value: Any, samples: Samples) -> Any:
     """A value of any kind in textbook form: a SymPy expression, or a Vector of two."""
     if isinstance(value, Vector):
@@ -93,8 +97,9 @@ def plain(value: Any, samples: Samples) -> Any:
     if isinstance(value, Angle):
         return angle(value, samples)
     plainer = tidy(signed(sp.sympify(value, strict=True), samples))
-    # With fewer bars there is more to be taken together.
-    return exact.tidy(plainer) if plainer.has(sp.Abs) else plainer
+    # With fewer bars, and of what was too long at first, there is more to be taken together.
+    again = plainer.has(sp.Abs) or exact.cost(plainer) > LONG
+    return exact.tidy(plainer) if again else plainer
 
 
 def bound(x: sp.Expr) -> sp.Expr:
