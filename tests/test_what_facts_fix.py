@@ -211,3 +211,23 @@ def test_a_value_of_whole_degrees_has_four_figures_on_the_way() -> None:
     assert "0.7 × 3.4 sin 40° = 2.38 sin 40° ≈ 1.530 m s⁻¹" in working
     assert "√((2.38 sin 40°)² + (3.4 cos 40°)²) ≈ 3.02 m s⁻¹" in working
     assert "not written" not in working and "√(cos" not in working
+
+
+def test_letters_of_angles_do_not_run_out() -> None:
+    """Five angles of deflection and of paths in one part."""
+    text = (
+        "wall OX: along i\nwall OY: along j\nsphere P: mass m, velocity u at alpha to OX\n"
+        "P hits OX: e = 1/2\nP hits OY: e = 1/3\npart a\nfind minimum of speed(P) over alpha\n"
+        "part b\ngiven total_energy_lost = 5/6 energy(0)\nfind alpha, deflection(P)\npart c\n"
+        "find maximum of deflection(P, 1) over alpha\nfind range of angle(velocity(P), velocity(P, 0))"
+    )
+    assert "so there is no greatest value" in to_text(explain(solve(parse(text))), 80)
+
+
+def test_a_root_of_a_difference_of_squares_is_seen_to_fall() -> None:
+    text = (
+        "sphere A: mass m, velocity u i, radius a\nsphere B: mass m, at rest\n"
+        "A hits B: offset d, e = 1/2\nfind maximum of speed(B) over d"
+    )
+    working = to_text(explain(solve(parse(text))), 80)
+    assert "as 3u√(4a² − d²)/(8a) decreases as d increases" in working

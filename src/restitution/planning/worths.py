@@ -50,6 +50,7 @@ _ANGLES = {
     "angle": ("beta", "theta", "phi", "psi"),
     "direction": ("theta", "phi", "beta", "psi"),
 }
+_FURTHER_ANGLES = ("gamma", "omega", "chi", "eta", "delta")
 # The moves by which a letter takes the place of what it stands for.
 NAMED = (Move("put"), Move("rearrange"), Move("compare"))
 
@@ -154,7 +155,10 @@ class Worths:
                 if line.relation.quantity == angle:
                     return line.relation.letter, line.number
                 taken.add(line.relation.letter)
-        name = next(each for each in _ANGLES[angle.kind] if each not in taken)
+        names = (*_ANGLES[angle.kind], *_FURTHER_ANGLES)
+        name = next((each for each in names if each not in taken), None)
+        if name is None:
+            raise NotPlannedError("no letter is left for an angle")
         return name, desk.write(Move("let"), (), Meaning(name, angle))
 
     def axes(self, tree: Expression) -> tuple[Ref, ...]:

@@ -89,7 +89,18 @@ def growth_said(
 
 
 def _read(tree: Expression, roles: Mapping[str, Role]) -> sp.Expr:
-    return sp.sympify(evaluate(tree, lambda n: roles.get(n, REAL).symbol(n)), strict=True)
+    value = sp.sympify(evaluate(tree, lambda n: roles.get(n, REAL).symbol(n)), strict=True)
+    return value.replace(sp.Mul, _under_one_root) if isinstance(value, sp.Expr) else value
+
+
+def _under_one_root(*factors: sp.Expr) -> sp.Expr:
+    """√(4a² − d²) for √(2a − d) √(2a + d), as it is printed."""
+    roots = [each for each in factors if each.is_Pow and each.exp == sp.Rational(1, 2)]
+    sums = [each for each in roots if each.base.is_Add]
+    if len(sums) < 2:
+        return sp.Mul(*factors)
+    rest = [each for each in factors if each not in sums]
+    return sp.Mul(*rest, sp.sqrt(sp.expand(sp.Mul(*(each.base for each in sums)))))
 
 
 def _facts(ends: Sequence[Link], roles: Mapping[str, Role]) -> Iterator[Formula]:
