@@ -219,7 +219,8 @@ def test_letters_of_angles_do_not_run_out() -> None:
         "wall OX: along i\nwall OY: along j\nsphere P: mass m, velocity u at alpha to OX\n"
         "P hits OX: e = 1/2\nP hits OY: e = 1/3\npart a\nfind minimum of speed(P) over alpha\n"
         "part b\ngiven total_energy_lost = 5/6 energy(0)\nfind alpha, deflection(P)\npart c\n"
-        "find maximum of deflection(P, 1) over alpha\nfind range of angle(velocity(P), velocity(P, 0))"
+        "find maximum of deflection(P, 1) over alpha\n"
+        "find range of angle(velocity(P), velocity(P, 0))"
     )
     assert "so there is no greatest value" in to_text(explain(solve(parse(text))), 80)
 
