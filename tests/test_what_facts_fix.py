@@ -232,3 +232,14 @@ def test_a_root_of_a_difference_of_squares_is_seen_to_fall() -> None:
     )
     working = to_text(explain(solve(parse(text))), 80)
     assert "as 3u√(4a² − d²)/(8a) decreases as d increases" in working
+
+
+def test_an_equation_of_letters_is_what_a_ratio_comes_from() -> None:
+    text = (
+        "wall W: along j\nsphere P: mass m, velocity u at alpha\nP hits W\n"
+        "given velocity(P) perpendicular to velocity(P, 0)\nshow tan^2(alpha) = e\n"
+        "find energy_lost in terms of m, u, e\nfind energy_lost/energy(0) in terms of alpha"
+    )
+    working = " ".join(to_text(explain(solve(parse(text))), 80).split())
+    assert "From (2): (kinetic energy lost)/(kinetic energy before the impact) = " in working
+    assert "Substituting for the kinetic energy" not in working

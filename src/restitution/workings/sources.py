@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     children,
+    has_quantity,
     letters,
     walk,
 )
@@ -342,6 +343,15 @@ class Sources:
             and any(isinstance(subject, Quantity) for subject in subjects)
         )
 
+    def _has_quantity(self, number: int) -> bool:
+        """Whether a line speaks of the motion, and not of letters alone."""
+        own = self._derivation.line(number)
+        return (
+            own is None
+            or not isinstance(own.relation, Relation)
+            or any(map(has_quantity, trees_of(own.relation)))
+        )
+
     def _are_equal(self, line: Line, cited: list[int]) -> bool:
         """Whether a line says that two quantities are equal, or opposite, which two lines tell."""
         assert isinstance(line.relation, Relation)
@@ -375,6 +385,10 @@ class Sources:
             return Source("times")
         if not facts and self._is_made_of(line, cited):
             return Source("made")
+        ties = [each for each in cited if not self._has_quantity(each)]
+        others = [each for each in cited if each not in ties]
+        if not facts and ties and self._is_made_of(line, others):
+            return Source("add", tuple(ties))  # letters are put in by the way
         if not facts and self._are_equal(line, cited):
             return Source("add", tuple(cited))
         numbered = () if target is None or target == above else (target,)
