@@ -207,18 +207,26 @@ def _sympy(tree: Expression) -> sp.Expr:
     raise ValueError(tree)
 
 
+def only_values(
+    sides: list[tuple[Expression, ...]], symbols: list[sp.Symbol]
+) -> tuple[sp.Expr, ...] | None:
+    """The values to which linear equations lead; None where they are others, or lead to several."""
+    try:
+        equations = [_sympy(left) - _sympy(right) for left, right in sides]
+        solutions = sp.linsolve(equations, symbols)
+    except (ValueError, sp.SympifyError, NotImplementedError):
+        return None
+    if not isinstance(solutions, sp.FiniteSet) or len(solutions) != 1:
+        return None
+    (values,) = solutions
+    return None if any(value.free_symbols & set(symbols) for value in values) else tuple(values)
+
+
 def _solved(sides: list[tuple[Expression, ...]], unknown: list[Expression]) -> list[str]:
     """What the equations lead to, where they are linear and lead to one value of each letter."""
     symbols = [sp.Symbol(each.name) for each in unknown if isinstance(each, Letter)]
-    try:
-        equations = [_sympy(left) - _sympy(right) for left, right in sides]
-        found = sp.linsolve(equations, symbols)
-    except (ValueError, sp.SympifyError, NotImplementedError):
-        return []
-    if not isinstance(found, sp.FiniteSet) or len(found) != 1:
-        return []
-    (values,) = found
-    if any(value.free_symbols & set(symbols) for value in values):
+    values = only_values(sides, symbols)
+    if values is None:
         return []
     return [
         f"{symbol} = {_text(value)}"

@@ -11,7 +11,7 @@ from random import Random
 
 import numpy as np
 import sympy as sp
-from altered_scripts import AlteredScript, _Impact, _quantities, _sympy, _text, impacts
+from altered_scripts import AlteredScript, _Impact, _quantities, _text, impacts, only_values
 from handwriting import Hand
 
 from restitution.explaining.misconceptions import LawAt, VariantAt, laws_at
@@ -160,18 +160,9 @@ def _ends(sides: Sequence[tuple[Expression, ...]], put: dict[Expression, Express
         if isinstance(node, Letter) and any(node.name in pair for pair in PAIRS)
     }
     symbols = [sp.Symbol(name) for name in sorted(names)]
-    try:
-        equations = [
-            _sympy(exchanged(left, functions)) - _sympy(exchanged(right, functions))
-            for left, right in sides
-        ]
-        found = sp.linsolve(equations, symbols)
-    except (ValueError, sp.SympifyError, NotImplementedError):
-        return []
-    if not isinstance(found, sp.FiniteSet) or len(found) != 1:
-        return []
-    (values,) = found
-    if any(value.free_symbols & set(symbols) for value in values):
+    equations = [(exchanged(left, functions), exchanged(right, functions)) for left, right in sides]
+    values = only_values(equations, symbols)
+    if values is None:
         return []
     ends = []
     for symbol, value in zip(symbols, values, strict=True):
