@@ -141,7 +141,7 @@ def _classes(cosines: _Cosines) -> list[Expr]:
         sign = 1
         if 2 * rest > _STEP:  # cos α = cos(−α)
             rest, sign = _STEP - rest, -1
-        further = _of(sign * turns - rest)
+        further = _radians(sign * turns - rest)
         # cos(ρ + φ) = cos ρ cos φ − sin ρ sin φ
         a, b = classes.get(rest, (S.Zero, S.Zero))
         a += number * sympy.cos(further)
@@ -155,7 +155,8 @@ def _classes(cosines: _Cosines) -> list[Expr]:
     return terms
 
 
-def _of(turns: Fraction) -> Expr:
+def _radians(turns: Fraction) -> Expr:
+    """A multiple of π as an angle."""
     return Rational(turns.numerator, turns.denominator) * sympy.pi
 
 
@@ -166,7 +167,7 @@ def _term(rest: Fraction, a: Expr, b: Expr) -> Expr | None:
     for further in range(12):
         turn = further * _STEP
         # b cos φ = a sin φ: then it is R cos(ρ − φ) with a = R cos φ, b = R sin φ.
-        cosine, sine = sympy.cos(_of(turn)), sympy.sin(_of(turn))
+        cosine, sine = sympy.cos(_radians(turn)), sympy.sin(_radians(turn))
         if tidy_number(sympy.expand(b * cosine - a * sine)) != 0:
             continue
         size = tidy_number(sympy.radsimp(a / cosine if cosine != 0 else b / sine))
@@ -182,5 +183,5 @@ def _plain(turns: Fraction) -> Expr:
     if turns > _RIGHT:
         turns, sign = 1 - turns, -1
     if 2 * turns > _RIGHT:
-        return sign * sympy.sin(_of(_RIGHT - turns))
-    return sign * sympy.cos(_of(turns))
+        return sign * sympy.sin(_radians(_RIGHT - turns))
+    return sign * sympy.cos(_radians(turns))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from restitution.expression.tree import Expression, Name, Quantity
 from restitution.planning.desk import UNPLANNED
 from restitution.planning.lines_between import whole_velocity
@@ -17,7 +19,7 @@ def write_velocities_of_others(scene: Scene, solver: Solver) -> None:
     for number, own in scene.model.frames.items():
         if own.wall is not None or f"axis {number}" in scene.facts or number in scene.frames:
             continue
-        for other, event in _velocities(scene, number):
+        for other, event in list(_velocities(scene, number)):
             if scene.desk.known(Quantity("velocity", (Name(other),), event)) is not None:
                 continue
             standing = solver.mark()
@@ -33,9 +35,8 @@ def write_velocities_of_others(scene: Scene, solver: Solver) -> None:
                 solver.back(standing)
 
 
-def _velocities(scene: Scene, number: int) -> list[tuple[str, int]]:
+def _velocities(scene: Scene, number: int) -> Iterator[tuple[str, int]]:
     """The velocities before an impact by which the directions after it are given."""
-    found: list[tuple[str, int]] = []
     for each in scene.given:
         if each.link.sign not in ("parallel to", "perpendicular to"):
             continue
@@ -48,8 +49,7 @@ def _velocities(scene: Scene, number: int) -> list[tuple[str, int]]:
                 ) if event == number and body in scene.spheres(number):
                     last = scene.last_event(name, stage)
                     if 0 < last < number:
-                        found.append((name, last))
-    return found
+                        yield name, last
 
 
 __all__ = ["write_velocities_of_others"]

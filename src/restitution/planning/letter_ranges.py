@@ -38,7 +38,7 @@ def _by_conditions(claims: Claims, letter: str) -> int | None:
     if role.low is None or role.high is None or role.kind == "angle":
         return None
     low, high = zip((role.low, role.high), role.closed, strict=True)
-    found = False
+    narrowed = False
     for number in claims.conditions.lines(Letter(letter)):
         relation = claims.scene.desk.relation(number)
         if len(relation.options) != 1:
@@ -48,12 +48,12 @@ def _by_conditions(claims: Claims, letter: str) -> int | None:
             if bound is None:
                 continue
             sign, end = bound
-            found = True
+            narrowed = True
             if sign[0] == ">" and claims.scene.model.sign(end - low[0]) > 0:
                 low = end, len(sign) == 2
             if sign[0] == "<" and claims.scene.model.sign(high[0] - end) > 0:
                 high = end, len(sign) == 2
-    if not found:
+    if not narrowed:
         return None
     signs: list[Sign] = ["<=" if closed else "<" for _, closed in (low, high)]
     own = Letter(letter)

@@ -279,10 +279,10 @@ class Worker:
         for trial in outcome.refused:
             if trial.kind != "coefficient":
                 continue
-            told = self._told_with(outcome.setting, trial, known)
-            if told is None:
+            example = self._example(outcome.setting, trial, known)
+            if example is None:
                 continue
-            values, story = told
+            values, story = example
             wrong = [happening for happening in story.happenings if outside(happening)]
             implied = set(trial.root.values)
             if not all(coefficient_letters(h.step) <= implied for h in wrong):
@@ -293,7 +293,7 @@ class Worker:
             )
         return kept or through
 
-    def _told_with(
+    def _example(
         self, setting: Setting, trial: Trial, known: Mapping[str, Role]
     ) -> tuple[Sample, Story] | None:
         """Values of the letters, and the story with them, at which only the coefficient is wrong.

@@ -185,8 +185,8 @@ def _window(step: Step, angle: Quantity, function: str, ratios: list[Link]) -> _
     if angle.kind != "direction":
         return _UP if function == "cot" and _is_cited_to_180(step, angle) else None
     x, y = _components(step, angle)
-    told = _cited_half_plane(step, angle)
-    up = _sign(step, y) or {_UP: 1, _DOWN: -1}.get(told, 0)  # type: ignore[arg-type]
+    side = _cited_half_plane(step, angle)
+    up = _sign(step, y) or {_UP: 1, _DOWN: -1}.get(side, 0)  # type: ignore[arg-type]
     if function == "cot":
         return {1: _UP, -1: _DOWN}.get(up)
     ahead = _sign(step, x) or up * _sign_of_bounds(step, ratios)

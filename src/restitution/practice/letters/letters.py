@@ -374,7 +374,7 @@ class _Search:
     @cached_property
     def vectors(self) -> frozenset[str]:
         """The letters that are vectors in an equation of vectors: ``I = 2(v - 3i + 5j)``."""
-        found: set[str] = set()
+        vectors: set[str] = set()
         samples = self.around.world.samples
         number, vector = np.ones(samples), Vector(np.ones(samples), 2 * np.ones(samples))
         for line in self.lines:
@@ -391,8 +391,8 @@ class _Search:
                     if all(isinstance(each, Vector) for each in as_vector) and not all(
                         isinstance(each, Vector) for each in as_number
                     ):
-                        found.add(name)
-        return frozenset(found)
+                        vectors.add(name)
+        return frozenset(vectors)
 
     def usual(self, name: str, scope: Scope) -> Candidate | None:
         """What a letter or phrase means where no line tells."""
