@@ -397,9 +397,16 @@ def _of_told_speeds(step: Step) -> Iterator[Link]:
 
 
 def _momentum_of_all(step: Step, event: Event | None) -> Iterator[Link]:
-    """The momentum of all spheres before an event and after it; of one its components."""
+    """The momentum of all spheres before an event and after it; of one its parts and its change."""
     yield from _momentum_in_directions(step, event)
     number = 0 if event is None else event.number
+    for body in step.move.bodies if number and len(step.move.bodies) == 1 else ():
+        late, early = (
+            [Quantity(kind, (Name(body),), stage) for stage in (number, number - 1)]
+            for kind in ("momentum", "velocity")
+        )
+        mass = Quantity("mass", (Name(body),))
+        yield Link(Binary("-", *late), "=", Binary("*", mass, Binary("-", *early)))
     for stage in {number, max(0, number - 1)}:
         terms: list[Expression] = [
             Binary("*", Quantity("mass", (Name(body),)), Quantity("velocity", (Name(body),), stage))
@@ -540,7 +547,7 @@ def _named_angles(step: Step) -> Iterator[Link]:
 def tie_of(link: Link) -> tuple[Expression, Expression, str] | None:
     """The two directions of which a relation says how they stand to each other."""
     if link.sign in ("perpendicular to", "parallel to"):
-        return link.left, link.right, link.sign
+        return _moving(link.left), _moving(link.right), link.sign
     match link:
         case Link(Quantity("direction", (Name() as body,), int(stage)), "=", angle):
             unit = Polar(Number(Fraction(1)), angle)
@@ -554,6 +561,14 @@ def tie_of(link: Link) -> tuple[Expression, Expression, str] | None:
             before, after = (Quantity("velocity", (turned,), each) for each in (stage - 1, stage))
             return before, after, _TIES[link.right]
     return None
+
+
+def _moving(tree: Expression) -> Expression:
+    """The velocity of a body for its momentum, which has the same direction."""
+    match tree:
+        case Quantity("momentum", (Name(),)):
+            return replace(tree, kind="velocity")
+    return tree
 
 
 def past_a_right_angle(link: Link) -> tuple[Expression, Expression, Sign] | None:

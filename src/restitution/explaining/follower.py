@@ -7,7 +7,7 @@ nothing of how the working was made, or of how the problem was solved.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -268,8 +268,21 @@ class Reader:
                                 sense = Negate(left) if body == own.bodies[0] else left
                                 axes.setdefault(event, []).append((number, sense))
         for trees in axes.values():
-            if len(trees) > 1:
-                yield from self._turned(trees)
+            for each in self._in_each_case(trees):
+                if len(each) > 1:
+                    yield from self._turned(each)
+
+    def _in_each_case(
+        self, trees: Sequence[tuple[Ref, Expression]]
+    ) -> Iterator[list[tuple[Ref, Expression]]]:
+        """What stands above all cases with what stands in one: a line may be another in each."""
+        numbers = {ref: self._cases_of(ref) for ref, _ in trees}
+        for case in sorted(frozenset().union(*numbers.values())) or (0,):
+            yield [each for each in trees if not numbers[each[0]] or case in numbers[each[0]]]
+
+    def _cases_of(self, ref: Ref) -> frozenset[int]:
+        """The cases in which a line stands; none of one above all, or of a fact."""
+        return frozenset(each.number for each in self.derivation.cases if ref in each.lines)
 
     def _relations(self) -> Iterator[tuple[Ref, Relation]]:
         for fact in self.derivation.facts:
@@ -535,9 +548,17 @@ class Reader:
                     known = senses.setdefault(axis, {})
                     if axis not in used or ref in known:
                         continue
-                    if any(not self._same_sense(direction, each) for each in known.values()):
+                    if any(
+                        not self._are_apart(ref, other) and not self._same_sense(direction, each)
+                        for other, each in known.items()
+                    ):
                         yield Complaint("axis-turned", line.number, ref)
                     known[ref] = direction
+
+    def _are_apart(self, one: Ref, other: Ref) -> bool:
+        """Whether two premises stand in different cases."""
+        cases = self._cases_of(one), self._cases_of(other)
+        return all(cases) and cases[0].isdisjoint(cases[1])
 
     def _axes_of(self, ref: Ref) -> Iterator[tuple[Expression, Expression]]:
         """The lines of centres of which a premise gives the direction."""

@@ -21,12 +21,13 @@ from restitution.expression.tree import (
     is_zero,
 )
 from restitution.planning.angle_formulas import velocity_as_a_line
-from restitution.planning.desk import Source, together
+from restitution.planning.desk import Source, chain, together
 from restitution.planning.forms import (
     difference,
     number,
     product,
     square,
+    swept,
     total,
     tree_of,
 )
@@ -223,14 +224,16 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
         values.append(mass.value * (early.value**2 - late.value**2) / 2)
         own = () if values[-1] == 0 else mass.refs
         refs += [*own, *early.whole, *late.whole]
-    return Formula(
-        Move("define", "energy-lost", event, scene.spheres(event)),
-        itself,
-        quantity,
-        total(terms),
-        tidy(expanded(sum(values))),
-        together(refs),
-    )
+    move = Move("define", "energy-lost", event, scene.spheres(event))
+    pool = together(refs)
+    axis = [ref for ref in frame.refs if isinstance(ref, int)] if 0 in frame.n else []
+    if axis:
+        # Along i, or j, the velocities tell the same without the line that finds the axis.
+        bare = tuple(ref for ref in pool if ref not in axis)
+        if scene.judge.follows(move, bare, chain(quantity, (swept(total(terms)), None))):
+            pool = bare
+    value = tidy(expanded(sum(values)))
+    return Formula(move, itself, quantity, total(terms), value, pool)
 
 
 def energy_change(scene: Scene, asked: Expression) -> Formula | None:

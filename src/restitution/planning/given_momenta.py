@@ -56,9 +56,23 @@ def _of_one(
         _close_parts(scene, scene.desk.write(move, refs, chain(right, (tree, None))))
         return True
     tree = swept(product(tree_of(mass.value), velocity))
-    line = scene.desk.write(
-        move, together(given.refs, mass.refs), Relation(((Link(right, "=", tree),),))
-    )
+    refs = together(given.refs, mass.refs)
+    match right:
+        case Binary("+" | "-" as op, Quantity("momentum", (Name(),), 0), other):
+            # A change of momentum.
+            if scene.last_event(body, last - 1):
+                return False
+            early = scene.initial(body)
+            right = other
+            change: Expression = velocity
+            if any(early.value):
+                before_ = tree_of(early.value)
+                change = (
+                    difference(before_, velocity) if op == "-" else difference(velocity, before_)
+                )
+            tree = swept(product(tree_of(mass.value), change))
+            refs = together(refs, early.refs)
+    line = scene.desk.write(move, refs, Relation(((Link(right, "=", tree),),)))
     late = Vector(*(tidy(each / mass.value) for each in value))
     line = scene.desk.write(Move("rearrange"), (line,), chain(velocity, (tree_of(late), None)))
     scene.desk.know(velocity, late, (line,))

@@ -1,18 +1,22 @@
 """Lines of centres, and walls, that are found with a velocity of which only the direction is known.
 
-The velocity after the impact is a letter times a vector. The change of velocity is along the line,
-and the law of restitution, by scalar products with that change, is an equation for the letter.
+The velocity after the impact is a letter times a vector. Where the speed is given, that letter is
+known but for its sign, and so is the change of velocity, which is along the line. Else the law of
+restitution, by scalar products with that change, is an equation for the letter.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import partial
 
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.explaining.definitions import tie_of
 from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
-from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity, Unit, walk
+from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity, Unit
 from restitution.oracle.roles import POSITIVE, REAL, Role
 from restitution.planning.closing import close
 from restitution.planning.desk import NotPlannedError, chain, together
@@ -28,8 +32,9 @@ from restitution.planning.forms import (
     tree_of,
 )
 from restitution.planning.frames import Frame
-from restitution.planning.impacts import plain_direction
+from restitution.planning.impacts import plain_direction, residual
 from restitution.planning.named_angles import letters_taken
+from restitution.planning.premises import background
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.solving.numbers import number_of
 from restitution.vector import Vector
@@ -59,15 +64,27 @@ def write_open_lines(scene: Scene) -> None:
             scene.frame(number)
         except NotPlannedError:
             scene.desk.back(standing)
-            others = scene.others
-            try:
-                if _by_a_ray(scene, number):
-                    continue
-            except (NotPlannedError, UnwrittenError):
-                pass
-            scene.desk.back(standing)
-            scene.others = others
-            scene.frames.pop(number, None)
+            if not _tried(scene, partial(_by_a_ray, scene, number)):
+                scene.frames.pop(number, None)
+
+
+def _tried(scene: Scene, write: Callable[[], bool]) -> bool:
+    """Whether lines could be written; if not, none of them stands, nor a letter of theirs."""
+    standing, others, roles = scene.desk.mark(), scene.others, scene.model.unknowns.roles
+    try:
+        if write():
+            return True
+    except (NotPlannedError, UnwrittenError):
+        pass
+    new = scene.model.unknowns.roles.keys() - roles.keys()
+    for model in {id(each): each for each in (scene.model, *others)}.values():
+        for name in new:
+            model.final.pop(scene.model.unknowns.roles[name].symbol(name), None)
+            model.sample.pop(name, None)
+    scene.model.unknowns.roles = roles
+    scene.desk.back(standing)
+    scene.others = others
+    return False
 
 
 def _by_a_ray(scene: Scene, number: int) -> bool:
@@ -76,27 +93,72 @@ def _by_a_ray(scene: Scene, number: int) -> bool:
     if any(scene.last_event(sphere, number - 1) for sphere in spheres):
         return False
     early = {sphere: scene.initial(sphere) for sphere in spheres}
+    if any(scene.unknown(x) for each in early.values() for x in each.value):
+        return False
+    rays = [own for sphere in spheres if (own := _ray(scene, sphere, number)) is not None]
+    fast = next((each for each in rays if _speed(scene, each, number) is not None), None)
     e = scene.coefficient(number)
-    masses = {sphere: scene.mass(sphere) for sphere in spheres} if len(spheres) > 1 else {}
-    values = [*(x for each in early.values() for x in each.value), e.value]
-    if any(scene.unknown(x) for x in (*values, *(mass.value for mass in masses.values()))):
+    masses = [scene.mass(sphere).value for sphere in spheres] if len(spheres) > 1 else []
+    are_known = not any(map(scene.unknown, masses))
+    if not rays or (fast is None and (scene.unknown(e.value) or not are_known)):
         return False
-    ray = next(
-        (own for sphere in spheres if (own := _ray(scene, sphere, number)) is not None), None
-    )
-    if ray is None:
+    ray = fast or rays[0]
+    if fast is not None and _tried(scene, partial(_in_either_sense, scene, number, fast)):
+        return True
+    if not are_known:
         return False
-    symbol, line = _written_ray(scene, number, ray)
-    late = {ray.body: ray.direction * symbol}
-    lines = {ray.body: line}
-    for other in spheres:
-        if other != ray.body:
-            late[other], lines[other] = _by_momentum(scene, number, ray.body, late, lines, other)
+    ray = _without_root(ray)
+    symbol, late, lines = _ray_line(scene, number, ray)
+    _others(scene, number, ray, late, lines)
     change, axis = _axis(scene, number, late, lines)
-    number_ = _restitution(scene, number, late, lines, change, axis)
-    close(scene, number_, symbol)
+    law = _restitution(scene, number, late, lines, change, axis)
+    if fast is None:
+        close(scene, law, symbol)
+    else:
+        # One of the two senses contradicts the law.
+        _by_speed(scene, number, ray, symbol, lines, law)
     _settle(scene, number, late, lines, change, axis)
     return True
+
+
+def _in_either_sense(scene: Scene, number: int, ray: _Ray) -> bool:
+    """Whether a velocity comes of its speed, and what follows of it: its lines are written."""
+    symbol, late, lines = _ray_line(scene, number, ray)
+    late[ray.body], lines[ray.body] = _by_speed(scene, number, ray, symbol, lines)
+    if not any(scene.unknown(scene.mass(sphere).value) for sphere in scene.spheres(number)):
+        _others(scene, number, ray, late, lines)
+    _settle(scene, number, late, lines, *_axis(scene, number, late, lines))
+    return True
+
+
+def _without_root(ray: _Ray) -> _Ray:
+    """A slanting line with a component along **i**, or **j**, for its letter: no root is in it."""
+    if 0 in ray.direction or ray.role is not REAL:
+        return ray
+    plain = plain_direction(ray.direction)
+    unit, part = Unit("i"), plain.x
+    if (plain.x / plain.y).is_Integer and not (plain.y / plain.x).is_Integer:
+        unit, part = Unit("j"), plain.y
+    velocity = ray.quantity.arguments[0]
+    direction = Vector(*(tidy(x / part) for x in plain))
+    return replace(ray, quantity=Quantity("along", (velocity, unit)), direction=direction)
+
+
+def _ray_line(
+    scene: Scene, number: int, ray: _Ray
+) -> tuple[sp.Symbol, dict[str, Vector], dict[str, int]]:
+    """The letter of a velocity, that velocity, and its line."""
+    symbol, line = _written_ray(scene, number, ray)
+    return symbol, {ray.body: ray.direction * symbol}, {ray.body: line}
+
+
+def _others(
+    scene: Scene, number: int, ray: _Ray, late: dict[str, Vector], lines: dict[str, int]
+) -> None:
+    """Adds the velocity of the other sphere, by the momentum of both."""
+    for other in scene.spheres(number):
+        if other != ray.body:
+            late[other], lines[other] = _by_momentum(scene, number, ray.body, late, lines, other)
 
 
 def _ray(scene: Scene, body: str, number: int) -> _Ray | None:
@@ -114,22 +176,102 @@ def _ray(scene: Scene, body: str, number: int) -> _Ray | None:
                 return _Ray(
                     body, Quantity("speed", (Name(body),), number), direction, each, POSITIVE
                 )
-            case Link(left, "parallel to" | "perpendicular to" as sign, other) if velocity in (
-                left,
-                other,
-            ):
-                tree = other if left == velocity else left
-                if any(isinstance(node, Quantity) for node in walk(tree)):
-                    continue
-                direction = scene.model.story.direction(tree, scene.events)
-                if sign == "perpendicular to":
-                    direction = direction.turned_left()
-                # Along i and j the letter is a component.
-                if direction.x == 0 or direction.y == 0:
-                    unit: Expression = Unit("j" if direction.x == 0 else "i")
-                    along = Vector(*(sp.Integer(0 if x == 0 else 1) for x in direction))
-                    return _Ray(body, Quantity("along", (velocity, unit)), along, each, REAL)
+        tie = tie_of(each.link)
+        beside = None if tie is None else _beside(scene, velocity, *tie)
+        if beside is None:
+            continue
+        # Along i and j the letter is a component.
+        if beside.x == 0 or beside.y == 0:
+            unit: Expression = Unit("j" if beside.x == 0 else "i")
+            along = Vector(*(sp.Integer(0 if x == 0 else 1) for x in beside))
+            return _Ray(body, Quantity("along", (velocity, unit)), along, each, REAL)
+        size = scene.model.story.size(beside)
+        along = Vector(*(tidy(x / size) for x in beside))
+        axis = tree_of(beside)
+        return _Ray(body, Quantity("along", (velocity, axis)), along, each, REAL)
     return None
+
+
+def _beside(
+    scene: Scene, velocity: Quantity, left: Expression, right: Expression, relation: str
+) -> Vector | None:
+    """The direction, or its opposite, of a velocity that is parallel or perpendicular to another.
+
+    None where that is not known.
+    """
+    for one, other in ((left, right), (right, left)):
+        if one != velocity or other == velocity:
+            continue
+        try:
+            direction = scene.model.story.direction(other, scene.events)
+        except (ArithmeticError, ValueError):
+            return None
+        if any(scene.unknown(x) for x in direction):
+            return None
+        if relation == "perpendicular to":
+            direction = direction.turned_left()
+        plain = plain_direction(direction)
+        if not all(each.is_number for each in plain):
+            return None
+        return -plain if scene.model.sign(plain.x) < 0 else plain
+    return None
+
+
+def _speed(scene: Scene, ray: _Ray, number: int) -> GivenEquation | None:
+    """The fact that gives the speed along a line, in either sense, by what is known."""
+    if ray.role is not REAL:
+        return None
+    speed = Quantity("speed", (Name(ray.body),), number)
+    for each in scene.given:
+        if each.link.left == speed and each.link.sign == "=":
+            value = scene.scalar(each.link.right)
+            return None if scene.unknown(value) else each
+    return None
+
+
+def _by_speed(
+    scene: Scene,
+    number: int,
+    ray: _Ray,
+    symbol: sp.Symbol,
+    lines: dict[str, int],
+    law: int | None = None,
+) -> tuple[Vector, int]:
+    """The velocity along a line by the speed that is given: in either sense.
+
+    With a ``law`` one of the senses contradicts that.
+    """
+    given = _speed(scene, ray, number)
+    assert given is not None
+    line = lines[ray.body]
+    speed, refs = scene.put(scene.scalar(given.link.right))
+    subject = tree_of(symbol)
+    parts = [tidy(x * symbol) for x in ray.direction if x != 0]
+    if scene.model.identically_zero(ray.direction.dot(ray.direction) - 1):
+        parts = [symbol]
+    own = chain(total(square(tree_of(x)) for x in parts), (square(tree_of(speed)), None))
+    move = Move("define", "speed", number, (ray.body,))
+    premises = scene.judge.needed(move, together(given.refs, refs, (line,)), own)
+    if premises is None:
+        raise NotPlannedError("a speed along a line")
+    squared = scene.desk.write(move, premises, own)
+    if law is None:
+        close(scene, squared, symbol)
+    else:
+        value = scene.final(symbol)
+        roots = Relation(tuple(chain(subject, (tree_of(x), None)).only for x in (value, -value)))
+        both = scene.desk.write(Move("roots"), (squared,), roots)
+        kept = chain(subject, (tree_of(value), None))
+        names = {x.name for x in residual(scene, law).free_symbols}
+        left = scene.judge.enough(Move("reject"), (both, law), kept, background(scene, names))
+        if left is None:
+            raise NotPlannedError("a sense that the law does not exclude")
+        scene.desk.know(subject, value, (scene.desk.write(Move("reject"), left, kept),))
+        return ray.direction * symbol, line
+    value, more = scene.put(ray.direction * symbol)
+    velocity = Quantity("velocity", (Name(ray.body),), number)
+    relation = chain(velocity, (tree_of(value), None))
+    return value, scene.desk.write(Move("put"), (line, *more), relation)
 
 
 def _written_ray(scene: Scene, number: int, ray: _Ray) -> tuple[sp.Symbol, int]:
@@ -140,26 +282,45 @@ def _written_ray(scene: Scene, number: int, ray: _Ray) -> tuple[sp.Symbol, int]:
     scene.model.unknowns.roles = {**scene.model.unknowns.roles, name: ray.role}
     for model in {id(each): each for each in (scene.model, *scene.others)}.values():
         final = model.branch.story.velocity(ray.body, number)
-        value = tidy(final.dot(ray.direction))
+        value = tidy(final.dot(ray.direction) / ray.direction.dot(ray.direction))
         model.final[symbol] = value
         model.sample[name] = number_of(model.number(value))
     let = scene.desk.write(Move("let"), (), Meaning(name, ray.quantity))
     velocity = Quantity("velocity", (Name(ray.body),), number)
     refs: tuple[Ref, ...] = (*ray.given.refs, let)
     if ray.quantity.kind == "along":
-        other = Unit("i" if ray.direction.x == 0 else "j")
-        nothing = scene.desk.write(
-            Move("define", "parallel" if ray.given.link.sign == "parallel to" else "perpendicular"),
-            ray.given.refs,
-            chain(Quantity("along", (velocity, other)), (ZERO, None)),
-        )
+        other: Expression = Unit("i" if ray.direction.x == 0 else "j")
+        if 0 not in ray.direction:
+            across = plain_direction(ray.direction).turned_left()
+            other = tree_of(across if scene.model.sign(across.x) > 0 else -across)
+        move = Move("define", _record(ray.given), number)
+        none = chain(Quantity("along", (velocity, other)), (ZERO, None))
+        early = [scene.initial(each) for each in scene.spheres(number)]
+        pool = together(ray.given.refs, *(each.refs for each in early), scene.mass(ray.body).refs)
+        premises = scene.judge.needed(move, pool, none)
+        if premises is None:
+            raise NotPlannedError("a line that is not told")
+        nothing = scene.desk.write(move, premises, none)
         refs = (let, nothing)
+    value = _tree(ray.direction * symbol)
+    if 0 not in ray.direction and ray.role is REAL:
+        plain = plain_direction(ray.direction)
+        size = tidy(plain.x / ray.direction.x)
+        unit = Binary("/", tree_of(plain), tree_of(size))
+        value = product(
+            Letter(name), tree_of(ray.direction) if size.is_Rational and size == 1 else unit
+        )
     line = scene.desk.write(
-        Move("define", "assemble", number, (ray.body,)),
-        refs,
-        chain(velocity, (_tree(ray.direction * symbol), None)),
+        Move("define", "assemble", number, (ray.body,)), refs, chain(velocity, (value, None))
     )
     return symbol, line
+
+
+def _record(given: GivenEquation) -> str:
+    """What a fact says of two directions: that they are parallel, or perpendicular."""
+    tie = tie_of(given.link)
+    assert tie is not None
+    return tie[2].removesuffix(" to")
 
 
 def _tree(value: Vector) -> Expression:
@@ -201,13 +362,24 @@ def _axis(
     body = next((each for each in late if not any(scene.initial(each).value)), next(iter(late)))
     source = scene.initial(body)
     change = Vector(*(sp.expand(a - b) for a, b in zip(late[body], source.value, strict=True)))
-    axis: Expression = _tree(late[body])
-    if any(source.value):
-        axis = Binary("-", axis, tree_of(source.value))
     centres = Quantity("line_of_centres", (), number)
+    own = scene.model.frames[number]
+    is_found = not any(scene.unknown(each) for each in change)
+    ahead = scene.model.sign(Vector(*map(scene.model.in_data, change)).dot(own.n))
+    # Between spheres it points from the first to the second; into a wall, once it is known.
+    back = ahead < 0 if own.wall is None else ahead > 0 and is_found
+    axis: Expression = _tree(-late[body] if back else late[body])
+    if any(source.value):
+        early = tree_of(source.value)
+        axis = Binary("-", early, _tree(late[body])) if back else Binary("-", axis, early)
+    change = -change if back else change
     final = Relation(((Link(centres, "parallel to", _tree(change)),),))
+    if is_found:
+        final = Relation(((Link(centres, "parallel to", _tree(plain_direction(change))),),))
     first = Relation(((Link(centres, "parallel to", swept(axis)),),))
-    is_one = alike(swept(axis), _tree(change))  # in another order of terms it is the same line
+    is_one = final == first or alike(
+        swept(axis), _tree(change)
+    )  # in another order of terms it is the same line
     line = scene.desk.write(
         Move("law", "along-the-change", number, (body,)),
         together(source.refs, (lines[body],)),

@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.angle_ratios import RECIPROCALS, write_other_ratio, write_ratios
+from restitution.planning.changes import by_its_change
 from restitution.planning.desk import Desk, NotPlannedError, Source, together
 from restitution.planning.forms import neat, tree_of
 from restitution.planning.frames import Frame, frame_of
@@ -402,7 +403,8 @@ class Scene:
             residuals = tuple(self._residuals(link))
             if residuals:
                 lets = self.lets_in(link)
-                equations.append(GivenEquation(fact, self.opened(link), residuals, lets))
+                own = by_its_change(self.opened(link))
+                equations.append(GivenEquation(fact, own, residuals, lets))
         return tuple(equations)
 
     def lets_in(self, link: Link) -> tuple[Ref, ...]:

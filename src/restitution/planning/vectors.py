@@ -8,6 +8,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref
+from restitution.explaining.trees import exchanged
 from restitution.expression.tree import (
     Apply,
     Degrees,
@@ -35,7 +36,10 @@ def velocity_given(
         if each.link.left == velocity and common_velocity(each) is None:
             value = scene.model.story.evaluator(scene.events).vector(each.link.right)
             tree = tree_of(tuple(tidy(part) for part in value))
-            return tree, value, together(each.refs, _started(scene, each.link.right))
+            started = _started(scene, each.link.right)
+            if started and (line := _by_its_change(scene, each, tree, value)) is not None:
+                return tree, value, (line,)
+            return tree, value, together(each.refs, started)
         match each.link.left:
             case Quantity("speed" | "direction" as kind, (Name(name),), event) if (
                 name == body and event == number
@@ -49,6 +53,32 @@ def velocity_given(
     refs = tuple(each.fact.id for each in parts.values())
     value = direction * size
     return vector(*map(tree_of, direction)), value, together(refs)
+
+
+def _by_its_change(
+    scene: Scene, given: GivenEquation, tree: Expression, value: Vector
+) -> int | None:
+    """The line of a velocity by that at the start and its change: ``(2i + j) + (3i - j)``."""
+    velocity = given.link.left
+    known = scene.desk.known(velocity)
+    if known is not None:
+        return next((ref for ref in known.refs if isinstance(ref, int)), None)
+    if any(scene.unknown(each) or scene.put(each)[1] for each in value):
+        return None
+    early: dict[Expression, Expression] = {}
+    for node in walk(given.link.right):
+        match node:
+            case Quantity("velocity", (Name(body),), 0):
+                early[node] = tree_of(scene.initial(body).value)
+            case Quantity():
+                return None
+    steps = ((exchanged(given.link.right, early), None), (tree, "rearrange"))
+    relation = chain(velocity, *steps)  # type: ignore[arg-type]
+    pool = together(given.refs, _started(scene, given.link.right))
+    line = scene.judge.write((Move("put"),), pool, relation)
+    if line is not None:
+        scene.desk.know(velocity, value, (line,))
+    return line
 
 
 def turned_velocity(

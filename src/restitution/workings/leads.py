@@ -141,6 +141,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         if line.move.record == "parallel" and nothing and other is not None:
             return (say("given.component", fact=sentence, axis=self._naming.layout(other)),)
         if line.move.record == "parallel":
+            match line.relation.options[0][0].left:
+                case Quantity("along") if nothing:
+                    return (say("given.fact", fact=sentence),)
             return (say("given.proportion", fact=sentence),)
         if line.move.record in ("energy-lost", "energy-change"):
             event = self._naming.events.get(line.move.event or 0)
@@ -355,7 +358,11 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             if isinstance(each.relation, Relation) and len(each.relation.options) == 1
         ]
         vectors = any(isinstance(e.left, Quantity) and e.left.kind == "velocity" for e in links)
-        axes = any(isinstance(e.left, Quantity) and e.sign == "parallel to" for e in links)
+        # The vector holds a letter: along one that is known the components are numbers.
+        axes = any(
+            isinstance(e.left, Quantity) and e.sign == "parallel to" and letters(e.right)
+            for e in links
+        )
         return vectors and axes
 
     def of(self, line: Line, above: Sentence | None) -> Iterator[Sentence]:

@@ -172,10 +172,15 @@ class Naming:
             case Link(Quantity("velocity", (Name(body),), _), "=", value) if _is_rest(value):
                 return say("claim.rest", body=body)
         left, right = self.side(link.left), self.side(link.right)
-        if link.sign == "parallel to":
-            return say("claim.parallel", left=left, right=right)
-        if link.sign == "perpendicular to":
-            return say("claim.perpendicular", left=left, right=right)
+        if link.sign in ("parallel to", "perpendicular to"):
+            left, right = (
+                say("derived.the", quantity=each)
+                if isinstance(own, Quantity) and own.kind == "momentum"
+                else each
+                for own, each in ((link.left, left), (link.right, right))
+            )
+            name = "claim.parallel" if link.sign == "parallel to" else "claim.perpendicular"
+            return say(name, left=left, right=right)
         if link.sign == "=" and isinstance(left, lay.Words | lay.Phrase):
             match link.right:
                 case Quantity() if isinstance(right, lay.Words | lay.Phrase):

@@ -204,6 +204,8 @@ def _same_direction(step: Step, line: Link, base: Link) -> bool:
     if not step.world.reduced(own.x * other.y - own.y * other.x).vanishes:
         return False
     pairs = ((own.x, other.x), (own.y, other.y))
+    if all(step.world.reduced(a - b).vanishes for a, b in pairs):
+        return True
     return any(
         not (a.vanishes or b.vanishes) and step.signs.of(a / b, sure=False) is not None
         for a, b in pairs

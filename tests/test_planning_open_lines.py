@@ -1,0 +1,95 @@
+"""Lines of centres, and walls, that come of a velocity which is known but for its sense.
+
+Each working is followed line by line, its answers are those of the solver, and it says what a
+teacher says.
+"""
+
+from __future__ import annotations
+
+import pytest
+from workings import planned
+
+from restitution.workings import to_text
+from restitution.workings.derived import explanation_of
+
+# A statement, and what its working says: lines, or parts of them.
+CASES = {
+    "turned through a right angle, with its speed": (
+        """
+sphere C: mass 3, velocity 4i - 2j
+sphere D: mass M, at rest
+C hits D: e = 1/3
+given velocity(C) perpendicular to velocity(C, 0), speed(C) = sqrt(5)
+find velocity(C), line_of_centres, M, speed(D)
+""",
+        (
+            "component of 𝐯_C in the direction of 2𝐢 − 𝐣 = 0",
+            "𝐯_C = s((𝐢 + 2𝐣)/√5)",
+            "s = ±√5",
+            "the line of centres is parallel to (4𝐢 − 2𝐣) − (𝐢 + 2𝐣)",
+            "the line of centres is parallel to 3𝐢 − 4𝐣",
+            "M = 45 kg",
+            # Along a line that is known no vector is multiplied.
+            "Newton's experimental law:",
+        ),
+    ),
+    "a wall that turns through a right angle": (
+        """
+wall W
+sphere P: mass 2, velocity 12i - 5j
+P hits W
+given deflection(P) = 90°, speed(P) = 26/3
+find velocity(P), direction(W), e, impulse
+""",
+        ("s² = (26/3)²", "W is parallel to 3𝐢 + 2𝐣", "W is parallel to 9𝐢 − 46𝐣", "e = 4/9"),
+    ),
+    "momentum across": (
+        """
+sphere P: mass 2m, velocity 3u i
+sphere Q: mass m, velocity -u i
+P hits Q
+given momentum(Q) perpendicular to i, speed(Q) = 2u
+find velocity(P), impulse, e
+""",
+        ("the momentum of Q is perpendicular to 𝐢", "component of 𝐯_Q along 𝐢 = 0", "s = ±2u"),
+    ),
+    "one of both senses contradicts the law": (
+        """
+sphere P: mass 4, velocity 2i + j
+sphere Q: mass 5, velocity -i + 3j
+P hits Q
+given velocity(P) parallel to i - j, speed(P) = sqrt(2)
+find e, energy_lost
+""",
+        ("𝐯_P = s(𝐢 − 𝐣)", "s² + s² = (√2)²", "as s = 1 would give e < 0 by (3)", "e = ⅘"),
+    ),
+    "a slanting line without a speed": (
+        """
+sphere A: mass 2, velocity 5i
+sphere B: mass 3, velocity -2i + j
+A hits B: e = 1/2
+given velocity(A) parallel to i + 2j
+find velocity(A), velocity(B)
+""",
+        ("It is given that 𝐯_A is parallel to 𝐢 + 2𝐣:", "𝐯_A = s(𝐢 + 2𝐣)", "by scalar products"),
+    ),
+    "an angle between velocities that is right": (
+        """
+sphere A: mass 1, velocity 3i + 4j
+sphere B: mass 2, velocity -2i
+A hits B
+given angle(velocity(A), velocity(A, 0)) = 90°, speed(A) = 5/2
+find velocity(A), velocity(B), e
+""",
+        ("in the direction of 4𝐢 − 3𝐣", "s = ±5/2"),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_velocity_is_known_but_for_its_sense(name: str) -> None:
+    statement, said = CASES[name]
+    problem, derivation = planned(statement)
+    text = to_text(explanation_of(derivation, problem), 120)
+    for each in said:
+        assert each in text, text
