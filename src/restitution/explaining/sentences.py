@@ -593,6 +593,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     # --- answers ----------------------------------------------------------------------------------
     "note.none": "{items:capital} cannot be found, as {reason}.",
     "note.impossible": "What is described cannot happen, as {reason}.",
+    "note.out-of-range": "But {reasons:and}. So what is described cannot happen.",
     "note.clash": "{reason:capital}.",
     "note.against": "But it is given that {fact}. So the data contradict each other.",
     "note.against-zero": (

@@ -38,7 +38,9 @@ def write_clash(
 
     None where no item has such a reason, and where no fact is refuted in lines.
     """
-    if not names or not all(isinstance(each.error, ContradictionError) for each in part.items):
+    if part.branches or not names:
+        return None
+    if not all(isinstance(each.error, ContradictionError) for each in part.items):
         return None
     for given, relation, events in reversed(list(_facts(solution.problem, part.part))):
         draft = desk.fork()

@@ -59,6 +59,7 @@ from restitution.planning.given_terms import turn_round
 from restitution.planning.items import write_item, write_with_facts
 from restitution.planning.open_lines import write_open_lines
 from restitution.planning.order import Solver
+from restitution.planning.out_of_range import write_out_of_range
 from restitution.planning.ranges import relation_of, write_range
 from restitution.planning.refusals import note_of, write_refusal
 from restitution.planning.scene import Scene
@@ -190,8 +191,9 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
     if not part.items:
         return desk
     desk.part, desk.apart = part.part.label, len(part.branches) > 1
-    if not part.branches and (clash := write_clash(solution, part, desk, _names(part))):
-        return clash
+    for write in (write_clash, write_out_of_range):
+        if (refuted := write(solution, part, desk, _names(part))) is not None:
+            return refuted
     if not part.branches or all(isinstance(item.error, MissingError) for item in part.items):
         for index, each in enumerate(part.items, 1):
             if each.error is None:

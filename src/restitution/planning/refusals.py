@@ -36,9 +36,6 @@ def note_of(desk: Desk, result: ItemResult, name: str) -> None:
     reason = error.because or error.message
     if reason.endswith("?"):
         reason = reason.rpartition(";")[0]  # without what may have been meant
-    if len(result.rejected) == 1 and error.message == result.rejected[0].reason:
-        value = result.rejected[0].display
-        reason = f"the only value that the equations give, {value}, is rejected: {reason}"
     desk.note(name, kind, reason)
 
 

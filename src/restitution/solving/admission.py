@@ -178,7 +178,7 @@ def demands_of(
             if role == COEFFICIENT:
                 continue
         formula = joined(_within(value, angles.get(name), role))
-        reason, kind = _outside(name, role)
+        reason, kind = reason_outside(name, role)
         plain.append(Demand(formula, reason, kind))
     # An impossible coefficient is blamed only where nothing else is wrong.
     return [*hidden, *plain, *coefficients]
@@ -208,7 +208,7 @@ def _within(value: sp.Expr, angle: tuple[sp.Expr, sp.Expr] | None, role: Role) -
         yield Relation(role.high - value, ">=" if role.closed[1] else ">")
 
 
-def _outside(name: str, role: Role) -> tuple[str, str]:
+def reason_outside(name: str, role: Role) -> tuple[str, str]:
     """Why a letter may not have a value outside its range."""
     if role.kind == "restitution":
         return "a given inequality does not hold", "fact"

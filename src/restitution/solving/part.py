@@ -9,11 +9,16 @@ from functools import cached_property
 
 import sympy as sp
 
+from restitution import exact
 from restitution.errors import ContradictionError, ImpossibleError, RestitutionError
 from restitution.expression.tree import Place
 from restitution.oracle import Oracle
 from restitution.oracle.roles import REAL
 from restitution.problem import Extremum, Part, Problem, Range, Show
+from restitution.render.layout import display
+from restitution.render.text import to_text
+from restitution.solving.admission import reason_outside
+from restitution.solving.answers import value_layout
 from restitution.solving.conditions import Equation
 from restitution.solving.equations import (
     Decision,
@@ -26,7 +31,7 @@ from restitution.solving.equations import (
 )
 from restitution.solving.letters import narrowed_by
 from restitution.solving.numbers import Sample
-from restitution.solving.setting import SAMPLES_WANTED, Setting, Trial, settle
+from restitution.solving.setting import SAMPLES_WANTED, UNWIELDY, Setting, Trial, settle
 from restitution.solving.story import Story
 from restitution.solving.unknowns import Letters
 
@@ -262,9 +267,8 @@ def _clashing_bounds(setting: Setting) -> list[int]:
 
 def impossible(setting: Setting, trials: Sequence[Trial], place: Place | None) -> RestitutionError:
     """Why none of the solutions can be: the commonest physical reason."""
-    reasons = Counter(
-        (t.reason, t.kind) for t in trials if t.reason is not None and t.kind != "equation"
-    )
+    named = [t for t in trials if t.reason is not None and t.kind != "equation"]
+    reasons = Counter((t.reason, t.kind) for t in named if not _is_nothing(setting, t))
     line = None if place is None else place.line
     clash = _clashing_bounds(setting)
     if clash:
@@ -275,4 +279,31 @@ def impossible(setting: Setting, trials: Sequence[Trial], place: Place | None) -
     (reason, kind), _ = reasons.most_common(1)[0]
     if kind == "fact":
         return ContradictionError(f"the facts clash: {reason}", line)
-    return ImpossibleError(str(reason), line)
+    values = list(dict.fromkeys(filter(None, (_value_out_of_range(t, reason) for t in named))))
+    if kind != "range" or not values:
+        return ImpossibleError(str(reason), line)
+    listed = " or ".join(values)
+    error = ImpossibleError(f"{listed} rejected: {reason}", line)
+    error.because = f"the data give {listed}, and {reason}"
+    return error
+
+
+def _is_nothing(setting: Setting, trial: Trial) -> bool:
+    """Whether a letter that nobody asks for would be zero: that solves what is homogeneous."""
+    values = trial.root.values
+    return any(values[name] == 0 for name in values.keys() & (set(setting.roles) - setting.asked))
+
+
+def _value_out_of_range(trial: Trial, reason: str | None) -> str | None:
+    """The value of the letter for which a trial was refused for a reason, as an equation."""
+    for name, value in trial.root.values.items():
+        role = None if trial.admission is None else trial.admission.roles.get(name)
+        if role is None or reason_outside(name, role)[0] != reason:
+            continue
+        if sp.count_ops(value) > UNWIELDY:
+            continue
+        letter = to_text(display(role.symbol(name)))
+        angle = role.kind == "angle"
+        plain = exact.tidy_angle(value) if angle else exact.tidy(value)
+        return f"{letter} = {to_text(value_layout(plain, 'value', angle, percentage=False))}"
+    return None

@@ -172,7 +172,11 @@ class RejectedBranch:
 
 @dataclass(frozen=True)
 class PartSolution:
-    """One part solved. ``now`` gives, for every step of the part, the events told before it."""
+    """One part solved.
+
+    ``beyond`` is all that its equations give, where there is no solution because each time a
+    letter is out of its range.
+    """
 
     part: Part
     items: tuple[ItemResult, ...]
@@ -181,6 +185,7 @@ class PartSolution:
     roles: Mapping[str, Role]
     open_story: Story | None = None
     error: RestitutionError | None = None
+    beyond: tuple[Branch, ...] = ()
 
     def __getitem__(self, text: str) -> ItemResult:
         for item in reversed(self.items):

@@ -64,6 +64,7 @@ from restitution.solving.coefficients import (
     outside,
     without_impossible,
 )
+from restitution.solving.conditions import Equation
 from restitution.solving.letters import is_angle
 from restitution.solving.numbers import Sample, at, sample
 from restitution.solving.part import Desk, Outcome, impossible
@@ -171,6 +172,7 @@ class Worker:
     def _whole(self, results: tuple[ItemResult, ...]) -> PartSolution:
         """The part as it is explained: with what all the values asked for have in common."""
         error: RestitutionError | None = None
+        beyond: tuple[Branch, ...] = ()
         try:
             outcome, branches = self.solved(None)
         except (RestitutionError, *UNFORESEEN) as failure:
@@ -178,7 +180,8 @@ class Worker:
             pairs = ((each, self.branches.get(id(each.trials))) for each in self.desk.outcomes)
             pair = next(((one, kept) for one, kept in pairs if isinstance(kept, list)), None)
             if pair is None:
-                return PartSolution(self.part, results, (), (), {}, None, error)
+                known, beyond = self._beyond()
+                return PartSolution(self.part, results, (), (), known, None, error, beyond=beyond)
             outcome, branches = pair
         return PartSolution(
             self.part,
@@ -293,12 +296,40 @@ class Worker:
             )
         return kept or through
 
+    def _beyond(self) -> tuple[Mapping[str, Role], tuple[Branch, ...]]:
+        """All that the equations of the part give, where each time a letter is out of its range.
+
+        With the roles of the letters; nothing where some of it is impossible for another reason.
+        """
+        try:
+            outcome = self.desk.outcome(self.desk.settle(None))
+            known = outcome.letters.all_roles()
+            branches: list[Branch] = []
+            for trial in outcome.refused:
+                if trial.kind != "range" or 0 in trial.root.values.values():
+                    return known, ()
+                example = self._example(outcome.setting, trial, known, out_of_range=True)
+                if example is None:
+                    continue  # no value of the motion: a factor that the equations have lost
+                values, story = example
+                whole = replace(trial, samples=(values,), admission=None, story=None, numbers=story)
+                branches.append(self._branch(outcome.setting, whole, len(branches) + 1))
+        except (RestitutionError, *UNFORESEEN):
+            return {}, ()
+        return known, () if outcome.accepted else tuple(branches)
+
     def _example(
-        self, setting: Setting, trial: Trial, known: Mapping[str, Role]
+        self,
+        setting: Setting,
+        trial: Trial,
+        known: Mapping[str, Role],
+        *,
+        out_of_range: bool = False,
     ) -> tuple[Sample, Story] | None:
         """Values of the letters, and the story with them, at which only the coefficient is wrong.
 
-        A root of an equation that was squared is no value that the data imply.
+        A root of an equation that was squared is no value that the data imply. Where a letter is
+        ``out_of_range``, equations alone have to hold.
         """
         free = sorted(set(known) - set(trial.root.values))
         dice = random.Random(41)
@@ -309,8 +340,10 @@ class Worker:
                     values[name] = at(value, values)
                 story = setting.tell(Numbers(values))
                 wanted = (*story.equations, *story.conditions, *setting.requirements(story))
-            except (UndefinedError, KeyError, ImpossibleError):
+            except (UndefinedError, KeyError, ImpossibleError, ZeroDivisionError):
                 continue
+            if out_of_range:
+                wanted = tuple(each for each in wanted if isinstance(each, Equation))
             if all(each.kind == "coefficient" or is_met(each) for each in wanted):
                 return values, story
         return None

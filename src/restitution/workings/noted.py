@@ -6,10 +6,13 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 from restitution.explaining.derivation import Derivation, Note, Ref, Relation
+from restitution.explaining.notation import read_relation, read_tree
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Letter
+from restitution.explaining.trees import trees_of
+from restitution.expression.tree import Expression, Letter
 from restitution.problem import Extremum, Show
 from restitution.render import layout as lay
+from restitution.solving.coefficients import COEFFICIENTS
 from restitution.workings.ends import Ends
 from restitution.workings.naming import Naming
 from restitution.workings.refuted import claim_of, refutation
@@ -29,13 +32,13 @@ class Notes:
         self._order = {item: n for n, item in enumerate(derivation.asked)}
 
     def of_part(self, label: str | None) -> list[Note]:
-        """The notes of a part, in the order asked; a contradiction of the data once for all."""
+        """The notes of a part, in the order asked; why none can have an answer once for all."""
         own = [each for each in self._derivation.notes if each.part == label]
         clashes: set[object] = set()
         kept = []
         for note in sorted(own, key=lambda each: each.place):
             clash = note.reason, note.lines
-            if note.kind == "contradiction" and note.lines:
+            if note.lines and (note.kind == "contradiction" or self._is_out_of_range(note)):
                 if clash in clashes:
                     continue
                 clashes.add(clash)
@@ -124,9 +127,12 @@ class Notes:
         return self._ends.named(note.item)
 
     def _impossible(self, note: Note, items: Sentence) -> Sentence:
-        """The value of a coefficient, and the bound that it breaks."""
-        value, bound = note.premises
+        """The value of a coefficient, and the bound that it breaks; what any other letter is."""
+        value, *bounds = note.premises
         relation = self._relation(value)
+        if self._is_out_of_range(note):
+            return self._out_of_range(relation.options[0][0].left, bounds)
+        (bound,) = bounds
         link = relation.only[-1]
         equation = lay.equation(
             self._naming.layout(relation.only[0].left), self._naming.layout(link.right)
@@ -146,6 +152,30 @@ class Notes:
             return say(name, items=items, value=equation)
         name = "note.none-data-above-one" if over else "note.none-data-below-zero"
         return say(name, items=items, value=self._naming.layout(link.right))
+
+    @staticmethod
+    def _is_out_of_range(note: Note) -> bool:
+        """Whether a letter has only values that it cannot have; a coefficient alone has its own."""
+        return note.kind == "impossible" and note.reason != COEFFICIENTS
+
+    def _out_of_range(self, subject: Expression, bounds: Sequence[Ref]) -> Sentence:
+        """What is known of a letter that has only values that it cannot have."""
+        bodies = self._naming.bodies
+        about = [
+            read_tree(text, bodies)
+            for head, _, text in (str(ref).partition(":") for ref in bounds)
+            if head == "acute"
+        ]
+        own = [
+            read_relation(str(ref), bodies) for ref in bounds if not str(ref).startswith("acute:")
+        ]
+        reasons: list[Sentence | lay.Layout] = [
+            say("derived.acute", angle=self._naming.layout(each)) for each in about
+        ]
+        reasons += [self._naming.relation(each) for each in own]
+        if subject not in about and not any(subject in trees_of(each) for each in own):
+            reasons.insert(0, say("derived.positive", letter=self._naming.layout(subject)))
+        return say("note.out-of-range", reasons=tuple(reasons))
 
     def _ends_in(self, note: Note) -> bool:
         """Whether a note is of the item that its lines are about."""
