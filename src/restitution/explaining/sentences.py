@@ -594,6 +594,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "note.none": "{items:capital} cannot be found, as {reason}.",
     "note.impossible": "What is described cannot happen, as {reason}.",
     "note.out-of-range": "But {reasons:and}. So what is described cannot happen.",
+    "note.no-root": "This cannot be, as {reasons:and}. So what is described cannot happen.",
+    "note.impossible-above": "What is described cannot happen, as shown above.",
+    "note.impossible-there": "What is described cannot happen, as part ({label}) shows.",
     "note.clash": "{reason:capital}.",
     "note.against": "But it is given that {fact}. So the data contradict each other.",
     "note.against-zero": (

@@ -104,6 +104,8 @@ def _pieces(item: ItemResult, unit: str) -> Iterator[str | _Piece]:
 
 def _rejected(item: ItemResult, unit: str) -> Iterator[str | _Piece]:
     for root in item.rejected:
+        if item.error is not None and item.error.message.endswith(f"rejected: {root.reason}"):
+            continue  # the reason why there is no answer names the values
         yield "  (rejected: "
         yield from _answer(item, root, unit)
         yield f", as {root.reason})"

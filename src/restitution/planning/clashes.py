@@ -6,25 +6,32 @@ what the fact speaks of, and a note that the fact cannot hold with them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import replace
+
+import sympy as sp
 
 from restitution.components.letters import protected_letters
 from restitution.components.telling import model
 from restitution.errors import ContradictionError, RestitutionError
-from restitution.explaining.derivation import Note, Ref, Relation
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, Note, Ref, Relation, equation
 from restitution.explaining.facts import facts_of, links_of
 from restitution.expression.tree import Name, Quantity, has_quantity, walk
 from restitution.planning.axes import frame_at
 from restitution.planning.checking import require_true
 from restitution.planning.claims import Claims
+from restitution.planning.collecting import multiplied_out
 from restitution.planning.desk import UNPLANNED, Desk, together
-from restitution.planning.impacts import after
+from restitution.planning.forms import tree_of
+from restitution.planning.givens import write_given
+from restitution.planning.impacts import after, residual
+from restitution.planning.items import goals
 from restitution.planning.order import Solver
 from restitution.planning.premises import background
 from restitution.planning.scene import Scene
 from restitution.planning.unfinished import require_followed
-from restitution.problem import AtRest, Compare, Given, Part, Problem, Step
+from restitution.problem import Aligned, AtRest, Compare, Given, Part, Problem, Step
 from restitution.problem import Relation as Said
 from restitution.solving import solve
 from restitution.solving.clash import clause_of
@@ -50,14 +57,14 @@ def write_clash(
             continue
         if note is not None:
             for name in names:
-                draft.note(name, "contradiction", note.reason, premises=note.premises)
+                draft.note(name, note.kind, note.reason, premises=note.premises)
             draft.withheld = frozenset()
             return draft
     return None
 
 
 def _facts(problem: Problem, part: Part) -> Iterator[tuple[Given, Said, int]]:
-    """What is given of the motion in a part: equations with quantities, and who is at rest.
+    """What is given of the motion in a part: equations with quantities, directions, who is at rest.
 
     Each has the number of events before it.
     """
@@ -66,7 +73,7 @@ def _facts(problem: Problem, part: Part) -> Iterator[tuple[Given, Said, int]]:
             continue
         for each in step.relations:
             match each:
-                case AtRest():
+                case AtRest() | Aligned():
                     yield step, each, events
                 case Compare(operators=("=",)) if any(map(has_quantity, each.operands)):
                     yield step, each, events
@@ -120,7 +127,56 @@ def _refuted(
         if refs and scene.judge.excludes(whole):
             return _with_what_is_needed(scene, whole)
         solver.back(standing)
+    desk.withheld = frozenset()
+    return _without_a_root(replace(scene), note, late)
+
+
+def _without_a_root(scene: Scene, note: Note, facts: Collection[str]) -> Note | None:
+    """The equation that facts become, which no values of its letters satisfy."""
+    solver = Solver(scene)
+    for given in scene.given:
+        if given.fact.id not in facts:
+            continue
+        standing, start = solver.mark(), len(scene.desk.lines)
+        try:
+            for side in (given.link.left, given.link.right):
+                for goal in goals(scene, side):
+                    solver.determine([goal])
+            line = write_given(scene, given)
+            names = [each.name for each in residual(scene, line).free_symbols]
+            symbols = [scene.model.unknowns.letter(name) for name in sorted(names)]
+            for symbol in symbols:
+                mark = solver.mark()
+                last = _of_one_ratio(scene, multiplied_out(scene, line, symbol), symbol)
+                require_followed(scene, scene.desk.lines[start:])
+                for bounds in ((), background(scene, names)):
+                    whole = replace(note, kind="impossible", premises=(last, *bounds))
+                    if scene.judge.excludes(whole):
+                        return _with_what_is_needed(scene, whole)
+                solver.back(mark)
+        except UNPLANNED:
+            pass
+        solver.back(standing)
     return None
+
+
+def _of_one_ratio(scene: Scene, line: int, angle: sp.Symbol) -> int:
+    """The square of the cosine or the sine of an angle, where the line has both; or the line."""
+    above = residual(scene, line)
+    if not {sp.sin(angle), sp.cos(angle)} <= above.atoms(sp.sin, sp.cos):
+        return line
+    for kept, other in ((sp.cos(angle), sp.sin(angle)), (sp.sin(angle), sp.cos(angle))):
+        square = sp.Dummy()
+        plain = sp.expand(above).xreplace({other**2: 1 - square, kept**2: square})
+        if plain.has(angle) or sp.degree(plain, square) != 1:
+            continue
+        (value,) = sp.roots(sp.Poly(plain, square))
+        relation = equation(tree_of(kept**2), tree_of(tidy(value)))
+        move = Move("identity", "pythagoras")
+        refs = scene.judge.enough(move, (line,), relation, background(scene, {angle.name}))
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
+    return line
 
 
 def _with_what_is_needed(scene: Scene, note: Note) -> Note:

@@ -9,7 +9,7 @@ from restitution.explaining.derivation import Derivation, Note, Ref, Relation
 from restitution.explaining.notation import read_relation, read_tree
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.trees import trees_of
-from restitution.expression.tree import Expression, Letter
+from restitution.expression.tree import Expression, Letter, walk
 from restitution.problem import Extremum, Show
 from restitution.render import layout as lay
 from restitution.solving.coefficients import COEFFICIENTS
@@ -131,7 +131,16 @@ class Notes:
         value, *bounds = note.premises
         relation = self._relation(value)
         if self._is_out_of_range(note):
-            return self._out_of_range(relation.options[0][0].left, bounds)
+            line = self._derivation.line(max(note.lines))
+            label = None if line is None else self._ends.part(line)
+            if label != note.part:
+                if label is None:
+                    return say("note.impossible-above")
+                return say("note.impossible-there", label=label)
+            subject = relation.options[0][0].left
+            if isinstance(subject, Letter):
+                return self._out_of_range(subject, bounds)
+            return self._without_a_root(relation, bounds)
         (bound,) = bounds
         link = relation.only[-1]
         equation = lay.equation(
@@ -160,22 +169,37 @@ class Notes:
 
     def _out_of_range(self, subject: Expression, bounds: Sequence[Ref]) -> Sentence:
         """What is known of a letter that has only values that it cannot have."""
-        bodies = self._naming.bodies
-        about = [
-            read_tree(text, bodies)
-            for head, _, text in (str(ref).partition(":") for ref in bounds)
-            if head == "acute"
-        ]
-        own = [
-            read_relation(str(ref), bodies) for ref in bounds if not str(ref).startswith("acute:")
-        ]
-        reasons: list[Sentence | lay.Layout] = [
-            say("derived.acute", angle=self._naming.layout(each)) for each in about
-        ]
-        reasons += [self._naming.relation(each) for each in own]
-        if subject not in about and not any(subject in trees_of(each) for each in own):
-            reasons.insert(0, say("derived.positive", letter=self._naming.layout(subject)))
-        return say("note.out-of-range", reasons=tuple(reasons))
+        about = self._known(bounds)
+        if subject not in about:
+            about = {subject: self._positive(subject), **about}
+        return say("note.out-of-range", reasons=tuple(about.values()))
+
+    def _without_a_root(self, relation: Relation, bounds: Sequence[Ref]) -> Sentence:
+        """What is known of the letters of an equation that none of their values satisfy."""
+        about = self._known(bounds)
+        for node in (each for tree in trees_of(relation) for each in walk(tree)):
+            if isinstance(node, Letter) and node not in about:
+                about[node] = self._positive(node)
+        return say("note.no-root", reasons=tuple(about.values()))
+
+    def _positive(self, letter: Expression) -> Sentence:
+        return say("derived.positive", letter=self._naming.layout(letter))
+
+    def _known(self, bounds: Sequence[Ref]) -> dict[Expression, Sentence | lay.Layout]:
+        """What bounds say, by the letter of which they say it."""
+        about: dict[Expression, Sentence | lay.Layout] = {}
+        for text in map(str, bounds):
+            head, _, rest = text.partition(":")
+            if head == "acute":
+                angle = read_tree(rest, self._naming.bodies)
+                about[angle] = say("derived.acute", angle=self._naming.layout(angle))
+                continue
+            relation = read_relation(text, self._naming.bodies)
+            letter = next(
+                e for tree in trees_of(relation) for e in walk(tree) if isinstance(e, Letter)
+            )
+            about[letter] = self._naming.relation(relation)
+        return about
 
     def _ends_in(self, note: Note) -> bool:
         """Whether a note is of the item that its lines are about."""

@@ -1,0 +1,96 @@
+"""Workings of what cannot happen: the equations are worked out, and say why."""
+
+from __future__ import annotations
+
+import pytest
+
+from restitution.errors import ContradictionError, ImpossibleError
+from restitution.explaining.follower import follow
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solving import solve
+from restitution.solving.letters import roles
+from restitution.workings import explain, to_text
+
+SPHERES = """
+sphere A: mass m, velocity {u}
+sphere B: mass {k} m, {v}
+A hits B: along i{e}
+"""
+
+
+def working(text: str) -> str:
+    """The working of a question, of which the follower accepts every line."""
+    solution = solve(parse(text))
+    derivation = plan(solution)
+    assert follow(derivation, Oracle(roles(solution.problem))) == ()
+    return " ".join(to_text(explain(solution)).split())
+
+
+def test_one_value_that_a_letter_cannot_have() -> None:
+    """A would be driven back faster than it came: w = −2, and 2 = −3 − 2k."""
+    text = SPHERES.format(u="2i + 3j", k="k", v="at rest", e=", e = 1/2")
+    text += "given velocity(A) = -3i + 3j\nfind k"
+    with pytest.raises(ImpossibleError, match="k = −5/2 rejected: k must be positive"):
+        _ = solve(parse(text))["k"].exact
+    assert "k = −5/2 A1 But k is positive. So what is described cannot happen." in (working(text))
+
+
+def test_all_roots_are_out_of_range() -> None:
+    """11k² + 12k + 1 = 0."""
+    text = SPHERES.format(u="u at 60°", k="k", v="velocity u/2 at -90°", e=", e = 2/3")
+    text += "given speed(A) = speed(B)\nfind k, speed(A)"
+    shown = working(text)
+    assert "(11k + 1)(k + 1) = 0" in shown
+    assert "k = −1/11 ≈ −0.0909 or k = −1" in shown
+    assert shown.count("But k is positive. So what is described cannot happen.") == 1
+    assert "as k is positive" not in shown
+
+
+def test_a_value_in_letters() -> None:
+    text = SPHERES.format(u="u at theta", k="", v="velocity c u at 90°", e=", e = 1/2")
+    text += "given velocity(A) perpendicular to velocity(B)\nfind c in terms of theta"
+    shown = working(text)
+    assert "But c is positive and θ is acute. So what is described cannot happen." in shown
+
+
+def test_several_values_of_a_coefficient() -> None:
+    text = SPHERES.format(u="3u at 45°", k="", v="velocity u at 135°", e="")
+    text = text.replace("mass m,", "mass 4m,", 1).replace("mass  m", "mass 3m")
+    text += "given speed(A) = 5/7 speed(B)\nfind e"
+    shown = working(text)
+    assert "82e² − 2223e + 2791 = 0" in shown
+    assert "But e ≤ 1. So what is described cannot happen." in shown
+
+
+def test_an_equation_that_no_angle_satisfies() -> None:
+    """For heavy A and e = ½: (½ cos α)² + sin² α + cos² α = 1 needs cos α = 0."""
+    text = SPHERES.format(u="u at alpha", k="", v="at rest", e=", e = 1/2")
+    text = text.replace("mass m,", "mass 2m,", 1)
+    text += "given speed(A)^2 + speed(B)^2 = u^2\nfind alpha\npart b\nfind speed(A)"
+    shown = working(text)
+    assert "cos²α = 0 A1 This cannot be, as α is acute. So what is described cannot happen." in (
+        shown
+    )
+    assert shown.endswith("What is described cannot happen, as shown above.")
+
+
+def test_a_direction_that_cannot_be() -> None:
+    text = (
+        "wall OA: along i\nwall OB: along 60°\nsphere P: velocity u at theta to OA\n"
+        "P hits OA: e = 1/2\nP hits OB: e = 1/2\n"
+        "given velocity(P) parallel to OA\nfind tan(theta)"
+    )
+    with pytest.raises(ContradictionError):
+        _ = solve(parse(text))["tan(theta)"].exact
+    assert "This cannot be, as θ is acute." in working(text)
+
+
+def test_that_nothing_moves_is_no_value_of_a_speed() -> None:
+    """An equation of squares of speeds alone is satisfied by u = 0: that is not the reason."""
+    text = SPHERES.format(u="u at alpha", k="", v="at rest", e=", e = 1/2")
+    text += "given speed(A)^2 + speed(B)^2 = 3u^2\nfind alpha"
+    with pytest.raises(ContradictionError) as caught:
+        _ = solve(parse(text))["alpha"].exact
+    assert "u must be positive" not in caught.value.message
