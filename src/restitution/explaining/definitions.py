@@ -9,7 +9,7 @@ from itertools import pairwise, product
 from typing import Any
 
 from restitution.explaining.derivation import FLIPPED, Event, Link, Relation, Sign, whole_of
-from restitution.explaining.quotients import Plane
+from restitution.explaining.quotients import Plane, Quotient
 from restitution.explaining.step import Step
 from restitution.explaining.trees import settled
 from restitution.explaining.turnings import turnings
@@ -525,10 +525,32 @@ def _tied(step: Step, event: Event | None) -> Iterator[Link]:
         tie = tie_of(link)
         if tie is not None and tie[2] == relation:
             yield from ties(step, event, *tie)
+            if relation == "perpendicular to" and event is not None and not event.wall:
+                yield from _across_who_moves_along(step, event, *tie[:2])
         past = past_a_right_angle(link)
         if past is not None and step.move.record == "perpendicular":
             for each in ties(step, event, *past[:2], relation):
                 yield replace(each, sign=past[2])
+
+
+def _across_who_moves_along(
+    step: Step, event: Event, left: Expression, right: Expression
+) -> Iterator[Link]:
+    """At right angles to who moves along the line of centres, a sphere has no component along it.
+
+    There is a right angle only between spheres that both move.
+    """
+    axis = axis_of(event)
+    for one, other in ((left, right), (right, left)):
+        match one, other:
+            case (
+                Quantity("velocity", (Name(body),), event.number),
+                Quantity("velocity", (Name(last),), event.number),
+            ) if {body, last} == set(event.bodies):
+                across = step.setting.quantity(Quantity("across", (one, axis)))
+                value = step.rules().put_into(step.world.value(across))
+                if isinstance(value, Quotient) and value.vanishes:
+                    yield Link(Quantity("along", (other, axis)), "=", ZERO)
 
 
 def _named_angles(step: Step) -> Iterator[Link]:

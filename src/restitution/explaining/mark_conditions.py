@@ -303,6 +303,16 @@ def _of_facts(work: Work, line: Line) -> bool:
     )
 
 
+def _at_sight(work: Work, line: Line) -> bool:
+    """It rests on the statement alone; a right angle also on a component that stays zero."""
+    square = line.move.record == "perpendicular"
+    return all(
+        isinstance(each.relation, Meaning)
+        or (square and each.move.id == "law" and _zero(work, each))
+        for each in work.cited(line)
+    )
+
+
 def _in_letters(work: Work, line: Line) -> bool:
     """Whether what a line comes to has letters in it."""
     relation = line.relation
@@ -495,6 +505,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "second-of-several": lambda work, line: _alike(work, line)[1:2] == [line],
     "by-its-letter": _by_its_letter,
     "of-facts": _of_facts,
+    "at-sight": _at_sight,
     "of-angles": _of_angles,
     "in-letters": _in_letters,
     "at-once": lambda work, line: (

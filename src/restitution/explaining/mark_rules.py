@@ -131,7 +131,7 @@ RULES: tuple[Rule, ...] = (
         ("speed", "size", "scalar-angle", "distance", "product", "momentum-of"),
     ),
     _rule(
-        "condition-on-one-component", ("define",), "B", ("perpendicular", "parallel"), ("of-facts",)
+        "condition-on-one-component", ("define",), "B", ("perpendicular", "parallel"), ("at-sight",)
     ),
     _rule("right-angle-by-a-product", ("define",), "", ("perpendicular",), ("product-above",)),
     _rule("direction-read-off", ("define",), "", ("parallel",), ("a-direction",)),

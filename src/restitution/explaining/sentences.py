@@ -426,6 +426,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "It is given that {fact}. As {body} moves along the line of centres, the scalar product is "
         "that of the components along it, and is zero:"
     ),
+    "given.square-to": (
+        "It is given that {fact}. {one} moves along the line of centres, so {other} moves "
+        "perpendicular to it:"
+    ),
     "given.multiple": "It is given that {fact}, so the {component} is {value}.",
     "given.rest": "It is given that {body} is at rest afterwards.",
     "given.proportion": "It is given that {fact}, so their components are in proportion:",

@@ -48,6 +48,7 @@ from restitution.planning.roots import senses, written_law
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.systems import solve_together
+from restitution.planning.ties import tied
 from restitution.planning.unknown_blows import take_blow
 from restitution.planning.vectors import common_velocity, velocity_given
 from restitution.work import remembered
@@ -320,6 +321,11 @@ class Solver:
         zero = [factor for factor in factors if model.sign(model.in_data(factor)) == 0]
         return frozenset(s for each in zero or [put] for s in self.scene.unknown(each))
 
+    def _vanishing(self, symbols: frozenset[sp.Symbol]) -> frozenset[sp.Symbol]:
+        """Those that are zero in the solution."""
+        model = self.scene.model
+        return frozenset(each for each in symbols if model.sign(model.in_data(each)) == 0)
+
     def _is_of_direction(self, own: Candidate) -> bool:
         """Whether a fact tells the direction of a body that moves along the line of centres."""
         given = self.equations.givens.get(own.id)
@@ -415,8 +421,12 @@ class Solver:
         """A fact with one unknown, which is a component, or a letter that it names."""
         for own in left:
             given = self.equations.givens.get(own.id)
+            if given is None:
+                continue
             open_ = self._open(own)
-            if given is None or len(open_) != 1:
+            if len(open_) == 2 and tied(given.link) is not None:
+                open_ = self._vanishing(open_)
+            if len(open_) != 1:
                 continue
             (symbol,) = open_
             if self._is_of_either_sense(own, symbol, left) or self._waits(symbol, left):

@@ -92,10 +92,18 @@ def _two_velocities(
     (a, b), (c, d) = sources
     pairs = ((a, c), (b, d)) if record == "perpendicular" else ((a, d), (b, c))
     cited = [_cited(pair) for pair in pairs]
-    refs = together(each.refs, *(s.refs for p in cited for s in p), _axis(frame, cited))
     first, second = (product(*(tree_of(each.value) for each in pair)) for pair in cited)
     bodies = tuple(dict.fromkeys(body for body, _ in both))
     move = Move("define", record, frame.number, bodies)
+    for along, still in ((a, d), (c, b)) if record == "perpendicular" else ():
+        if still.value != 0 or along.value == 0:
+            continue
+        # Who moves along the line of centres is at right angles to who moves across it.
+        own = Relation(((link(tree_of(along.value), ZERO),),))
+        refs = scene.judge.needed(move, together(each.refs, along.whole, still.whole), own)
+        if refs is not None:
+            return scene.desk.write(move, refs, own)
+    refs = together(each.refs, *(s.refs for p in cited for s in p), _axis(frame, cited))
     own = link(total((first, second)), ZERO) if record == "perpendicular" else link(first, second)
     return scene.desk.write(move, refs, Relation(((own,),)))
 

@@ -122,6 +122,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             turned = self._turned(line)
             if turned is not None:
                 return (say("given.and", fact=sentence), turned)
+        if line.move.record == "perpendicular" and (pair := self._square_to_the_line(line)):
+            return (say("given.square-to", fact=sentence, one=pair[0], other=pair[1]),)
         if isinstance(line.relation.options[0][0].left, Letter):
             return (say("given.fact", fact=sentence),)
         if line.move.record == "perpendicular" and past is not None:

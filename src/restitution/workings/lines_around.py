@@ -60,6 +60,32 @@ class LinesAround:
                 return body
         return None
 
+    def _square_to_the_line(self, line: Line) -> tuple[str, str] | None:
+        """Who moves along the line of centres, and who across it, of two at right angles.
+
+        The line is about the component of the other one alone.
+        """
+        mover = self._on_the_line(line)
+        others = [body for body in line.move.bodies if body != mover]
+        if mover is None or len(others) != 1:
+            return None
+        letters = {
+            each.relation.letter: each.relation.quantity
+            for each in self._derivation.lines
+            if isinstance(each.relation, Meaning)
+        }
+        for each in filter(None, map(self._cited, line.premises)):
+            own = each.relation
+            match own.quantity if isinstance(own, Meaning) else own.options[0][0].left:
+                case Letter(name) if name in letters:
+                    quantity = letters[name]
+                case quantity:
+                    pass
+            match quantity:
+                case Quantity("along", (Quantity("velocity", (Name(body),)), _)) if body == mover:
+                    return None
+        return mover, others[0]
+
     def _moving_along(self, line: Line) -> str | None:
         """The body that moves along the line of centres, of two between which an angle is."""
         if line.move.record != "tan" or len(line.move.bodies) != 2:
