@@ -496,7 +496,8 @@ class Solver:
     ) -> bool:
         """Whether a fact gives the square of a component for which both laws are still to come.
 
-        By the laws its sense is known, or shown in letters.
+        By the laws its sense is known, or shown in letters. They exclude a sense of one value, or
+        of a letter; where that is a sum, or a root of letters, the component comes from them.
         """
         link = self.equations.givens[own.id].link
         kinds = {
@@ -517,7 +518,11 @@ class Solver:
         if not {f"momentum {number}", f"restitution {number}"} <= ids:
             return False
         put = [sp.expand(self.scene.with_values(each)[0]) for each in own.residuals]
-        return any(sp.diff(each, symbol, 2) != 0 for each in put)
+        squared = [each for each in put if sp.diff(each, symbol, 2) != 0]
+        if not squared:
+            return False
+        # Of several solutions each would need the laws anew.
+        return bool(self.scene.others) or not all(_is_plain_square(x, symbol) for x in squared)
 
     def _closes(self, number: int, symbol: sp.Symbol) -> bool:
         """Solves a line for its unknown, if there is a way now; there may be one later."""
@@ -920,6 +925,24 @@ class Solver:
         if number is not None:
             return with_known(self.scene, number)
         return _LAWS[kind](self.scene, self.scene.frame(event))
+
+
+def _is_plain_square(equation: sp.Expr, symbol: sp.Symbol) -> bool:
+    """Whether an equation says that the square of a letter is that of a number or a product."""
+    own = [each for each in equation.atoms(sp.Pow) if each.exp == sp.S.Half]
+    own = [each for each in own if symbol in each.free_symbols]
+    if own:
+        # A speed is the root of such a sum.
+        part = equation.coeff(own[0])
+        other = (equation - part * own[0]).expand()
+        equation = (own[0].base - (other / part) ** 2).expand()
+    slope = sp.diff(equation, symbol, 2) / 2
+    rest = (equation - slope * symbol**2).expand()
+    if symbol in slope.free_symbols or symbol in rest.free_symbols:
+        return False
+    root = tidy(sp.sqrt(factored(-rest / slope)))
+    roots = (power for power in root.atoms(sp.Pow) if power.exp.is_Rational and power.exp.q != 1)
+    return not root.has(sp.Add, sp.sin, sp.cos) and not any(each.free_symbols for each in roots)
 
 
 @remembered(512)

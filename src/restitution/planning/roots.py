@@ -521,10 +521,11 @@ def _laws(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
         if component.symbol == symbol:
             frame = scene.frame(number)
             if frame.wall is None:
-                return tuple(
+                first, second = (
                     written_law(scene, record, number) or write(scene, frame)
-                    for record, write in (("restitution", restitution), ("momentum", momentum))
+                    for record, write in (("momentum", momentum), ("restitution", restitution))
                 )
+                return second, first
     return ()
 
 
