@@ -40,7 +40,15 @@ def by_hand(name: str) -> Derivation:
 @cache
 def made_up(name: str) -> Derivation:
     statement, _, working = WORKINGS[name].partition("---\n")
-    return derivation_of(parse(statement), working)
+    made = derivation_of(parse(statement), working)
+    lines = (
+        replace(e, shown="inline") if e.number in INLINE.get(name, ()) else e for e in made.lines
+    )
+    return replace(made, lines=tuple(lines))
+
+
+# Lines of workings that the next one goes on with.
+INLINE = {"by-squares": (3,)}
 
 
 def line_of(derivation: Derivation, number: int) -> str:
@@ -370,6 +378,20 @@ find alpha
 5 a | inverse | 4, acute: alpha | alpha = arctan(29/32)
 a: 5 alpha = arctan(29/32)
 """,
+    # Of a tangent the squares of sine and cosine are put in, in the same chain.
+    "by-squares": """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given tan(alpha) = sqrt(2)
+find energy_lost
+---
+1 a | law restitution-wall 1 P | velocity P, e 1 | along(velocity(P, 1), j) = e u sin(alpha)
+2 a | triangle | given 1, acute: alpha | sin(alpha)^2 = 2/3 and cos(alpha)^2 = 1/3
+3 a | define energy-lost 1 P | mass P, 1 | energy_lost(1) = 1/2 m (1 - e^2) (u sin(alpha))^2
+4 a | put | 3, 2 | energy_lost(1) = 1/2 m (2/3 u^2 - 2/3 e^2 u^2) = 1/3 m u^2 (1 - e^2) [rearrange]
+a: 4 energy_lost(1) = 1/3 m u^2 (1 - e^2)
+""",
     # A body that hits a wall at right angles comes straight back.
     "straight-back": """
 wall W: along i
@@ -451,6 +473,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("chord", "circle", 1, "M1", "M1", "M1"),
     ("chord-again", "circle", 3, "", "", ""),
     ("angles-round-a-circle", "round", 1, "M1", "M1", "M1"),
+    ("energy-that-goes-on", "by-squares", 3, "M1", "DM1", "M1"),
     ("energy", "energy-inequality", 7, "DM1 A1", "DM1 A1", "DM1 A1"),
     ("first-of-several-energies", "energies", 6, "DM1", "DM1", "DM1"),
     ("second-of-several-energies", "energies", 7, "A1", "A1", "A1"),

@@ -7,6 +7,7 @@ from test_planning_closing import lines, planned, said
 
 from restitution.workings import explain, to_text
 
+WALL = "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W"
 AT_REST = "sphere A: mass {a}, velocity u at alpha\nsphere B: mass {b}, at rest\nA hits B: along i"
 
 
@@ -30,3 +31,48 @@ def test_both_components_count_where_both_spheres_move_across() -> None:
         "A hits B: along i\ngiven velocity(A) perpendicular to velocity(B)\nfind e"
     )
     assert "v = 0" not in said(derivation)
+
+
+@pytest.mark.parametrize("e", ["1/2", "e"])
+def test_a_speed_by_the_squares_of_sine_and_cosine(e: str) -> None:
+    text = f"{WALL}: e = {e}\ngiven deflection(P) = 90°\nfind tan(alpha), speed(P)"
+    if e == "e":
+        text = f"{WALL}\ngiven deflection(P) = 90°\nfind tan(alpha), speed(P) in terms of u, e"
+    solution, derivation = planned(text)
+    told = said(derivation)
+    assert not any(each.startswith("sin(alpha) =") for each in told)
+    assert any(each.startswith("sin^2(alpha) =") for each in told)
+    assert f"speed(P, 1) = sqrt(({'e' if e == 'e' else '1/2'} u sin(alpha))^2" in told[-2]
+    assert told[-1].count("[rearrange]") == 1
+    words = to_text(explain(solution), 200)
+    assert words.count("speed of P =") == 1  # one chain
+    assert "Substituting for sin" not in words
+
+
+def test_a_right_angle_by_the_squares_of_sine_and_cosine() -> None:
+    text = f"{WALL}: e = 1/9\ngiven speed(P) = 1/3 u\nfind tan(alpha), deflection(P)"
+    solution, derivation = planned(text)
+    assert (
+        said(derivation)[-2]
+        == "dot(velocity(P, 0), velocity(P, 1)) = -u^2/10 + u^2/10 = 0 [rearrange]"
+    )
+    assert "sin α = " not in to_text(explain(solution), 200)
+
+
+def test_components_that_are_asked_have_the_ratios_themselves() -> None:
+    text = f"{WALL}\ngiven deflection(P) = 90°, e = 1/2\nfind tan(alpha), speed(P), velocity(P)"
+    _, derivation = planned(text)
+    assert any(each.startswith("sin(alpha) =") for each in said(derivation))
+
+
+POST = "wall C: circle centre (0, 0) radius a\nsphere P: at (-3a, a/2), velocity {u}\nP hits C: e = 1/3"
+
+
+def test_a_velocity_along_i_and_one_along_j_are_at_right_angles() -> None:
+    solution, derivation = planned(f"{POST.format(u='u i')}\nfind velocity(P), deflection(P)")
+    assert not any("dot" in each for each in said(derivation))
+    words = " ".join(to_text(explain(solution), 200).split())
+    assert (
+        "P came parallel to 𝐢 and leaves parallel to 𝐣. So angle of deflection of P = 90° A1ft"
+        in words
+    )

@@ -313,6 +313,18 @@ def _at_sight(work: Work, line: Line) -> bool:
     )
 
 
+def _of_a_product(work: Work, line: Line) -> bool:
+    """It rests on a scalar product of the same item, or on velocities that stand as vectors."""
+    cited = tuple(work.cited(line))
+    further = [own for each in cited if each.move.id == "put" for own in work.cited(each)]
+    if any(own.move.record == "product" and own.item == line.item for own in (*cited, *further)):
+        return True
+    lefts = [
+        each.relation.options[0][0].left for each in cited if isinstance(each.relation, Relation)
+    ]
+    return bool(lefts) and all(isinstance(e, Quantity) and e.kind == "velocity" for e in lefts)
+
+
 def _in_letters(work: Work, line: Line) -> bool:
     """Whether what a line comes to has letters in it."""
     relation = line.relation
@@ -506,6 +518,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "by-its-letter": _by_its_letter,
     "of-facts": _of_facts,
     "at-sight": _at_sight,
+    "inline": lambda work, line: line.shown == "inline",
     "of-angles": _of_angles,
     "in-letters": _in_letters,
     "at-once": lambda work, line: (
@@ -522,9 +535,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "of-one-term": _of_one_term,
     "an-equation": lambda work, line: line.number not in work.ends and _has_power_on_the_left(line),
     "of-a-number": _of_a_number,
-    "product-above": lambda work, line: any(
-        each.move.record == "product" and each.item == line.item for each in work.cited(line)
-    ),
+    "product-above": _of_a_product,
     "opposite": is_opposite,
     "of-laws": lambda work, line: bool(events_solved(work, line)),
     "first": lambda work, line: not _solved_before(work, line),

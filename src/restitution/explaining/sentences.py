@@ -897,6 +897,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "derived.along-centres": "{body} moves along the line of centres:",
     "derived.across-centres": "{body} moves perpendicular to the line of centres:",
+    "derived.turned-square": "{body} came parallel to {first} and leaves parallel to {second}. So",
+    "derived.axes-apart": "{one} moves parallel to {first}, and {other} parallel to {second}. So",
     "derived.apart": ("{one} moves perpendicular to the line of centres, and {other} along it. So"),
     "derived.along-axis": "{body} has no component of velocity in the direction of {axis}:",
     "derived-parallel.title": "In one direction, the components are in the same ratio",

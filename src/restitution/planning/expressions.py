@@ -31,6 +31,7 @@ from restitution.planning.polynomials import expanded
 from restitution.planning.quantities import formula
 from restitution.planning.scene import Scene
 from restitution.planning.separations import relative_speed
+from restitution.planning.squared_ratios import write_by_squares
 from restitution.planning.turning import angle_line, write_decimal
 from restitution.planning.velocity_formulas import velocity_source
 from restitution.vector import Vector
@@ -214,6 +215,8 @@ def _value_of(scene: Scene, node: Expression) -> Source | None:
         number, value = journeys.write(scene, node)
         return Source(value, (number,))
     if isinstance(node, Quantity):
+        if write_by_squares(scene, node, formula) is not None:
+            return scene.desk.known(node)
         own = formula(scene, node)
         return Source(own.value, (write_formula(scene, own),))
     return None

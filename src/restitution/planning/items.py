@@ -40,6 +40,7 @@ from restitution.planning.ratios import inverse
 from restitution.planning.related_velocities import write_related
 from restitution.planning.scene import Scene
 from restitution.planning.separations import event_of_relative
+from restitution.planning.squared_ratios import write_by_squares
 from restitution.planning.turning import is_angle, quantity_of, write_angle, write_ratio
 from restitution.problem import Find, Value
 from restitution.solving.letters import roles
@@ -100,6 +101,8 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             scene.desk.end(name, line_, chain(subject, (_right(scene, line_), None)))
         case Quantity() if (written := _written(scene, asked)) is not None:
             scene.desk.end(name, written, chain(asked, (_right(scene, written), None)))
+        case Quantity() if (squared := write_by_squares(scene, asked, formula)) is not None:
+            scene.desk.end(name, squared, chain(asked, (_right(scene, squared), None)))
         case Quantity():
             own = formula(scene, asked)
             if scene.unknown(own.value):

@@ -20,7 +20,7 @@ from restitution.expression.tree import (
 )
 from restitution.expression.writing import write_expression
 from restitution.planning.desk import Source, chain, together
-from restitution.planning.forms import product, swept, total, tree_of
+from restitution.planning.forms import ZERO, product, swept, total, tree_of
 from restitution.planning.formulas import write_formula
 from restitution.planning.impacts import in_direction
 from restitution.planning.lines_between import whole_velocity
@@ -28,16 +28,26 @@ from restitution.planning.named_angles import letter_of
 from restitution.planning.premises import background
 from restitution.planning.quantities import formula
 from restitution.planning.scene import Scene
+from restitution.planning.squared_ratios import (
+    angles_by_squares,
+    keeping,
+    squares_line,
+    squares_put,
+)
 from restitution.planning.turns import Moving, impact_of, velocities_of
+from restitution.vector import Vector
 
 
-def write_right_angle(scene: Scene, asked: Quantity) -> int | None:
-    """The line of a right angle between two velocities, by their product, which is zero."""
+def write_right_angle(scene: Scene, asked: Quantity, *, by_squares: bool = False) -> int | None:
+    """The line of a right angle between two velocities, by their product, which is zero.
+
+    With ``by_squares`` only of an angle of which the squares of the ratios are put in.
+    """
     pair = velocities_of(scene, asked)
     if pair is None:
         return None
     mark = scene.desk.mark()
-    number = _product(scene, pair)
+    number = (_product_by_squares if by_squares else _product)(scene, pair)
     if number is not None:
         event = _event(pair)
         move = Move("define", "perpendicular", event, _bodies(pair))
@@ -46,6 +56,35 @@ def write_right_angle(scene: Scene, asked: Quantity) -> int | None:
             return scene.desk.write(move, (number,), relation)
     scene.desk.back(mark)
     return None
+
+
+def write_right_angle_of_axes(scene: Scene, asked: Quantity) -> int | None:
+    """The line of a right angle between a velocity along **i** and one along **j**.
+
+    None where one of them does not stand as such a vector.
+    """
+    pair = velocities_of(scene, asked)
+    if pair is None:
+        return None
+    refs: list[Ref] = []
+    axes: list[str] = []
+    for body, stage in pair:
+        last = scene.last_event(body, stage)
+        known = scene.desk.known(Quantity("velocity", (Name(body),), last))
+        source = scene.initial(body) if not last else known
+        if source is None or not isinstance(source.value, Vector):
+            return None
+        zero = [scene.model.identically_zero(each) for each in source.value]
+        if zero[0] == zero[1]:
+            return None
+        axes.append("j" if zero[0] else "i")
+        refs += source.refs
+    if axes[0] == axes[1]:
+        return None
+    move = Move("define", "perpendicular", _event(pair), _bodies(pair))
+    relation = chain(asked, (tree_of(sp.pi / 2, angle=True), None))
+    premises = scene.judge.needed(move, refs, relation)
+    return None if premises is None else scene.desk.write(move, premises, relation)
 
 
 def write_cosine(scene: Scene, asked: Quantity) -> int | None:
@@ -103,12 +142,11 @@ def _velocity(scene: Scene, moving: Moving) -> Quantity:
     return Quantity("velocity", (Name(body),), scene.last_event(body, stage))
 
 
-def _product(scene: Scene, pair: tuple[Moving, Moving]) -> int | None:
-    """The line of the scalar product of two velocities."""
-    refs: tuple[Ref, ...]
-    event = _event(pair)
+def _terms(
+    scene: Scene, pair: tuple[Moving, Moving]
+) -> tuple[Expression, Expression, sp.Expr, tuple[Ref, ...]]:
+    """The scalar product of two velocities, its terms, what it is worth, and what it rests on."""
     components: list[list[Any]] = []
-    extra: tuple[Ref, ...] = ()
     impact = impact_of(scene, *sorted(pair, key=lambda each: each[1]))
     if impact is not None:
         frame = scene.frame(impact)
@@ -118,8 +156,7 @@ def _product(scene: Scene, pair: tuple[Moving, Moving]) -> int | None:
             for kind in ("along", "across")
         ]
         refs = together(*(source.whole for source in sources))
-        refs = together(refs, frame.names_axis("along"), frame.names_axis("across"))
-        extra = frame.refs
+        refs = together(refs, frame.names_axis("along"), frame.names_axis("across"), frame.refs)
         components = [[each.value for each in own] for own in (sources[:2], sources[2:])]
     else:
         vectors: list[Source] = [whole_velocity(scene, *each) for each in pair]
@@ -127,12 +164,40 @@ def _product(scene: Scene, pair: tuple[Moving, Moving]) -> int | None:
         components = [list(vector.value) for vector in vectors]
     (a, b), (c, d) = components
     tree = total((product(tree_of(a), tree_of(c)), product(tree_of(b), tree_of(d))))
-    value = tidy(sp.expand(a * c + b * d))
     subject = Quantity("dot", tuple(_velocity(scene, each) for each in pair))
-    relation = chain(subject, (swept(tree), None), (tree_of(value), "rearrange"))
-    move = Move("define", "product", event, _bodies(pair))
-    premises = scene.judge.needed(move, dict.fromkeys((*refs, *extra)), relation)
+    return subject, swept(tree), tidy(sp.expand(a * c + b * d)), refs
+
+
+def _product(scene: Scene, pair: tuple[Moving, Moving]) -> int | None:
+    """The line of the scalar product of two velocities."""
+    subject, tree, value, refs = _terms(scene, pair)
+    relation = chain(subject, (tree, None), (tree_of(value), "rearrange"))
+    move = Move("define", "product", _event(pair), _bodies(pair))
+    premises = scene.judge.needed(move, refs, relation)
     return None if premises is None else scene.desk.write(move, premises, relation)
+
+
+def _product_by_squares(scene: Scene, pair: tuple[Moving, Moving]) -> int | None:
+    """The same of a product that is zero, by the squares of the ratios of an angle.
+
+    None where sine and cosine are put in as they are.
+    """
+    move = Move("define", "product", _event(pair), _bodies(pair))
+    for symbol in angles_by_squares(scene):
+        mark = scene.desk.mark()
+        with keeping(scene, symbol):
+            subject, tree, _, refs = _terms(scene, pair)
+        put = squares_put(scene, tree, symbol)
+        first = chain(subject, (tree, None))
+        premises = scene.judge.needed(move, refs, first)
+        if put is not None and premises is not None and tidy(scene.scalar(put)) == 0:
+            line = squares_line(scene, symbol)
+            number = scene.desk.write(move, premises, first, shown="inline")
+            last = chain(subject, (put, None), (ZERO, "rearrange"))
+            if scene.judge.follows(Move("put"), (number, line), last):
+                return scene.desk.write(Move("put"), (number, line), last)
+        scene.desk.back(mark)
+    return None
 
 
 def _value(scene: Scene, ref: Ref) -> Expression:

@@ -86,6 +86,8 @@ class Scene:
     ties: dict[str, Relation] = field(default_factory=dict)
     """What the facts say of such letters, by the id of the fact, as lines say it."""
     find_frame: Callable[[Scene, int], Frame] | None = None
+    kept: frozenset[sp.Symbol] = frozenset()
+    """Angles of which no ratio is put in for now."""
     _initial: dict[str, Source] = field(default_factory=dict)
     _put: dict[sp.Expr, tuple[sp.Expr, tuple[Ref, ...]]] = field(default_factory=dict)
     _unknown: dict[sp.Expr, frozenset[sp.Symbol]] = field(default_factory=dict)
@@ -255,7 +257,13 @@ class Scene:
 
     def _state(self) -> tuple[object, ...]:
         """On what it depends what is unknown; what was kept in another state is dropped."""
-        state = self.desk.version, self.desk.part, len(self.model.final), frozenset(self.free)
+        state = (
+            self.desk.version,
+            self.desk.part,
+            len(self.model.final),
+            frozenset(self.free),
+            self.kept,
+        )
         if self._at != state:
             self._at = state
             self._put.clear()
@@ -312,6 +320,8 @@ class Scene:
                 own = own.xreplace(changes)
                 continue
             for each in ratios:
+                if each.free_symbols & self.kept:
+                    continue
                 source = self._ratio(each) or self._angle(each)
                 if source is not None:
                     changes[each] = source.value

@@ -99,10 +99,10 @@ def _two_velocities(
         if still.value != 0 or along.value == 0:
             continue
         # Who moves along the line of centres is at right angles to who moves across it.
-        own = Relation(((link(tree_of(along.value), ZERO),),))
-        refs = scene.judge.needed(move, together(each.refs, along.whole, still.whole), own)
-        if refs is not None:
-            return scene.desk.write(move, refs, own)
+        read = Relation(((link(tree_of(along.value), ZERO),),))
+        cites = scene.judge.needed(move, together(each.refs, along.whole, still.whole), read)
+        if cites is not None:
+            return scene.desk.write(move, cites, read)
     refs = together(each.refs, *(s.refs for p in cited for s in p), _axis(frame, cited))
     own = link(total((first, second)), ZERO) if record == "perpendicular" else link(first, second)
     return scene.desk.write(move, refs, Relation(((own,),)))

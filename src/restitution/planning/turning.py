@@ -63,7 +63,12 @@ from restitution.planning.premises import background, sign_known
 from restitution.planning.quantities import formula
 from restitution.planning.ratio_of_an_angle import RANGES, Ratio
 from restitution.planning.same_angles import angle_by_the_same, write_same_angle
-from restitution.planning.scalar_angles import is_long, write_cosine, write_right_angle
+from restitution.planning.scalar_angles import (
+    is_long,
+    write_cosine,
+    write_right_angle,
+    write_right_angle_of_axes,
+)
 from restitution.planning.scene import Scene
 from restitution.planning.turn_lines import inverse_of_data, write_turn, write_turn_tangent
 from restitution.planning.turned_directions import turn_of_directions
@@ -116,6 +121,8 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
     line = None
     if asked.kind == "direction":
         line = along_the_centres(scene, asked) or along_an_axis(scene, asked)
+    if line is None:
+        line = write_right_angle_of_axes(scene, asked)
     if line is None:
         line = turn_of_directions(scene, asked) or _same_angle(scene, asked)
     if line is None:
@@ -406,6 +413,9 @@ def _deflection(
     """The cosine or tangent of a deflection; the line of one that is made of two angles."""
     if event not in scene.model.frames:
         return _turned_by_a_blow(scene, body, event, asked)
+    square = write_right_angle(scene, asked, by_squares=True) if wanted is None else None
+    if square is not None:
+        return square
     frame = scene.frame(event)
     early, late = (
         tuple(in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))

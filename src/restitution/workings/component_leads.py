@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from restitution.explaining.definitions import tie_of
 from restitution.explaining.derivation import (
     Line,
     Link,
@@ -10,11 +11,13 @@ from restitution.explaining.derivation import (
 )
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.tree import (
+    Expression,
     Letter,
     Name,
     Quantity,
     Unit,
     is_zero,
+    walk,
 )
 from restitution.workings.lines_around import LinesAround
 from restitution.workings.one_component import vector_resolved
@@ -26,6 +29,12 @@ _RESOLVED = {
     (False, True): "resolved-spheres.before-units",
     (False, False): "resolved-spheres.after-units",
 }
+
+
+def _axis_of(vector: Expression) -> Unit | None:
+    """**i** or **j**, where a vector is a multiple of it alone."""
+    units = {each for each in walk(vector) if isinstance(each, Unit)}
+    return units.pop() if len(units) == 1 else None
 
 
 class ComponentLeads(LinesAround):
@@ -93,6 +102,33 @@ class ComponentLeads(LinesAround):
                 ):
                     formula = self._naming.layout(velocity)
                     return say("given.none-along", velocity=formula, line=self._naming.side(axis))
+        return None
+
+    def _along_axes(self, line: Line) -> Sentence | None:
+        """That one velocity is along **i** and another along **j**, which are at right angles."""
+        assert isinstance(line.relation, Relation)
+        tie = tie_of(line.relation.only[0])
+        if tie is None:
+            return None
+        cited = [each.relation for each in map(self._cited, line.premises) if each is not None]
+        facts = [self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str)]
+        cited += [fact.relation for fact in facts if fact is not None]
+        vectors = {
+            own.only[0].left: own.only[-1].right for own in cited if isinstance(own, Relation)
+        }
+        axes = [_axis_of(vectors[each]) if each in vectors else None for each in tie[:2]]
+        if None in axes or axes[0] == axes[1]:
+            return None
+        slots = {
+            name: self._naming.layout(own)
+            for name, own in zip(("first", "second"), axes, strict=True)
+            if own is not None
+        }
+        match tie[0], tie[1]:
+            case Quantity("velocity", (Name(one),)), Quantity("velocity", (Name(other),)):
+                if one == other:
+                    return say("derived.turned-square", body=one, **slots)
+                return say("derived.axes-apart", one=one, other=other, **slots)
         return None
 
     def _apart(self, line: Line) -> Sentence | None:

@@ -387,13 +387,15 @@ class _Writer:
 
     def _step(self, line: Line, waiting: Sequence[Line] = ()) -> Step:
         kind: Any = "principle" if line.move.id in TITLED else "solve"
-        given = self.leads.given(line)
-        title = None if given else self.leads.title(line)
+        # What goes on in the same chain has no words of its own.
+        head = next((each for each in waiting if each.move.id == "define"), line)
+        given = self.leads.given(head)
+        title = None if given else self.leads.title(head)
         spoken = [_spoken(each) for each in (*self.before, self.title) if each is not None]
         named = title is not None and (title == self.title or _spoken(title) in spoken)
         sentences = given or (
-            *self.leads.anyway(line),
-            *self.leads.of(line, self.title),
+            *self.leads.anyway(head),
+            *self.leads.of(head, self.title),
         )
         if not given and len(sentences) == 1 and _spoken(sentences[0]) in spoken:
             sentences, title, named = (), self.title, True

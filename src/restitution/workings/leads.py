@@ -423,7 +423,13 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             return
         if line.move.record in ("perpendicular", "parallel") and self.title(line) is None:
             apart = self._apart(line) if line.move.record == "perpendicular" else None
-            yield apart or self._none_in(line) or self._since_nothing(line) or say("so")
+            yield (
+                apart
+                or self._along_axes(line)
+                or self._none_in(line)
+                or self._since_nothing(line)
+                or say("so")
+            )
             return
         turned = self._turned(line) or self._along_the_line(line)
         if turned is not None:

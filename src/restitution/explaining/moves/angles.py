@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Number,
     Quantity,
     rational,
     walk,
@@ -31,7 +32,7 @@ RATIOS = ("sin", "cos", "tan")
 
 
 def is_triangle(step: Step, relation: Relation) -> bool:
-    """The other ratios of an angle, where one is known, and its range."""
+    """The other ratios of an angle, or their squares, where one is known, and its range."""
     base = base_of(step)
     if base is None or len(base.options) != 1 or len(relation.options) != 1 or not step.known:
         return False
@@ -42,14 +43,22 @@ def is_triangle(step: Step, relation: Relation) -> bool:
     }
     return all(
         link.sign == "="
-        and isinstance(link.left, Apply)
-        and link.left.function in RATIOS
-        and link.left.argument in known
+        and _argument(link.left) in known
         and not any(
             isinstance(node, Apply) and node.function != "sqrt" for node in walk(link.right)
         )
         for link in relation.only
     ) and by_oracle(step, relation)
+
+
+def _argument(tree: Expression) -> Expression | None:
+    """The angle of a ratio, or of the square of one."""
+    match tree:
+        case Binary("^", Apply() as ratio, Number(2)):
+            return _argument(ratio)
+        case Apply(function, angle) if function in RATIOS:
+            return angle
+    return None
 
 
 def is_inverse(step: Step, relation: Relation) -> bool:
