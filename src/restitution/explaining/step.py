@@ -603,12 +603,24 @@ class Step:
             formulas += self._formulas(Link(left, "=", right))
         for speed in self._squared_speeds():
             formulas += self._formulas(Link(speed, ">=", Number(Fraction(0))))
+        for ahead in self._ahead():
+            formulas += self._formulas(Link(ahead, ">", Number(Fraction(0))))
         for known in self.known:
             if not known.letters or not all(
                 self.roles.get(n, REAL).kind == "angle" for n in known.letters
             ):
                 formulas.append(self.formula(known.relation))
         return tuple(each for each in formulas if each != All(()))
+
+    def _ahead(self) -> Iterator[Expression]:
+        """The components of velocities in the directions that are cited for them."""
+        for link in self.links:
+            match link:
+                case Link(Quantity("direction", (Name() as body,), int(stage)), "=", angle) if (
+                    isinstance(angle, Degrees)
+                ):
+                    velocity = Quantity("velocity", (body,), stage)
+                    yield Quantity("dot", (velocity, Polar(Number(Fraction(1)), angle)))
 
     def _squared_speeds(self) -> list[Quantity]:
         """The speeds whose squares are cited: they are what is not negative of the roots."""

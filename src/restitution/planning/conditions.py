@@ -9,7 +9,16 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import FLIPPED, Fact, Link, Move, Ref, Relation, Sign
+from restitution.explaining.derivation import (
+    FLIPPED,
+    Fact,
+    Link,
+    Meaning,
+    Move,
+    Ref,
+    Relation,
+    Sign,
+)
 from restitution.explaining.trees import trees_of
 from restitution.expression.tree import (
     Binary,
@@ -43,6 +52,7 @@ from restitution.planning.velocity_formulas import body_and_stage, frame_after
 from restitution.planning.wall_ends import is_of_a_path, write_between, write_first_hit
 from restitution.planning.worths import Worths
 from restitution.problem import Given, Meets
+from restitution.vector import Vector
 
 _BOUNDED = ("<", "<=", ">", ">=")
 _OF_THE_STORY = ("most ", "approach ", "offset ")
@@ -98,7 +108,7 @@ class Conditions:
             if fact.kind not in ("given", "range") and not fact.id.startswith("within "):
                 continue
             link = fact.relation.options[0][0]
-            if link.sign in _BOUNDED and self._speaks_of_motion(fact):
+            if (link.sign in _BOUNDED and self._speaks_of_motion(fact)) or _is_a_sense(fact):
                 yield fact
 
     def _speaks_of_motion(self, fact: Fact) -> bool:
@@ -126,6 +136,8 @@ class Conditions:
             first = self.judge.write((Move("fact"),), [fact.id], fact.relation)
             pool = [fact.id if first is None else first, *self.worths.known_in(x)]
             return self.judge.write((Move("rearrange"),), pool, Relation(((solved,),)))
+        if link.sign == "=":
+            return self._by_sense(fact, link, wanted)
         match self.worths.opened(link.left), link.right:
             case Quantity("deflection" | "angle") as angle, Degrees(value) if value == 90:
                 return self._past_a_right_angle(fact, link, angle, wanted)
@@ -151,6 +163,45 @@ class Conditions:
             return None
         return self.finished(line, sign, x, wanted)
 
+    def _by_sense(self, fact: Fact, link: Link, wanted: Expression | None) -> int | None:
+        """A direction that is given of who moves along the line of centres: which way it goes."""
+        scene = self.scene
+        match link:
+            case Link(Quantity("direction", (Name(body),), int(stage)), "=", angle):
+                event = scene.last_event(body, stage)
+            case _:
+                return None
+        component = scene.model.components.get((event, body))
+        if component is None or event not in scene.model.frames:
+            return None
+        frame = frame_after(scene, body, event)
+        if scene.put(scene.velocity(body, event).dot(frame.t))[0] != 0:
+            return None
+        turn = scene.scalar(angle)
+        ahead = scene.model.sign(Vector(sp.cos(turn), sp.sin(turn)).dot(frame.n))
+        self.worths.determine(Quantity("velocity", (Name(body),), event))
+        own = self.worths.component("along", body, event, frame)
+        sign: Sign = ">" if ahead * frame.letter_sign > 0 else "<"
+        value = scene.put(component.symbol)[0]
+        stripped = without_signs(scene, expanded(value), sign)
+        if not ahead or stripped is None:
+            return None
+        letter = Letter(component.symbol.name)
+        lets = [
+            each.number
+            for each in scene.desk.lines
+            if isinstance(each.relation, Meaning) and each.relation.letter == letter.name
+        ]
+        first = Relation(((Link(letter, sign, ZERO),),))
+        line = self.judge.write((Move("compare"),), [fact.id, *lets, *frame.refs], first)
+        if line is None:
+            return None
+        put = Relation(((Link(tree_of(value), sign, ZERO),),))
+        known = self.worths.known_in(value)
+        pool = [line, *own.whole, *known]
+        after = self.judge.write((Move("put"), Move("compare")), pool, put)
+        return None if after is None else self.finished(after, *stripped, wanted)
+
     def stated(
         self,
         fact: Fact,
@@ -165,6 +216,8 @@ class Conditions:
         if line is not None:
             return line
         (link,) = fact.relation.only
+        if link.sign == "=":
+            return None
         gap = self.gap(link)
         pool = [fact.id, *self.sources(link), *self.worths.known_in(gap)]
         trees = [
@@ -463,6 +516,16 @@ def _velocities_of(angle: Quantity) -> tuple[tuple[str, int], tuple[str, int]] |
         ):
             return (one, first), (other, second)
     return None
+
+
+def _is_a_sense(fact: Fact) -> bool:
+    """Whether a fact gives the direction of a sphere."""
+    if fact.kind != "given" or len(fact.relation.options) > 1:
+        return False
+    match fact.relation.only:
+        case (Link(Quantity("direction", (Name(),), int()), "=", Degrees()),):
+            return True
+    return False
 
 
 def has_quantity_in(relation: Relation) -> bool:

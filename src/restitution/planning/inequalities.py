@@ -11,6 +11,7 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import FLIPPED, Link, Relation, Sign
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Expression,
     Letter,
     letters,
@@ -110,6 +111,9 @@ def solve_linear(
     """``P sign 0`` solved for the letter or the ratio in it, where it is linear in one."""
     symbols = sorted(x.free_symbols, key=lambda s: s.name)
     names = None if wanted is None else letters(wanted)
+    match wanted:
+        case Binary("/", Letter(above), Letter()):
+            symbols.sort(key=lambda s: s.name != above)
     for symbol in symbols:
         if names is not None and symbol.name not in names:
             continue

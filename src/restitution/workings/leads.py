@@ -459,7 +459,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         if divided is not None:
             yield divided
             return
-        needed = self._of_the_story(line)
+        needed = self._of_the_story(line) or self._of_a_sense(line)
         if needed is not None:
             yield needed
         elif line.move.id == "identity" and line.move.record in BY:
@@ -477,6 +477,17 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 yield say("derived.by", how=how)
         elif source is not None:
             yield from self._source(source, line)
+
+    def _of_a_sense(self, line: Line) -> Sentence | None:
+        """The given direction that tells which way a component points."""
+        given = [each for ref in line.premises if (each := self._derivation.fact(str(ref)))]
+        for fact in given if line.move.id == "compare" else ():
+            match fact.relation.options[0][0]:
+                case Link(Quantity("direction", (Name(),), int()), "=", Degrees()) if (
+                    fact.kind == "given"
+                ):
+                    return say("given.fact", fact=self._naming.fact(fact))
+        return None
 
     def _beside_normal(self, line: Line) -> bool:
         """Whether a line gives the direction of a wall by its normal, which stands above."""

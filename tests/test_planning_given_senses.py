@@ -1,0 +1,79 @@
+"""Ranges that come of the way a sphere moves along the line of centres, where that is given.
+
+Each working is followed line by line, its answers are those of the solver, and it says what a
+teacher says.
+"""
+
+from __future__ import annotations
+
+import pytest
+from workings import planned
+
+from restitution.workings import to_text
+from restitution.workings.derived import explanation_of
+
+# A statement, and what its working says: lines, or parts of them.
+CASES = {
+    "back, in terms of e": (
+        """
+sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+A hits B: along i
+given direction(A) = 180°
+find range of k in terms of e
+""",
+        ("It is given that the angle from 𝐢 to 𝐯_A is 180°:", "v < 0", "(1 − ek)u/(1 + k) < 0"),
+    ),
+    "on, as the ratio of two speeds": (
+        """
+sphere P: mass 3m, velocity 2u i
+sphere Q: mass m, velocity -w i
+P hits Q: along i, e = 1/2
+given direction(P) = 0°
+find range of w/u
+""",
+        ("(10u − 3w)/8 > 0", "w < 10u/3", "0 < w/u < 10/3"),
+    ),
+    "back, in numbers": (
+        """
+sphere P: mass 3, velocity 4i
+sphere Q: mass M, velocity -2i
+P hits Q: along i, e = 1/2
+given direction(P) = 180°
+find range of M
+""",
+        ("(12 − 5M)/(M + 3) < 0", "M > 12/5 kg"),
+    ),
+    "against the line of centres as it is typed": (
+        """
+sphere P: mass 2m, velocity u j
+sphere Q: mass k m, velocity -u j
+P hits Q: along -j, e = 1/2
+given direction(Q) = 90°
+find range of k
+""",
+        ("It is given that the angle from 𝐢 to 𝐯_Q is 90°:",),
+    ),
+    "after a wall and another impact": (
+        """
+wall W: along j
+sphere A: mass 2m, velocity 3u i
+sphere B: mass m, at rest
+A hits B: along i
+B hits W: e = 1/2
+A hits B: along i
+given direction(A) = 180°
+find range of e
+""",
+        ("v₂ < 0", "½ < e ≤ 1, as e ≤ 1"),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_way_a_sphere_moves_bounds_letters(name: str) -> None:
+    statement, said = CASES[name]
+    problem, derivation = planned(statement)
+    text = to_text(explanation_of(derivation, problem), 120)
+    for each in said:
+        assert each in text, text
