@@ -13,6 +13,7 @@ from restitution.components.frames import Component, Frame, Law, component
 from restitution.components.hidden import NamedUnknowns
 from restitution.components.letters import allocated_letters, letters_in_use
 from restitution.components.models import Model
+from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy, tidy_angle
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Symbolic
@@ -117,7 +118,28 @@ def _letter_values(model: Model) -> None:
     """What the solution says of the letters."""
     for name, value in model.branch.values.items():
         if not name.startswith("_"):
-            model.final[model.unknowns.letter(name)] = tidy(sp.sympify(value, strict=True))
+            own = tidy(sp.sympify(value, strict=True))
+            model.final[model.unknowns.letter(name)] = _without_bars(model, own)
+
+
+def _without_bars(model: Model, value: sp.Expr) -> sp.Expr:
+    """A value without the bars of sizes whose sense the ranges of the letters tell.
+
+    So |cos α| is cos α, and √(1 − sin²α) too, where α is acute.
+    """
+    if not value.has(sp.Abs):
+        return value
+    known = {bar: proved_sign(model.inside, bar.args[0]) for bar in value.atoms(sp.Abs)}
+    put = {bar: sign * bar.args[0] for bar, sign in known.items() if sign}
+    if not put:
+        return value
+    cosines: dict[sp.Expr, sp.Expr] = {}
+    for root in value.atoms(sp.Pow):
+        for angle in {each.args[0] for each in root.base.atoms(sp.sin)}:
+            is_cosine = root.exp == sp.S.Half and sp.expand(root.base + sp.sin(angle) ** 2 - 1) == 0
+            if is_cosine and proved_sign(model.inside, sp.cos(angle)) == 1:
+                cosines[root] = sp.cos(angle)
+    return tidy(value.xreplace(cosines).xreplace(put))
 
 
 def _in_letters(

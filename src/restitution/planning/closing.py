@@ -27,10 +27,24 @@ from restitution.expression.tree import (
 from restitution.planning.angle_ratios import write_other_ratio
 from restitution.planning.collecting import multiplied_out
 from restitution.planning.desk import NotPlannedError, Source, chain, together
-from restitution.planning.forms import ZERO, product, square, swept, total, tree_of
+from restitution.planning.forms import (
+    ZERO,
+    in_tangents,
+    product,
+    square,
+    swept,
+    total,
+    tree_of,
+)
 from restitution.planning.impacts import residual, scene_value
 from restitution.planning.one_root import alone, in_squares
-from restitution.planning.polynomials import cancelled, expanded, factored, numerator
+from restitution.planning.polynomials import (
+    cancelled,
+    expanded,
+    factor_powers,
+    factored,
+    numerator,
+)
 from restitution.planning.premises import background, nonzero, not_negative
 from restitution.planning.ratios import (
     by_its_half,
@@ -60,6 +74,7 @@ def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
     symbol = _unknown_of(scene, number, symbol)
     if symbol not in residual(scene, number).free_symbols:
         raise NotPlannedError(f"{symbol} is not in line {number}")
+    number = _by_sine_and_cosine(scene, number, symbol)
     number = _without_common_sums(scene, root_taken(scene, number, symbol), symbol)
     if not (is_square_of_sum(scene, number, symbol) or is_product_of_sums(scene, number, symbol)):
         number = multiplied_out(scene, number, symbol)
@@ -71,6 +86,37 @@ def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
         if source is not None:
             return source
     raise NotPlannedError(f"no way from line {number} to {symbol}")
+
+
+def _by_sine_and_cosine(scene: Scene, number: int, symbol: sp.Symbol) -> int:
+    """The line without an angle of which sin² + cos² = 1 leaves a factor alone.
+
+    So 16 = (2 − v)² cos²α + 16 sin²α is 16 = (2 − v)².
+    """
+    above = numerator(residual(scene, number))
+    for sine in sorted(above.atoms(sp.sin), key=str):
+        cosine = sp.cos(*sine.args)
+        if symbol in sine.free_symbols or cosine not in above.atoms(sp.cos):
+            continue
+        if not above.is_polynomial(sine, cosine):
+            continue
+        poly = sp.Poly(above, sine, cosine)
+        if any(m[0] % 2 for m in poly.monoms()):
+            continue
+        put = sum(c * (1 - cosine**2) ** (m[0] // 2) * cosine ** m[1] for m, c in poly.terms())
+        powers = [(b, n) for b, n in factor_powers(expanded(put)) if symbol in b.free_symbols]
+        whole = expanded(sp.Mul(*(base**power for base, power in powers)))
+        if not powers or whole.has(sine, cosine) or not whole.is_polynomial(symbol):
+            continue
+        if scene.model.sign(sp.Poly(whole, symbol).LC()) < 0:
+            whole = -whole
+        relation = chain(tree_of(whole), (ZERO, None))
+        known = background(scene, {each.name for each in above.free_symbols})
+        move = Move("identity", "pythagoras")
+        refs = scene.judge.enough(move, (number,), relation, known)
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
+    return number
 
 
 def _without_common_sums(scene: Scene, number: int, symbol: sp.Symbol) -> int:
@@ -332,9 +378,27 @@ def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
         if _is_angle(scene, symbol.name):
             root = chain(Letter(symbol.name), (tree_of(value, angle=True), None))
         line = rearranged(scene, number, root)
+        if line is None and (own := _in_its_degrees(scene, number, symbol, poly)) is not None:
+            value, line = own
         if line is not None:
             return known_as(scene, symbol, value, line)
     return _by_identity(scene, number, symbol)
+
+
+def _in_its_degrees(
+    scene: Scene, number: int, symbol: sp.Symbol, poly: sp.Poly
+) -> tuple[sp.Expr, int] | None:
+    """The root of a linear polynomial by the ratios of whole degrees that are in it.
+
+    No formula joins 40° and 70°, though the value may be one in 20° alone.
+    """
+    value = -poly.nth(0) / poly.nth(1)
+    if len({each.args for each in value.atoms(sp.sin, sp.cos) if each.is_number}) < 2:
+        return None
+    own = in_tangents(value)
+    relation = chain(Letter(symbol.name), (tree_of(own, as_it_is=True), None))
+    line = rearranged(scene, number, relation)
+    return None if line is None else (own, line)
 
 
 def _quotient(symbol: sp.Symbol, poly: sp.Poly, value: sp.Expr) -> Relation:

@@ -140,7 +140,7 @@ class Equations:
         """Whether an equation tells nothing new: with what is known it holds of itself."""
         put = [self.scene.with_values(each)[0] for each in own.residuals]
         changed = all(a is not b for a, b in zip(put, own.residuals, strict=True))
-        return changed and all(expanded(each) == 0 for each in put)
+        return changed and all(expanded(each) == 0 or _is_nothing(each) for each in put)
 
     def _of_given(self, each: GivenEquation) -> Candidate:
         """A given fact; of a velocity only the component along the line of centres."""
@@ -194,6 +194,12 @@ class Equations:
     def law(self, own: Candidate) -> Law | None:
         """The law that an equation of a route is; None of another."""
         return next((law for law in self.laws if law.candidate.id == own.id), None)
+
+
+def _is_nothing(x: sp.Expr) -> bool:
+    """Whether a quotient has nothing above, once it is one fraction."""
+    above, below = sp.fraction(one_fraction(x))
+    return bool(below.free_symbols) and expanded(above) == 0
 
 
 def _without_root(x: sp.Expr) -> sp.Expr:

@@ -65,6 +65,11 @@ def _inverse(
         root = tidy(factored(-poly.nth(0) / poly.nth(1)))
     elif powers == {0, 2}:
         root = sp.sqrt(tidy(factored(-poly.nth(0) / poly.nth(2))))
+    elif powers == {0, 1, 2} and role.kind != "angle":
+        own = _of_two(model, symbol, poly, other)
+        if own is None:
+            return None
+        root = own
     else:
         return None
     if role.kind != "angle":
@@ -76,6 +81,18 @@ def _inverse(
         sp.tan(other): root,
         other: sp.atan(root),
     }
+
+
+def _of_two(model: Model, symbol: sp.Symbol, poly: sp.Poly, other: sp.Symbol) -> sp.Expr | None:
+    """The root of a quadratic that a letter is at the numbers of the solution."""
+    a, b, c = (poly.nth(n) for n in (2, 1, 0))
+    size = tidy(sp.sqrt(factored(b**2 - 4 * a * c)))
+    size = size.replace(sp.Abs, lambda x: x if model.sign(x.xreplace(model.final)) >= 0 else -x)
+    for sign in (1, -1):
+        root = tidy((-b + sign * size) / (2 * a))
+        if model.sign(root.xreplace({symbol: model.final[symbol]}) - other) == 0:
+            return root
+    return None
 
 
 def _put(x: sp.Expr, changes: dict[sp.Expr, sp.Expr]) -> sp.Expr:

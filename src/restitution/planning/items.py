@@ -339,6 +339,8 @@ def _of_letters(scene: Scene, solver: Solver, asked: Expression, name: str) -> N
         line = scene.desk.write(Move("put"), premises, relation)
         scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
         return
+    if several and not rest and scene.judge.follows(Move("rearrange"), (first,), relation):
+        move = Move("rearrange")
     scene.desk.end(name, scene.desk.write(move, (first,), relation), relation)
 
 

@@ -397,7 +397,10 @@ def _assemble(
         quotients = [each.as_numer_denom() for each in inside_above]
         inside_above = [above for above, _ in quotients if above != 1]
         inside_below.extend(below for _, below in quotients if below != 1)
-    if inside_above:
+    if inside_below and not inside_above:
+        # 1/√(2(1 − e²)): of the quotient nothing is above.
+        roots_below = [*roots_below, *inside_below]
+    elif inside_above:
         root_above = Root(fraction(_plain_product(inside_above), _plain_product(inside_below)))
     upper = sorted(above, key=_factor_order)
     lower = sorted(below, key=_factor_order)

@@ -1,0 +1,91 @@
+"""Equations that are closed by one more step: a square, a double root, an angle that falls out.
+
+Each working is followed line by line, its answers are those of the solver, and it says what a
+teacher says.
+"""
+
+from __future__ import annotations
+
+import pytest
+from workings import planned
+
+from restitution.workings import to_text
+from restitution.workings.derived import explanation_of
+
+# A statement, and what its working says: lines, or parts of them.
+CASES = {
+    "the cosine whose square is one over a sum": (
+        """
+sphere A: mass 2m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+given energy_lost = 1/9 m u^2
+find cos(alpha) in terms of e
+""",
+        ("cos²α = 1/(3(1 − e²))", "cos α = 1/√(3(1 − e²)), as α is acute"),
+    ),
+    "a ratio of which the equation has one root twice": (
+        """
+sphere A: mass p, velocity 2u i + u j
+sphere B: mass q, velocity -u i + u j
+A hits B: along i, e = 2/3
+part a
+given energy_lost = 1/7 energy(0)
+find p/q
+part b
+given velocity(A) perpendicular to velocity(B)
+find p/q
+""",
+        ("p/q = (14 + √186)/5", "9p² − 12qp + 4q² = 0", "p/q = ⅔"),
+    ),
+    "a coefficient of whose equation a letter is the square": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, at rest
+A hits B: along i
+given energy(B) = f energy(A, 0)
+find e in terms of f, alpha
+""",
+        ("e = (3√(2f) − 2 cos α)/(2 cos α)",),
+    ),
+    "an angle that falls out": (
+        """
+sphere A: mass 2m, velocity 4u at alpha
+sphere B: mass m, velocity v at alpha from -i
+A hits B: along i, e = 1
+given speed(A) = 4u
+find v
+show speed(B) = v
+""",
+        ("As sin² + cos² = 1:", "(v − 8u)(4u + v) = 0", "v = 8u", "speed of B = v"),
+    ),
+    "a coefficient by whole degrees without surds": (
+        """
+sphere A: mass 4, velocity 6 at 50°
+sphere B: mass 3, at rest
+A hits B: along i
+given deflection(A) = 15°
+find e, speed(A)
+""",
+        ("e = (4 tan 65° − 7 tan 50°)/(3 tan 65°) ≈ 0.0366", "≈ 5.07 m s⁻¹"),
+    ),
+    "a mass by whole degrees without surds": (
+        """
+sphere A: mass 0.4, velocity 3 at 25°
+sphere B: mass M, at rest
+A hits B: along i, e = 0.5
+given direction(A) = 70°
+find M, speed(B)
+""",
+        ("M = (4 tan 70° − 4 tan 25°)/(5 tan 70° + 10 tan 25°) ≈ 0.496 kg",),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_one_more_step_closes_an_equation(name: str) -> None:
+    statement, said = CASES[name]
+    problem, derivation = planned(statement)
+    text = to_text(explanation_of(derivation, problem), 120)
+    for each in said:
+        assert each in text, text
