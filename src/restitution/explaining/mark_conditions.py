@@ -373,6 +373,14 @@ def _has_power_on_the_left(line: Line) -> bool:
     return _has_power(left) and not has_quantity(left)
 
 
+def _closes_a_given(work: Work, line: Line) -> bool:
+    """Whether a line makes an equation of a given fact, with what is given on the left."""
+    if isinstance(line.relation, Meaning):
+        return False
+    given = any(fact.kind == "given" for fact in work.facts(line))
+    return given and not has_quantity(line.relation.options[0][0].left)
+
+
 def _of_a_number(work: Work, line: Line) -> bool:
     """Whether the value is read off the data as a number, with nothing to work out."""
     sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
@@ -533,7 +541,10 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     ),
     "a-direction": lambda work, line: getattr(subject_of(line), "kind", None) == "direction",
     "of-one-term": _of_one_term,
-    "an-equation": lambda work, line: line.number not in work.ends and _has_power_on_the_left(line),
+    "an-equation": lambda work, line: (
+        line.number not in work.ends
+        and (_has_power_on_the_left(line) or _closes_a_given(work, line))
+    ),
     "of-a-number": _of_a_number,
     "product-above": _of_a_product,
     "opposite": is_opposite,
