@@ -350,3 +350,9 @@ def test_a_component_that_vanishes_says_what_was_divided_by() -> None:
     )
     (line,) = lines(derivation, "combine")
     assert "e >= 0" in line.premises
+
+
+def test_like_terms_in_a_square_stand_on_one_side() -> None:
+    text = "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\nA hits B: along i"
+    _, derivation = planned(f"{text}\ngiven speed(A) = speed(B)\nfind tan(alpha) in terms of e")
+    assert "e cos^2(alpha) = sin^2(alpha)" in said(derivation)
