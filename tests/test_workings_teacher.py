@@ -424,3 +424,19 @@ find range of e
     working = " ".join(to_text(explain(solve(parse(statement)))).split())
     assert "11/16 ≤ e ≤ 1, as e ≤ 1" in working
     assert working.endswith("In this range f ≥ 0 as well.")
+
+
+def test_a_time_has_the_letter_of_the_statement_and_a_ratio_of_times_is_a_quotient() -> None:
+    text = """
+wall L: along i, through (0, 0)
+wall R: along i, through (0, d)
+sphere P: at (0, d/3), velocity u at theta
+P hits R: e = e
+P hits L: e = e
+let T = time(2)
+find T, (time(2) - time(1))/time(1)
+"""
+    words = to_text(explain(solve(parse(text))), 80)
+    assert "t₂" not in words
+    assert words.count(" T = ") == 1
+    assert "Dividing (2) by (1):" in words

@@ -100,6 +100,8 @@ class Naming:
             for node in set(self._nodes(trees_of(line.relation)))
         )
         times = {each for each in self._often if each.kind == "time" and each.stage}
+        #: The letters by which the statement calls times.
+        self._of_the_statement = dict(_named_times(self.derivation))
         #: Whether the times of events have numbers: where there are several.
         self._numbered_times = self.several or len(times) > 1
         self._inside = {
@@ -257,6 +259,8 @@ class Naming:
             case Quantity("along" | "across" as kind, (Quantity("velocity", (Name(),)) as v, axis)):
                 return self._scalar_product(kind, v, axis) or operand(self.quantity(tree))
             case Quantity("time", (), int(stage)) if stage in self.events:
+                if tree in self._of_the_statement:
+                    return lay.letter(self._of_the_statement[tree])
                 return self._lettered(tree, "t", str(stage) if self._numbered_times else "")
             case Quantity("angle" | "deflection" | "direction") if tree in self._letters:
                 return self._early(tree)
@@ -802,3 +806,13 @@ def _is_share(tree: Expression) -> bool:
         case Binary("/", Number(above), Number(below)):
             return 0 < above < below
     return False
+
+
+def _named_times(derivation: Derivation) -> Iterator[tuple[Quantity, str]]:
+    """The times for which the statement has letters, each with its letter."""
+    for fact in derivation.facts:
+        match fact.relation.options:
+            case (((Link(Quantity("time", (), int()) as time, "=", Letter(name)),),)) if (
+                fact.id == f"let {name}"
+            ):
+                yield time, name

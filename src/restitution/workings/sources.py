@@ -228,6 +228,8 @@ class Sources:
             named = () if first or again else tuple(cited)
             return Source("compare", named) if not again else None
         if move == "put":
+            if (divided := self._divided(line, cited)) is not None:
+                return Source("divide", divided)
             return self._put(line, cited, above)
         if move in _PAIRED and len(cited) == 2:
             if move == "combine" and line.move.eliminated:
@@ -250,6 +252,23 @@ class Sources:
         if len(cited) > 1 or (cited and cited[0] != above):
             return Source("add", tuple(cited))
         return None
+
+    def _divided(self, line: Line, cited: list[int]) -> tuple[int, int] | None:
+        """The two lines of which one gives what stands above in a ratio, the other what is below.
+
+        It is for times: a ratio of other quantities has a title of its own.
+        """
+        assert isinstance(line.relation, Relation)
+        match line.relation.options[0][0].left:
+            case Binary("/", above, below) if is_time(above) and is_time(below):
+                lefts = {self._left(each): each for each in cited}
+                if above in lefts and below in lefts:
+                    return lefts[above], lefts[below]
+        return None
+
+    def _left(self, number: int) -> Expression | None:
+        relation = self._lines[number].relation if number in self._lines else None
+        return relation.options[0][0].left if isinstance(relation, Relation) else None
 
     @staticmethod
     def _is_read_off(line: Line) -> bool:
