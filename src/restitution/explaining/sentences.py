@@ -505,8 +505,8 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{axis}-coordinate is {value}."
     ),
     "touch.spheres": (
-        "At the impact the centres of {one} and {other} are {distance} apart, so {other} is then "
-        "at {place}."
+        "{one} approaches {other} in the direction of {way}, and at the impact their centres are "
+        "{distance} apart. So {other} is then at {place}."
     ),
     "touch.at": "The {position} is {place}.",
     "touch.origin": "The {position} is the origin.",
@@ -795,6 +795,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.right-angle": "and {angle} if {at}",
     "derived.tangent-for": "for {condition}",
     "derived.upright-too": "also if {at}, where {angle}",
+    "derived.cotangent": "the cotangent decreases from 0° to 180°",
     "derived.as": "as {reasons:and}",
     "derived.no-root": "{value} does not satisfy {equation}",
     "derived.would": "{value} would give {result} by {equations:and}",

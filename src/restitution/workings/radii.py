@@ -59,6 +59,7 @@ class Radii:
             "touch.spheres",
             one=one,
             other=other,
+            way=self._naming.layout(tree_of(Vector(tidy(place.x / size), tidy(place.y / size)))),
             distance=self._length(self._naming.layout(tree_of(size))),
             place=self._length(self._naming.layout(tree_of(place))),
         )

@@ -126,7 +126,25 @@ class Reasons:
         if line.move.id == "reject" and not reasons:
             reasons = tuple(self._positive(line))
         reasons = (*(each for each in grounds if each not in reasons), *reasons)
+        if reasons and self._by_a_cotangent(line):
+            reasons = (say("derived.cotangent"), *reasons)
         return (say("derived.as", reasons=reasons),) if reasons else ()
+
+    def _by_a_cotangent(self, line: Line) -> bool:
+        """Whether the bounds of an angle come of those of its cotangent, which falls."""
+        if line.move.id != "compare":
+            return False
+        cited = (self._derivation.line(ref) for ref in line.premises if isinstance(ref, int))
+        return any(
+            isinstance(own.relation, Relation)
+            and any(
+                isinstance(side, Apply) and side.function == "cot" and link.sign != "="
+                for link in own.relation.options[0]
+                for side in (link.left, link.right)
+            )
+            for own in cited
+            if own is not None
+        )
 
     def _would(self, line: Line) -> Sentence | None:
         """What the root that is rejected would make of another letter, by which laws."""
