@@ -353,6 +353,15 @@ def test_a_component_that_vanishes_says_what_was_divided_by() -> None:
 
 
 def test_like_terms_in_a_square_stand_on_one_side() -> None:
-    text = "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\nA hits B: along i"
+    text = (
+        "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\nA hits B: along i"
+    )
     _, derivation = planned(f"{text}\ngiven speed(A) = speed(B)\nfind tan(alpha) in terms of e")
     assert "e cos^2(alpha) = sin^2(alpha)" in said(derivation)
+
+
+def test_along_a_wall_in_letters_a_body_goes_forwards() -> None:
+    text = "wall W: along i + k j\nsphere P: mass m, velocity u i\nP hits W: e = 1/2"
+    _, derivation = planned(f"{text}\nfind velocity(P)")
+    assert any("= u/sqrt(k^2 + 1)" in each for each in said(derivation))
+    assert not any("= -u/sqrt(k^2 + 1)" in each for each in said(derivation))

@@ -231,7 +231,10 @@ SAYS = [
     (THREE_DISCS, "Solving (1) and (2): a = 12 m s⁻¹ b = 5 m s⁻¹"),
     (SLOW_BLOW, "6 − λ = 2, as 0 < λ < 6"),
     (ONE_SECOND, "x-coordinate of P at the impact = 4 × 1 = 4 m"),
-    (APART, "A approaches B in the direction of −𝐣, and at the impact their centres are ½ m apart. "),
+    (
+        APART,
+        "A approaches B in the direction of −𝐣, and at the impact their centres are ½ m apart. ",
+    ),
     (APART, "centres are ½ m apart. So B is then at −½𝐣 m."),
     (ACROSS_THE_LINE, "angle from 𝐢 to 𝐯_A = −30° + 90° = 60°"),
     (BALANCE, "From (3) and (4): total momentum = total momentum before the impact"),

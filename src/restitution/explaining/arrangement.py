@@ -210,7 +210,7 @@ class Arrangement:
             left = self._turned_angle(along)
         if left is None:
             return None
-        return opposite(left) if self._leads_away(step.first, number, left) else left
+        return opposite(left) if self._leads_away(step.first, number, left, along) else left
 
     def _turned_angle(self, along: Expression) -> Expression | None:
         """A direction that is told by its angle, turned by +90°."""
@@ -221,8 +221,12 @@ class Arrangement:
             return Degrees(along.value + right.value)
         return Binary("+", along, right)
 
-    def _leads_away(self, body: str, number: int, normal: Expression) -> bool:
-        """Whether a velocity before an event, where it is plain, is against a direction."""
+    def _leads_away(self, body: str, number: int, normal: Expression, along: Expression) -> bool:
+        """Whether a velocity before an event, where it is plain, is against a direction.
+
+        Where it is open, the other direction is taken if the body goes that way along the wall: the
+        component that stays is then positive.
+        """
         if number > _PLAIN:
             return False
         world = self.world()
@@ -231,11 +235,17 @@ class Arrangement:
             if velocity is None or axis is None:
                 return False
             value = world.expression(dot(world, velocity, axis), world.roles)
+            way = world.direction(along)
+            ahead = (
+                None if way is None else world.expression(dot(world, velocity, way), world.roles)
+            )
         except NotComparableError:
             return False
         oracle = Oracle(world.roles)
-        return oracle.proves(compared(value, "<=", 0)) and (
-            oracle.decide(compared(value, ">=", 0)).answer != "proved"
+        if oracle.proves(compared(value, "<=", 0)):
+            return oracle.decide(compared(value, ">=", 0)).answer != "proved"
+        return oracle.decide(compared(value, ">=", 0)).answer == "refuted" and oracle.proves(
+            compared(ahead, ">", 0)
         )
 
     def velocity_before(self, body: str, number: int, world: World) -> Plane | None:

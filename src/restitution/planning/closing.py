@@ -369,6 +369,9 @@ def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     above = numerator(residual(scene, number))
     if symbol in inside_functions(above) or symbol not in above.free_symbols:
         return None
+    in_tangents = _by_tangents(scene, number, symbol)
+    if in_tangents is not None:
+        return in_tangents
     for each in (above, _uncertain(scene, above, symbol)):
         poly = sp.Poly(each, symbol)
         if poly.degree() != 1:
@@ -399,6 +402,32 @@ def _in_its_degrees(
     relation = chain(Letter(symbol.name), (tree_of(own, as_it_is=True), None))
     line = rearranged(scene, number, relation)
     return None if line is None else (own, line)
+
+
+def _by_tangents(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """The unknown of a line that has tangents of other angles alone, in these; None of another."""
+    link = scene.desk.last_link(number)
+    ratios = {each for side in (link.left, link.right) for each in walk(side) if _is_ratio(each)}
+    gap = scene_value(scene, link.left) - scene_value(scene, link.right)
+    back: dict[Expression, Expression] = {}
+    for each in ratios:
+        match each:
+            case Apply("tan", Letter(name)):
+                angle = scene.model.unknowns.letter(name)
+                t = sp.Symbol(f"tan {name}", positive=True)
+                gap = gap.xreplace({sp.tan(angle): t, sp.sin(angle): t * sp.cos(angle)})
+                back[Letter(t.name)] = each
+            case _:
+                return None
+    if not back:
+        return None
+    poly = sp.Poly(numerator(sp.cancel(gap)), symbol)
+    if poly.degree() != 1 or inside_functions(poly.as_expr()) or poly.as_expr().atoms(sp.cos):
+        return None
+    value = tidy(-poly.nth(0) / poly.nth(1))
+    tree = rebuilt(tree_of(value), lambda each: back.get(each, each))
+    line = rearranged(scene, number, chain(Letter(symbol.name), (tree, None)))
+    return None if line is None else known_as(scene, symbol, scene.scalar(tree), line)
 
 
 def _quotient(symbol: sp.Symbol, poly: sp.Poly, value: sp.Expr) -> Relation:

@@ -8,16 +8,33 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref, Relation
-from restitution.expression.tree import Apply, Degrees, Expression, Letter, Quantity
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Quantity,
+    letters,
+)
 from restitution.planning.angles import RIGHT
 from restitution.planning.desk import chain, together
-from restitution.planning.forms import ZERO, swept, tree_of
+from restitution.planning.forms import (
+    ONE,
+    TWO,
+    ZERO,
+    difference,
+    product,
+    square,
+    swept,
+    tree_of,
+)
 from restitution.planning.known_turns import by_the_known, other_angle
 from restitution.planning.named_angles import letter_of
 from restitution.planning.premises import background
 from restitution.planning.quantities import formula
 from restitution.planning.scene import GivenEquation, Scene
-from restitution.planning.turn_lines import Term, by_tangents, made_of_angles, terms_of
+from restitution.planning.turn_lines import Term, by_tangents, made_of_angles, meeting, terms_of
 from restitution.planning.turns import NONE, Direction, Turn, turns_of
 
 
@@ -70,11 +87,40 @@ def _by_angle(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
     number = made_of_angles(scene, turn, relation, given)
     if number is None:
         return None
+    doubled = _as_its_double(scene, turn, terms, right, number)
+    if doubled is not None:
+        return doubled
     tangent, more = scene.put(sp.tan(value))
     if more:
         put = (tree_of(tangent), more)
         return by_tangents(scene, number, turn.form, terms, Apply("tan", right), put)
     return by_tangents(scene, number, turn.form, terms, tree_of(tidy(tangent)))
+
+
+def _as_its_double(
+    scene: Scene, turn: Turn, terms: tuple[Term, Term], right: Expression, number: int
+) -> int | None:
+    """The equation of ``β − α = α``, which says that β is 2α; None of another turn."""
+    own, other = terms
+    if turn.form != "difference" or not isinstance(right, Letter) or other.angle != right:
+        return None
+    mark = scene.desk.mark()
+    twice = chain(own.angle, (product(TWO, right), None))
+    line = scene.judge.write((Move("rearrange"),), (number,), twice)
+    tangents = Apply("tan", own.angle), Apply("tan", right)
+    double = Binary("/", product(TWO, tangents[1]), difference(ONE, square(tangents[1])))
+    known = (*background(scene, letters(own.angle) | letters(right)), *meeting(scene))
+    for move, pool, relation in (
+        (Move("identity", "double-angle"), (), chain(tangents[0], (double, None))),
+        (Move("put"), own.refs, chain(own.tangent, (double, None))),
+    ):
+        if line is None:
+            break
+        refs = scene.judge.enough(move, (line, *pool), relation, known)
+        line = None if refs is None else scene.desk.write(move, refs, relation)
+    if line is None:
+        scene.desk.back(mark)
+    return line
 
 
 def _by_ratio(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:

@@ -158,10 +158,23 @@ def velocity_formula(scene: Scene, quantity: Quantity) -> Formula:
 
 
 def _unit_tree(direction: Vector) -> Expression:
-    """A unit vector as a whole number of **i** and **j** over its length."""
-    whole, length = whole_direction(direction)
+    """A unit vector as a whole number of **i** and **j** over its length, or in letters over it."""
+    whole, length = _over_its_root(direction) or whole_direction(direction)
     tree = vector(*map(tree_of, whole))
     return tree if length == 1 else Binary("/", tree, tree_of(length))
+
+
+def _over_its_root(direction: Vector) -> tuple[Vector, sp.Expr] | None:
+    """A vector and the root of letters that both its parts have below; None without such a one."""
+    roots = [
+        {each for each in part.atoms(sp.Pow) if each.exp == -sp.S.Half and each.free_symbols}
+        for part in direction
+    ]
+    if len(roots[0]) != 1 or roots[0] != roots[1]:
+        return None
+    (root,) = roots[0]
+    whole = Vector(*(part / root for part in direction))
+    return None if any(part.atoms(sp.Pow) & roots[0] for part in whole) else (whole, 1 / root)
 
 
 def squares(

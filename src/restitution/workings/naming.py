@@ -812,7 +812,7 @@ def _named_times(derivation: Derivation) -> Iterator[tuple[Quantity, str]]:
     """The times for which the statement has letters, each with its letter."""
     for fact in derivation.facts:
         match fact.relation.options:
-            case (((Link(Quantity("time", (), int()) as time, "=", Letter(name)),),)) if (
+            case ((Link(Quantity("time", (), int()) as time, "=", Letter(name)),),) if (
                 fact.id == f"let {name}"
             ):
                 yield time, name
