@@ -78,3 +78,11 @@ def test_a_velocity_along_i_and_one_along_j_are_at_right_angles() -> None:
         "P came parallel to 𝐢 and leaves parallel to 𝐣. So angle of deflection of P = 90° A1ft"
         in words
     )
+
+
+def test_a_deflection_that_is_the_angle_of_approach_doubles_it() -> None:
+    text = AT_REST.format(a="m", b="k m")
+    _, derivation = planned(f"{text}\ngiven deflection(A) = alpha\nfind k in terms of e, alpha")
+    told = said(derivation)
+    assert "beta = 2alpha" in told
+    assert told[-1] == "k = (tan^2(alpha) + 1)/(1 - tan^2(alpha) + 2e)"

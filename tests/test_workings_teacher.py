@@ -126,7 +126,7 @@ SAYS = {
     "what a letter is by now stands before it is put in": (
         (
             "sphere A: mass 2m, velocity 4i + 3j\nsphere B: mass m, velocity -2i + 3j\n"
-            "A hits B: along i\npart a\ngiven speed(B) = sqrt(34)\nfind e\n"
+            "A hits B: along i\npart a\nfind velocity(B)\n"
             "part b\ngiven e = 1/2\nfind velocity(A)"
         ),
         ["(b)", "w = 2 + 4e", "Since e = ½:\n    w = 4", "= 2mv + 4m", "v = 1"],

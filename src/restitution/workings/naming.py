@@ -813,6 +813,6 @@ def _named_times(derivation: Derivation) -> Iterator[tuple[Quantity, str]]:
     for fact in derivation.facts:
         match fact.relation.options:
             case ((Link(Quantity("time", (), int()) as time, "=", Letter(name)),),) if (
-                fact.id == f"let {name}"
+                fact.id == " ".join(("let", name))
             ):
                 yield time, name
