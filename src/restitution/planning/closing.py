@@ -369,9 +369,8 @@ def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     above = numerator(residual(scene, number))
     if symbol in inside_functions(above) or symbol not in above.free_symbols:
         return None
-    in_tangents = _by_tangents(scene, number, symbol)
-    if in_tangents is not None:
-        return in_tangents
+    if (solved := _by_tangents(scene, number, symbol)) is not None:
+        return solved
     for each in (above, _uncertain(scene, above, symbol)):
         poly = sp.Poly(each, symbol)
         if poly.degree() != 1:
