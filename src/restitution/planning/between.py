@@ -34,6 +34,7 @@ from restitution.planning.forms import (
     factors,
     negative,
     number,
+    outer_terms,
     product,
     square,
     total,
@@ -327,7 +328,7 @@ def _term(value: sp.Expr) -> Expression:
 
 def _in_products(scene: Scene, tree: Expression) -> list[Expression]:
     """Each difference of two squares as a product, and then what these have in common in front."""
-    terms = list(_outer_terms(tree))
+    terms = list(outer_terms(tree))
     values = [sp.sympify(scene.scalar(each), strict=True) for each in terms]
     parts = [sp.fraction(sp.factor(each)) for each in values]
     below = sp.factor(sp.lcm_list([bottom for _, bottom in parts]))
@@ -347,18 +348,6 @@ def _signed(value: sp.Expr) -> Expression:
     """A sum with its sign in front of it."""
     whole = sp.factor_terms(value)
     return negative(tree_of(-whole)) if whole.as_coeff_Mul()[0].is_negative else tree_of(whole)
-
-
-def _outer_terms(tree: Expression) -> Iterator[Expression]:
-    """The terms of a sum as they stand, each with its sign."""
-    match tree:
-        case Negate(operand):
-            yield from map(negative, _outer_terms(operand))
-        case Binary("+" | "-" as op, left, right):
-            yield from _outer_terms(left)
-            yield from _outer_terms(right) if op == "+" else map(negative, _outer_terms(right))
-        case _:
-            yield tree
 
 
 def _as_product(scene: Scene, tree: Expression, common: sp.Expr) -> Expression:

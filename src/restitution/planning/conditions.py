@@ -48,6 +48,7 @@ from restitution.planning.squares import (
     without_roots,
     write_speeds,
 )
+from restitution.planning.standard_conditions import as_quadratic, in_factors
 from restitution.planning.velocity_formulas import body_and_stage, frame_after
 from restitution.planning.wall_ends import is_of_a_path, write_between, write_first_hit
 from restitution.planning.worths import Worths
@@ -406,6 +407,7 @@ class Conditions:
                     solved = solve_linear(self.scene, sign, x)
                     if x.has(sp.sin) and x.has(sp.cos):
                         line = self._square_of_ratio(line)
+                    line = in_factors(self.worths, line, known)
                     for each in (solved, relation.only[0]):
                         if each is None:
                             continue
@@ -492,8 +494,10 @@ class Conditions:
         if solved is None:
             known = self.worths.known_in(x)
             if wanted is not None and len(x.free_symbols) > 1:
-                return solve_in_squares(self.worths, line, sign, x, wanted, known)
-            return solve_quadratic(self.worths, line, sign, x, known)
+                last = solve_in_squares(self.worths, line, sign, x, wanted, known)
+            else:
+                last = solve_quadratic(self.worths, line, sign, x, known)
+            return last if last != line else as_quadratic(self.worths, last, sign, x, wanted, known)
         relation = Relation(((solved,),))
         if relation == self.scene.desk.relation(line):
             return line

@@ -234,6 +234,18 @@ def total(terms: Iterable[Expression]) -> Expression:
     return ZERO if own is None else own
 
 
+def outer_terms(tree: Expression) -> Iterator[Expression]:
+    """The terms of a sum as they stand, each with its sign."""
+    match tree:
+        case Negate(operand):
+            yield from map(negative, outer_terms(operand))
+        case Binary("+" | "-" as op, left, right):
+            yield from outer_terms(left)
+            yield from outer_terms(right) if op == "+" else map(negative, outer_terms(right))
+        case _:
+            yield tree
+
+
 def negative(tree: Expression) -> Expression:
     """A tree with the other sign."""
     if is_zero(tree):

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import sympy as sp
@@ -35,6 +38,7 @@ from restitution.planning.premises import background
 from restitution.planning.quantities import formula
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.turn_lines import Term, by_tangents, made_of_angles, meeting, terms_of
+from restitution.planning.turning import angle_line
 from restitution.planning.turns import NONE, Direction, Turn, turns_of
 
 
@@ -80,6 +84,8 @@ def _by_angle(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
         line = by_the_known(scene, turn, own, ratio, given)
         if line is not None:
             return line
+    if any(map(partial(_is_across, scene), (turn.first, turn.second))):
+        return None  # of a right angle there is no tangent
     terms = terms_of(scene, turn)
     if terms is None:
         return None
@@ -123,6 +129,12 @@ def _as_its_double(
     return line
 
 
+def _is_across(scene: Scene, side: Direction) -> bool:
+    """Whether a velocity turns out to have no component along the line of centres."""
+    along = sp.sympify(side.along.value, strict=True)
+    return scene.model.identically_zero(scene.model.in_data(along))
+
+
 def _by_ratio(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
     terms = terms_of(scene, turn)
     if terms is None:
@@ -148,10 +160,16 @@ def _one_angle(
     scene: Scene, each: GivenEquation, turn: Turn, given: Expression, value: Any
 ) -> int | None:
     """The one angle that is not told, as a number of degrees, and what that says of components."""
-    sides = (turn.first, turn.second)
+    sides: Sequence[Direction] = (turn.first, turn.second)
     own = [e for e in sides if e.angle is None] or [
         e for e in sides if isinstance(e.angle, Letter) and scene.unknown(scene.scalar(e.angle))
     ]
+    data = [e for e in own if _is_at_whole_degrees(e)]
+    if len(own) == len(sides) and len(data) == 1:
+        # One velocity is given as a vector: its angle has lines of its own.
+        known = _by_components(scene, data[0])
+        sides = [known if e is data[0] else e for e in sides]
+        own = [e for e in sides if e is not known]
     if len(own) != 1:
         return None
     (side,) = own
@@ -188,6 +206,28 @@ def _one_angle(
         return None
     line = scene.desk.write(turn.move, premises, relation)
     return line if side.angle is not None else _of_components(scene, turn, side, line, final)
+
+
+def _is_at_whole_degrees(side: Direction) -> bool:
+    """Whether a velocity of the data has components of a slope that is one of whole degrees."""
+    along, across = (sp.sympify(each.value, strict=True) for each in (side.along, side.across))
+    if side.velocity.stage or side.angle is not None or along.is_zero is not False:
+        return False
+    slope = tidy(across / along)
+    return bool(slope.is_number and slope.is_positive) and _in_degrees(sp.atan(slope)) is not None
+
+
+def _in_degrees(angle: sp.Expr) -> Degrees | None:
+    tree = tree_of(tidy(angle), angle=True)
+    return tree if isinstance(tree, Degrees) else None
+
+
+def _by_components(scene: Scene, side: Direction) -> Direction:
+    """A direction of the data with its angle, which lines give by its components."""
+    _, meaning = letter_of(scene, side.named)
+    line = angle_line(scene, side.named)
+    slope = sp.sympify(side.across.value / side.along.value, strict=True)
+    return replace(side, angle=_in_degrees(sp.atan(slope)), sources=(meaning, line))
 
 
 def _body(side: Direction) -> str:

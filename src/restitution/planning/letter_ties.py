@@ -27,6 +27,7 @@ from restitution.planning.collecting import multiplied_out
 from restitution.planning.conditions import has_quantity_in
 from restitution.planning.desk import UNPLANNED
 from restitution.planning.forms import ZERO, product, total, tree_of
+from restitution.planning.gathered_squares import one_square_a_side
 from restitution.planning.givens import write_given
 from restitution.planning.impacts import residual
 from restitution.planning.inequalities import (
@@ -202,7 +203,8 @@ class Ties:
             known = self.judge.known(s.name for s in whole.free_symbols)
             moves = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
             mark = self.worths.mark()
-            for start in (self._in_factors(line, symbol), line):
+            for between in (self._in_factors, self._gathered, lambda own, _: own):
+                start = between(line, symbol)
                 neat = None if start is None else self.judge.write(moves, [start, *known], relation)
                 if neat is not None:
                     return neat
@@ -230,6 +232,12 @@ class Ties:
         known = self.judge.known(s.name for s in whole.free_symbols)
         moves = (Move("rearrange"), Move("cancel"))
         return self.judge.write(moves, [start, *known], relation)
+
+    def _gathered(self, line: int, symbol: sp.Symbol) -> int:
+        """The equation with like terms put together: squares of ratios of an angle, or brackets."""
+        if roles(self.scene.problem)[symbol.name].kind == "angle":
+            return one_square_a_side(self.scene, line, symbol, self.judge.known([symbol.name]))
+        return multiplied_out(self.scene, line, symbol)
 
     def rank(self, symbol: sp.Symbol) -> tuple[int, str]:
         kind = roles(self.scene.problem)[symbol.name].kind

@@ -20,7 +20,7 @@ from restitution.expression.tree import (
 )
 from restitution.expression.writing import write_expression
 from restitution.planning.desk import Source, chain, together
-from restitution.planning.forms import ZERO, product, swept, total, tree_of
+from restitution.planning.forms import ZERO, outer_terms, product, swept, total, tree_of
 from restitution.planning.formulas import write_formula
 from restitution.planning.impacts import in_direction
 from restitution.planning.lines_between import whole_velocity
@@ -56,6 +56,14 @@ def write_right_angle(scene: Scene, asked: Quantity, *, by_squares: bool = False
             return scene.desk.write(move, (number,), relation)
     scene.desk.back(mark)
     return None
+
+
+def write_product_of_two(scene: Scene, pair: tuple[Moving, Moving]) -> int | None:
+    """The line of the scalar product of two velocities, where both its terms are other than 0."""
+    subject, tree, _, _ = _terms(scene, pair)
+    if len(list(outer_terms(tree))) < len(pair) or scene.desk.known(subject) is not None:
+        return None
+    return _product(scene, pair)
 
 
 def write_right_angle_of_axes(scene: Scene, asked: Quantity) -> int | None:

@@ -23,7 +23,9 @@ from restitution.planning.forms import (
     product,
     tree_of,
 )
+from restitution.planning.scalar_angles import write_product_of_two
 from restitution.planning.shown_equations import Equation
+from restitution.planning.turns import Moving
 from restitution.planning.velocity_formulas import body_and_stage, frame_after
 from restitution.problem import (
     Aligned,
@@ -58,6 +60,31 @@ def _axis_shown(claims: Claims, event: int, link: Link) -> tuple[int, Relation]:
     if line is None:
         raise NotPlannedError("another direction of a line of centres")
     return line, relation
+
+
+def _along_the_axis(claims: Claims, link: Link) -> tuple[int, Relation]:
+    """A velocity along a line of centres that is worked out: as a multiple of its direction."""
+    match link:
+        case Link(Quantity("velocity") as velocity, "parallel to", Quantity() as axis):
+            pass
+        case _:
+            raise NotPlannedError("a line of centres that is to be worked out")
+    scene, judge = claims.scene, claims.judge
+    lines = [ref for ref in scene.frame(int(str(axis.stage))).refs if isinstance(ref, int)]
+    written = scene.desk.known(velocity)
+    if not lines or written is None or not isinstance(written.value, Vector):
+        raise NotPlannedError("a line of centres, or a velocity, that no line says")
+    direction = scene.desk.last_link(lines[-1]).right
+    x, y = scene.model.story.direction(direction, scene.events)
+    own, other = written.value
+    factor = tidy(own / x) if x != 0 else tidy(other / y)
+    multiple = Link(velocity, "=", product(tree_of(factor), direction))
+    line = judge.write((Move("rearrange"),), written.refs, Relation(((multiple,),)))
+    relation = Relation(((link,),))
+    last = None if line is None else judge.write((Move("put"),), [lines[-1], line], relation)
+    if last is None:
+        raise NotPlannedError("a velocity along a line of centres")
+    return last, relation
 
 
 def write_right_angle(
@@ -95,12 +122,28 @@ def _tied(
             refs += claims.worths.component(kind, body, stage, frame).whole
     refs += [f"wall {wall.name}" for wall in scene.problem.walls]
     move = Move("define", record, frame.number, tuple(dict.fromkeys(b for b, _ in moving)))
+    if record == "perpendicular" and len(moving) == len(pair):
+        line = _by_the_product(claims, move, (moving[0], moving[1]), own_relation)
+        if line is not None:
+            return line, own_relation
     for pool in (refs, [*frame.refs, *refs]):
         cited = together(r for r in pool if claims.worths.exists(r))
         line = claims.judge.write((move,), cited, own_relation)
         if line is not None:
             return line, own_relation
     raise NotPlannedError("two directions")
+
+
+def _by_the_product(
+    claims: Claims, move: Move, pair: tuple[Moving, Moving], relation: Relation
+) -> int | None:
+    """That two velocities are at right angles, by their scalar product, a line of its own."""
+    mark = claims.worths.mark()
+    product_ = write_product_of_two(claims.scene, pair)
+    line = None if product_ is None else claims.judge.write((move,), [product_], relation)
+    if line is None:
+        claims.worths.back(mark)
+    return line
 
 
 def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[int, Relation]:
@@ -125,7 +168,7 @@ def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[in
     if isinstance(right, Quantity) and right.kind == "line_of_centres":
         fact = scene.facts.get(f"axis {right.stage}")
         if fact is None:
-            raise NotPlannedError("a line of centres that is to be worked out")
+            return _along_the_axis(claims, link)
         right = fact.relation.only[0].right
     parallel = Link(left, "=", product(tree_of(factor), right))
     line = Equation(claims, parallel).write()

@@ -45,6 +45,7 @@ from restitution.planning.formulas import Formula
 from restitution.planning.polynomials import expanded
 from restitution.planning.scene import Scene
 from restitution.planning.shown_ratios import ratio_by_a_tangent
+from restitution.planning.shown_speeds import speed_by_a_tie
 from restitution.planning.turning import angle_line, is_angle, write_ratio
 from restitution.planning.velocity_formulas import body_and_stage, frame_after
 
@@ -104,6 +105,7 @@ class Equation:
         subjects = [quantity for quantity in quantities if quantity in set(walk(left))]
         if len(quantities) == 1 and len(subjects) == 1:
             line = self._of_one(quantities[0]) or self._ratio_as_asked(quantities[0])
+            line = line or speed_by_a_tie(self.claims, self.link)
             if line is not None:
                 return line
         line = self._speed_by_an_angle(quantities)

@@ -116,10 +116,12 @@ def _note_divisor(step: Step, line: Link, rules: Rules) -> None:
 
 def points_along(step: Step, line: Link, base: Link, rules: Rules) -> bool:
     """Whether a line gives a direction of its base, with values put in: in the same sense."""
+    if line.right == base.left:
+        line = Link(line.right, line.sign, line.left)
     if base.sign != "parallel to" or line.left != base.left:
         return False
     own, other = step.world.pointing(line.right), step.world.pointing(base.right)
-    other = rules.put_into(other)
+    own, other = rules.put_into(own), rules.put_into(other)
     if not (isinstance(own, Plane) and isinstance(other, Plane)):
         return False
     if not step.world.reduced(own.x * other.y - own.y * other.x).vanishes:

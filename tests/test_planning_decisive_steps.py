@@ -1,0 +1,182 @@
+"""The line that decides stands before what is to be shown, and before the answer of an inequality.
+
+The questions are chosen so that the step from the equation with values put in to the printed
+result would be too long for a reader.
+"""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from laws_of_steps import STEPS
+
+from restitution.explaining.follower import follow
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solving import solve
+from restitution.solving.letters import roles
+from restitution.workings.derived import explanation_of
+from restitution.workings.text import to_text
+
+WALL = "wall W: along i\nsphere P: velocity 2u at theta to W\nP hits W\n"
+TWO = "sphere A: mass {a}, velocity {u}\nsphere B: mass {b}, {v}\nA hits B: along i{e}\n"
+
+
+def rows(text: str) -> list[str]:
+    """The rows of a working that is right, and planned to its end; without marks and numbers."""
+    solution = solve(parse(text))
+    derivation = plan(solution)
+    assert follow(derivation, Oracle(roles(solution.problem))) == ()
+    assert [each for law in STEPS.values() for each in law(solution, derivation)] == []
+    printed = to_text(explanation_of(derivation, solution.problem))
+    return [_END.sub("", " ".join(row.split())) for row in printed.splitlines()]
+
+
+_END = re.compile(r"( \(\d+\))?( D?[MAB]\d(ft|\*)?)*$")
+
+
+def before(text: str, row: str) -> str:
+    """The row before the first one that begins so."""
+    own = rows(text)
+    (number, *_) = [n for n, each in enumerate(own) if each.startswith(row)]
+    return own[number - 1]
+
+
+# --- squares of a sine and a cosine -----------------------------------------------------------
+
+
+def test_like_squares_stand_together_before_the_square_of_the_tangent() -> None:
+    text = WALL + "given velocity(P) perpendicular to velocity(P, 0)\nshow tan(theta)^2 = 1/e"
+    assert before(text, "tan²θ = 1/e") == "e sin²θ = cos²θ"
+
+
+def test_coefficients_that_are_sums_of_squares_are_put_together_in_a_line_of_their_own() -> None:
+    text = (
+        TWO.format(a="m", u="3u at theta", b="m", v="velocity u at theta from -i", e="")
+        + "given speed(A) = speed(B)\nshow tan(theta)^2 = e"
+    )
+    own = rows(text)
+    last = next(n for n, each in enumerate(own) if each.startswith("tan²θ = e"))
+    assert own[last - 2].startswith("8 sin²θ = ((1 + 2e)² − (1 − 2e)²) cos²θ")
+    assert own[last - 1] == "sin²θ = e cos²θ"
+
+
+def test_one_term_of_each_square_is_not_written_twice() -> None:
+    text = (
+        TWO.format(a="m", u="u at theta", b="k m", v="at rest", e=", e = 1")
+        + "given velocity(A) perpendicular to velocity(A, 0)\n"
+        + "show tan(theta)^2 = (k - 1)/(k + 1)"
+    )
+    own = rows(text)
+    assert sum("sin²θ =" in each for each in own) == 1
+    assert before(text, "tan²θ = ") == "(1 + k) sin²θ = (k − 1) cos²θ"
+
+
+def test_a_right_angle_that_is_shown_has_its_scalar_product() -> None:
+    text = (
+        "sphere A, B: mass 2m\n"
+        "sphere A: velocity 4u at 30°\n"
+        "sphere B: velocity 4u at 150°\n"
+        "A hits B: along i\n"
+        "given energy_lost = 16 m u^2\n"
+        "find e\n"
+        "show velocity(A) perpendicular to velocity(B)"
+    )
+    own = rows(text)
+    assert any(each.startswith("𝐯_A · 𝐯_B = −") and each.endswith("= 0") for each in own)
+
+
+# --- inequalities -------------------------------------------------------------------------------
+
+
+def test_an_inequality_is_a_product_before_it_is_solved() -> None:
+    text = (
+        "sphere A: mass m, velocity 2u i\n"
+        "sphere B: mass 2m, at rest\n"
+        "sphere C: mass 4m, at rest\n"
+        "A hits B: along i\n"
+        "B hits C: along i\n"
+        "given A and B do not collide again\n"
+        "find range of e"
+    )
+    assert before(text, "e ≥ ½") == "(1 − 2e)(2 − e) ≤ 0"
+
+
+def test_a_tangent_between_bounds_comes_of_a_quadratic_in_it() -> None:
+    text = (
+        TWO.format(a="m", u="u at theta", b="m", v="at rest", e=", e = 1/2")
+        + "given deflection(A) >= 30°\nfind range of tan(theta)"
+    )
+    assert before(text, "(3√3 − √11)/8 ≤ tan θ") == "4 tan²θ − 3√3 tan θ + 1 ≤ 0"
+
+
+def test_a_quadratic_in_letters_is_a_square_before_its_root_is_taken() -> None:
+    text = (
+        "sphere A: mass 2m, velocity u i\n"
+        "sphere B: mass 2k m, at rest\n"
+        "sphere C: mass 2m, at rest\n"
+        "A hits B: along i\n"
+        "B hits C: along i\n"
+        "given A and B collide again\n"
+        "find range of k in terms of e"
+    )
+    assert before(text, "0 < k < ") == "e(1 + k)² < (1 + e)²"
+
+
+def test_a_difference_of_two_squares_needs_no_product() -> None:
+    text = (
+        TWO.format(a="2m", u="u at theta", b="3m", v="at rest", e=", e = 0")
+        + "given energy_lost/energy(A, 0) >= 1/5\nfind range of cos(theta)"
+    )
+    assert not any("≤ 0" in each or "≥ 0" in each for each in rows(text))
+
+
+# --- speeds, angles and directions ----------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("given", "claim", "last"),
+    [
+        ("given deflection(P) = 90°", "2u cot(theta)", "speed of P = 2u cot θ"),
+        ("given deflection(P) = 90°", "2u tan(90° - theta)", "speed of P = 2u tan(90° − θ)"),
+        (
+            "let beta = angle(velocity(P), W)\ngiven beta = 90° - theta",
+            "2u cot(theta)",
+            "speed of P = 2u cot θ",
+        ),
+    ],
+)
+def test_a_speed_is_shown_without_a_coefficient_that_the_data_give(
+    given: str, claim: str, last: str
+) -> None:
+    own = rows(WALL + f"{given}\nshow speed(P) = {claim}")
+    assert "(speed of P)² = 4u² cot²θ" in own
+    assert any(each.startswith(last) and "as required" in each for each in own)
+    assert not any("not written out" in each for each in own)
+
+
+def test_a_velocity_at_whole_degrees_is_turned_onto_the_line_across() -> None:
+    own = rows(
+        "sphere A: mass 3, velocity 2i + 2j\n"
+        "sphere B: mass M, at rest\n"
+        "A hits B: along i, e = 1/3\n"
+        "given deflection(A) = 45°\n"
+        "find M"
+    )
+    assert any(each.startswith("θ = 45° + 45° = 90°") for each in own)
+    assert any(each.startswith("M = 9 kg") for each in own)
+
+
+def test_who_was_at_rest_goes_along_a_line_of_centres_that_is_worked_out() -> None:
+    own = rows(
+        "sphere A: mass 1, velocity 4i\n"
+        "sphere B: mass 3, at rest\n"
+        "A hits B\n"
+        "given velocity(A) = 3i - j\n"
+        "find velocity(B), line_of_centres\n"
+        "show velocity(B) parallel to line_of_centres"
+    )
+    assert "𝐯_B = ⅓(𝐢 + 𝐣)" in own
+    assert any(each.startswith("𝐯_B is parallel to the line of centres") for each in own)
