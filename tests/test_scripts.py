@@ -113,7 +113,7 @@ def test_a_sample_of_true_lines_in_many_spellings_is_not_accused(script: MarkedS
 
 @pytest.mark.nightly
 @pytest.mark.timeout(1800)
-@pytest.mark.parametrize("folder", ["typed", "third", "sealed", "fourth", "fifth"])
+@pytest.mark.parametrize("folder", ["typed", "third", "sealed", "fourth", "fifth", "eighth"])
 def test_no_true_line_is_accused(folder: str) -> None:
     scripts = scripts_of(SCRIPTS / folder)
     for declared in (True, False):

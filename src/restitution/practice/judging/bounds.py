@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from restitution.explaining.trees import exchanged
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -24,9 +25,11 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     letters,
+    walk,
 )
 from restitution.practice.judging.entries import Entry
-from restitution.practice.script import Claim, Sign
+from restitution.practice.letters.trial import inside_angles
+from restitution.practice.script import Claim, Decimal, Sign
 from restitution.problem import Aligned, Compare, Given, Part, Problem, Range
 from restitution.solving.solution import PartSolution
 
@@ -64,8 +67,11 @@ class Bounds:
     ranges: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     coefficients: frozenset[str] = frozenset()
 
-    def allows(self, claim: Claim) -> bool:
-        """Whether a comparison of a letter with a number leaves out nothing that it may be."""
+    def allows(self, claim: Claim, decimals: Sequence[Decimal] = ()) -> bool:
+        """Whether a comparison of a letter with a number leaves out nothing that it may be.
+
+        An end that is a rounded decimal may leave out what rounding does.
+        """
         if claim.sign not in _COMPARISONS or not (letters(claim.left) or letters(claim.right)):
             return True
         usual = _usual(claim)
@@ -74,11 +80,24 @@ class Bounds:
         low, high = self.ranges[usual.left.name]
         try:
             end = float(_worth(usual.right, {}))
+            room = sum(_moved(usual.right, end, each) for each in decimals)
         except _OpenError:
             return True
         if usual.sign in ("<", "<="):
-            return end >= high - _NEAR * (1 + abs(high))
-        return end <= low + _NEAR * (1 + abs(low))
+            return end >= high - room - _NEAR * (1 + abs(high))
+        return end <= low + room + _NEAR * (1 + abs(low))
+
+
+def _moved(tree: Expression, end: float, decimal: Decimal) -> float:
+    """By how much the end of an inequality moves where a decimal in it moves by half a unit."""
+    put: dict[Expression, Expression] = {
+        each: replace(each, value=each.value + decimal.half_unit)
+        for each in walk(tree)
+        if isinstance(each, Number | Degrees)
+        and each.place is not None
+        and each.place.column == decimal.column
+    }
+    return abs(float(_worth(exchanged(tree, put), {})) - end) if put else 0.0
 
 
 def bounds_of(problem: Problem, part: Part, solved: PartSolution) -> Bounds:
@@ -165,6 +184,53 @@ def bounded_by(
     return None
 
 
+def rearranged_from(
+    entry: Entry,
+    entries: Sequence[Entry],
+    known: Mapping[str, float],
+    coefficients: frozenset[str],
+) -> int | None:
+    """The number of the line, an inequality that is not true, of which this is another form.
+
+    Values of earlier lines are put in for the student's own letters. Both hold at the same of many
+    random values of the letters; angles among these are acute.
+    """
+    claim = entry.claim
+    if claim.sign not in _COMPARISONS or claim.others:
+        return None
+    for other in reversed(entries):
+        if other.right or other.claim.sign not in _COMPARISONS or other.claim.others:
+            continue
+        names = letters(claim.left) | letters(claim.right)
+        if not names or not names & (letters(other.claim.left) | letters(other.claim.right)):
+            continue
+        names |= letters(other.claim.left) | letters(other.claim.right)
+        for largest in (1.0, _LARGEST):
+            rng = np.random.default_rng(7)
+            put = {
+                name: rng.uniform(0, largest if name in coefficients else _LARGEST, _POINTS)
+                for name in sorted(names)
+            }
+            put |= {name: rng.uniform(0, np.pi / 2, _POINTS) for name in _angles(claim, other)}
+            own, above = _region(claim, put), _region(other.claim, put)
+            if own is None or above is None:
+                break
+            if own.any() and not own.all() and np.mean(own == above) > 1 - 2 / _POINTS:
+                return other.number
+    return None
+
+
+def _angles(claim: Claim, other: Entry) -> frozenset[str]:
+    """The letters that stand in a sine, cosine or tangent, or beside degrees."""
+    names: set[str] = set()
+    for each in (claim, other.claim):
+        sides = each.left, each.right
+        names |= inside_angles(each.left) | inside_angles(each.right)
+        if any(isinstance(side, Degrees) for side in sides):
+            names |= letters(each.left) | letters(each.right)
+    return frozenset(names)
+
+
 def _allowed(conditions: Iterable[Claim], put: Mapping[str, Array]) -> Array:
     """The points at which the conditions on letters of the statement hold."""
     there = np.ones(_POINTS, dtype=bool)
@@ -193,7 +259,7 @@ def _region(claim: Claim, put: Mapping[str, Array]) -> Array | None:
 
 
 def _value_of(name: str, claim: Claim, put: Mapping[str, Array]) -> Array | None:
-    """What a linear equation gives a letter; None where it is another equation."""
+    """What an equation gives a letter that is linear in it, or a size by its square; else None."""
     inside = letters(claim.left) | letters(claim.right)
     if name not in inside:
         return None
@@ -204,10 +270,14 @@ def _value_of(name: str, claim: Claim, put: Mapping[str, Array]) -> Array | None
                 there = {**put, name: np.float64(x)}
                 apart.append(_worth(claim.left, there) - _worth(claim.right, there))
             slope = apart[1] - apart[0]
-            linear = np.abs(apart[2] - apart[1] - slope) <= _NEAR * (1 + np.abs(slope))
-            if not np.all(linear) or np.any(slope == 0):
+            room = _NEAR * (1 + np.abs(slope))
+            if np.any(slope == 0):
                 return None
-            return np.broadcast_to(-apart[0] / slope, (_POINTS,))
+            if np.all(np.abs(apart[2] - apart[1] - slope) <= room):
+                return np.broadcast_to(-apart[0] / slope, (_POINTS,))
+            if np.all(np.abs(apart[2] - apart[1] - 3 * slope) <= room):
+                return np.broadcast_to(np.sqrt(-apart[0] / slope), (_POINTS,))
+            return None
     except _OpenError:
         return None
 

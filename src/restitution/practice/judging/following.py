@@ -21,7 +21,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import Verdict
 from restitution.practice.judging.angles import unnamed_in, with_angles
-from restitution.practice.judging.bounds import bounded_by, conditions_of
+from restitution.practice.judging.bounds import bounded_by, conditions_of, rearranged_from
 from restitution.practice.judging.deduction import deduced_from
 from restitution.practice.judging.entries import (
     Entry,
@@ -274,6 +274,8 @@ class Following(OwnValues):
             known = {name: float(x.flat[0]) for name, x in self._base.letters.items()}
             entries = [each for each in self.entries if each.number <= line.number]
             source = bounded_by(entry, entries, conditions, known, bounds.coefficients)
+            if source is None:
+                source = rearranged_from(entry, entries, known, bounds.coefficients)
             if source is not None:
                 return JudgedLink("follows", claim, "exact", (source,))
         return None

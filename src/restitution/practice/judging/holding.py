@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import islice, product
 
 import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.explaining.trees import exchanged
 from restitution.expression.tree import (
+    Binary,
     Expression,
     Letter,
     Negate,
@@ -55,6 +57,7 @@ from restitution.practice.worlds.world import World
 # How far a student's own rounding to three figures may move his values.
 OWN_ROUNDING = 0.006
 _PHRASED = 6
+_PAIRS = 40
 
 
 class Holding:
@@ -104,7 +107,7 @@ class Holding:
 
     def accuracy(self, claim: Claim, world: World, line: ScriptLine, link: Link) -> Accuracy | None:
         """How exactly a claim holds in a world; None where it does not, or has no value there."""
-        if not self.question.bounds.allows(claim):
+        if not self.question.bounds.allows(claim, link.decimals):
             return None
         meanings = self.meanings(line.number)
         forms = (
@@ -243,6 +246,9 @@ class Holding:
         for claim in link.readings:
             label = label_in(claim.left)
             if label is None:
+                quotient = self._relabelled_quotient(claim, line, link, worlds, verdict)
+                if quotient is not None:
+                    return quotient
                 continue
             for meant in self._meanings_under(label.name, line):
                 senses = (meant, Negate(meant)) if is_signed(meant) else (meant,)
@@ -263,6 +269,29 @@ class Holding:
                     if grade != "coarse":
                         return best
         return best
+
+    def _relabelled_quotient(
+        self,
+        claim: Claim,
+        line: ScriptLine,
+        link: Link,
+        worlds: Sequence[World],
+        verdict: Verdict,
+    ) -> JudgedLink | None:
+        """Two labels, one over the other, that name their quantities at other moments."""
+        match claim.left:
+            case Binary("/", Letter(above), Letter(below)) if is_phrase(above) and is_phrase(below):
+                pairs = product(*(self._meanings_under(each, line) for each in (above, below)))
+            case _:
+                return None
+        for one, other in islice(pairs, _PAIRS):
+            each = replace(claim, left=Binary("/", one, other))
+            grade = self._best_accuracy(each, worlds, line, link)
+            if grade is not None and grade != "coarse":
+                sources = sources_of(claim, self.entries) if verdict == "follows" else ()
+                meant = ((above, one), (below, other))
+                return JudgedLink(verdict, each, grade, sources, meant=meant)
+        return None
 
     def _meanings_under(self, phrase: str, line: ScriptLine) -> Iterator[Expression]:
         """The quantities that a phrase may name: of the body that labels its line as well.

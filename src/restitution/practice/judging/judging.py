@@ -17,12 +17,15 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Degrees,
     Expression,
     Letter,
+    Name,
     Negate,
     Number,
+    Quantity,
     children,
     has_quantity,
     letters,
@@ -235,7 +238,10 @@ class _Sitting:
         if any(line.verdict == "false" for line in lines):
             lines = self._misread(lines)
             lines = self._asked(lines, asks)
-            lines = tuple(self._unless_in_doubt(line, lines, asks) for line in lines)
+            sure = _are_of_one_mistake(lines)
+            lines = (
+                lines if sure else tuple(self._unless_in_doubt(line, lines, asks) for line in lines)
+            )
         return Judgement(lines, tuple(self._shown()), tuple(sorted(asks)))
 
     def _shown(self) -> Iterator[Meaning]:
@@ -279,19 +285,25 @@ class _Sitting:
         """
         best = self.meanings.best
         unknown = {name for name in judge_.unknown if not is_phrase(name)}
+        unknown |= set(self._angles_below(lines))
         false = sum(line.verdict == "false" for line in lines)
         if not unknown or not false or best.fixed_letters or any(m.since for m in best.meanings):
             return judge_, lines
-        known = {m.letter: m.quantity for m in best.meanings if not is_phrase(m.letter)}
+        known = {
+            m.letter: m.quantity
+            for m in best.meanings
+            if not is_phrase(m.letter) and m.letter not in unknown
+        }
         bench = self.bench
         for world in judge_.students()[:1]:
             own = meanings_of(
                 self.script, bench.problem, bench.solution, bench.solved.part.label, known, (world,)
             ).best
             found = tuple(each for each in own.meanings if each.letter in unknown)
+            phrases = tuple(each for each in best.meanings if is_phrase(each.letter))
             merged = replace(
                 best,
-                meanings=(*best.meanings, *found),
+                meanings=(*(m for m in best.meanings if m.letter in known), *phrases, *found),
                 unknown=best.unknown - {each.letter for each in found},
             )
             other, again = self._judged(self.script, merged)
@@ -302,15 +314,29 @@ class _Sitting:
                 return other, again
         return judge_, lines
 
+    def _angles_below(self, lines: Sequence[JudgedLine]) -> Iterator[str]:
+        """The letters taken for an angle by their look alone, that stand in no line which holds."""
+        best = self.meanings.best
+        where = {
+            m.letter: [line for line in lines if m.letter in _names_in(line.line)]
+            for m in best.meanings
+            if m.by == "default" and not is_phrase(m.letter) and kind_of(m.quantity) in _ANGLES
+        }
+        for name, own in where.items():
+            verdicts = {line.verdict for line in own}
+            if "false" in verdicts and "true" not in verdicts:
+                yield name
+
     # --- letters that are not certain -----------------------------------------------------------
 
     def _asked(self, lines: tuple[JudgedLine, ...], asks: set[str]) -> tuple[JudgedLine, ...]:
         """False lines that another meaning makes true are questions about a letter.
 
-        A meaning under which more lines are false explains the script less well.
+        A meaning under which more lines are false explains the script less well, and where one
+        altered law explains several of them, so does one under which any is.
         """
         tries = iter(range(_RIVALS))
-        most = sum(line.verdict == "false" for line in lines)
+        most = 0 if _are_of_one_mistake(lines) else sum(line.verdict == "false" for line in lines)
         for rival in self.meanings.rivals:
             doubtful = {line.line.number: self._doubtful(rival, line) for line in lines}
             false = [each.line for each in lines if each.verdict == "false"]
@@ -367,7 +393,7 @@ class _Sitting:
                 odd = is_odd(name, meaning.quantity)
                 if support < (2 if odd else 0 if named else 1) or (
                     (not support or (support < _SURE and kind_of(meaning.quantity) in _ANGLES))
-                    and self._is_true_of_another(line, name)
+                    and self._is_true_of_another(line, name, lines)
                 ):
                     doubtful.add(name)
         if not doubtful:
@@ -375,16 +401,44 @@ class _Sitting:
         asks.update(doubtful)
         return replace(line, verdict="asks", mistake=None, link=None)
 
-    def _is_true_of_another(self, line: JudgedLine, name: str) -> bool:
-        """Whether a line is true if a letter means another quantity than it is taken for."""
+    def _is_true_of_another(self, line: JudgedLine, name: str, lines: Sequence[JudgedLine]) -> bool:
+        """Whether a line is true if a letter means another quantity than it is taken for.
+
+        Beside a component of one sphere a component is one of the other sphere, and what is known
+        from the start is only given a value. The other sense of what a letter is taken for has to
+        make all false lines true in which it stands.
+        """
         known = self.meanings.best.trees(line.line.number)
-        links = [link for link in line.line.links if name in _names_of(link)]
-        world = self.bench.worlds[0]
-        return any(
-            all(self._is_so_meant(link, line, {**known, name: meant}) for link in links)
-            for each in self.bench.names.candidates(world)
-            for meant in (each.quantity, Negate(each.quantity))
-        )
+        own = {known[name], Negate(known[name]), getattr(known[name], "operand", known[name])}
+        beside = set(self._beside(line, name))
+        defining = _gives(line.line, name)
+        candidates = self.bench.names.candidates(self.bench.worlds[0])
+        false = [each for each in lines if each.verdict == "false" and name in _names_in(each.line)]
+        for each in candidates:
+            if beside and (each.kind != "component" or each.body in beside):
+                continue
+            if each.start and not defining:
+                continue
+            for meant in (each.quantity, Negate(each.quantity)):
+                tried = false if meant in own else [line]
+                if all(self._is_true_with_meaning(one, name, meant) for one in tried):
+                    return True
+        return False
+
+    def _beside(self, line: JudgedLine, name: str) -> Iterator[str]:
+        """The spheres of the components beside which a letter for a component stands in a line."""
+        meanings = self.meanings.best.at(line.line.number)
+        if _sphere_of(meanings[name].quantity) is None:
+            return
+        for other in _names_in_doubt(line) - {name}:
+            sphere = _sphere_of(meanings[other].quantity) if other in meanings else None
+            if sphere is not None:
+                yield sphere
+
+    def _is_true_with_meaning(self, line: JudgedLine, name: str, meant: Expression) -> bool:
+        known = self.meanings.best.trees(line.line.number)
+        links = (link for link in line.line.links if name in _names_of(link))
+        return all(self._is_so_meant(link, line, {**known, name: meant}) for link in links)
 
     def _is_so_meant(self, link: Link, line: JudgedLine, meanings: Meanings) -> bool:
         """Whether a link is true where letters have given meanings, to three figures."""
@@ -468,6 +522,36 @@ class _Sitting:
             if worlds and self._judge(self.meanings.best, worlds).is_true(self.script):
                 return True
         return False
+
+
+def _gives(line: ScriptLine, name: str) -> bool:
+    """Whether a line gives a letter, its square, or its tangent and the like a value."""
+    sides = (
+        side for link in line.links for claim in link.readings for side in (claim.left, claim.right)
+    )
+    return any(
+        side == Letter(name)
+        or (isinstance(side, Binary) and side.op == "^" and side.left == Letter(name))
+        or (isinstance(side, Apply) and side.argument == Letter(name))
+        for side in sides
+    )
+
+
+def _sphere_of(tree: Expression) -> str | None:
+    """The sphere whose component of velocity a quantity is; None of any other."""
+    match tree:
+        case Negate(operand):
+            return _sphere_of(operand)
+        case Quantity("along" | "across", (Quantity("velocity", (Name(body),)), _)):
+            return body
+    return None
+
+
+def _are_of_one_mistake(lines: Sequence[JudgedLine]) -> bool:
+    """Whether several lines are false, and all of them instances of one altered law."""
+    false = [line.mistake for line in lines if line.verdict == "false"]
+    variants = [set(each.variants) for each in false if each is not None]
+    return len(variants) > 1 and bool(set.intersection(*variants))
 
 
 def _numbers_in(line: ScriptLine) -> Iterator[Fraction]:

@@ -41,6 +41,7 @@ from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees, difference, numbers_of
 from restitution.practice.worlds.arrays import Array
 from restitution.practice.worlds.student import altered_world
+from restitution.practice.worlds.telling import Telling
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Given, Impact, Problem
 from restitution.vector import Vector
@@ -89,7 +90,7 @@ class Explained:
 
     ``at`` is the text that would have to be another, ``near`` the laws of the
     claim corrected, and ``mended`` the claim itself with what it uses. ``plain`` is a misconception
-    in a line that states no law.
+    in a line that states no law. ``direct`` tells that nothing moves across the lines of centres.
     """
 
     variants: tuple[VariantAt, ...] = ()
@@ -98,6 +99,7 @@ class Explained:
     near: tuple[Use, ...] = ()
     mended: tuple[Claim, tuple[Use, ...]] | None = None
     plain: str | None = None
+    direct: bool = False
 
 
 class JudgedSoFar(Protocol):
@@ -146,7 +148,8 @@ class Names:
         sure = nearest is not None and nearest.change != "figure"
         claim = (nearest.claim, near) if nearest is not None and sure else None
         plain = None if variants else _plainly(entry, judge, mended)
-        return Explained(variants, slip, at, near if idle else (), claim, plain)
+        direct = all(_is_direct(each.event.number, judge.base) for each in variants)
+        return Explained(variants, slip, at, near if idle else (), claim, plain, direct)
 
     def named(self, explained: Explained, stated: Stated, confirmed: frozenset[str]) -> Mistake:
         """The mistake by its name.
@@ -155,7 +158,8 @@ class Names:
         are their ids), and those that contradict no law which is stated rightly.
         """
         variants = [each for each in explained.variants if each.id in confirmed]
-        if variants and all(_family_of(each) in _OF_SPEEDS for each in variants):
+        speeds = all(_family_of(each) in _OF_SPEEDS for each in variants)
+        if variants and speeds and explained.direct:
             # What the speeds of a direct impact are taken for has a plainer name.
             variants += [each for each in explained.variants if _family_of(each) in _PLAINER]
         variants = variants or [
@@ -210,6 +214,8 @@ class Names:
         if _is_of_energy(entry):
             # The values of two mistakes may be one: a line of energy has a mistake of energy.
             by_states = [each for each in by_states if _kinds(each) & _OF_ENERGY - {"speed"}]
+        if is_sum_of_angles(entry):
+            by_states = [each for each in by_states if _kinds(each) & _OF_ANGLES]
         if by_states:
             lawful = [each for each in mended if _is_law(each, entry, judge)]
             return tuple(each for each in by_states if _stands(each, lawful))
@@ -261,7 +267,7 @@ class Names:
     def _worlds(self, entry: Entry, judge: JudgedSoFar) -> Iterator[VariantAt]:
         """By altered worlds: the claim holds where one law is altered, and all else is right."""
         energetic = _is_energetic(entry)
-        angular, impulsive = _is_sum_of_angles(entry), self._is_of_impulse(entry)
+        angular, impulsive = is_sum_of_angles(entry), self._is_of_impulse(entry)
         fitting = _OF_ENERGY - {"speed"} if _is_of_energy(entry) else _OF_ENERGY
         for variant in self.variants:
             if not variant.laws or not variant.alteration.solvable:
@@ -325,6 +331,18 @@ class Names:
                 values += _numbers_in(world, candidate.quantity)
             self._familiar[world.solution] = tuple(dict.fromkeys(each for each in values if each))
         return self._familiar[world.solution]
+
+
+def _is_direct(number: int, world: World) -> bool:
+    """Whether no sphere moves across the line of centres before an impact."""
+    line = world.lines.get(number)
+    step = world.events[number - 1] if number <= len(world.events) else None
+    if line is None or not isinstance(step, Impact):
+        return False
+    told = Telling(world, degrees=False)
+    spheres = [each for each in (step.first, step.second) if each in world.start]
+    across = (world.spread(told.velocity(each, number - 1).cross(line)) for each in spheres)
+    return all(bool(np.all(np.abs(each) < _TINY)) for each in across)
 
 
 def _numbers_in(world: World, tree: Expression) -> Iterator[float]:
@@ -549,7 +567,7 @@ def _replaces(variant: VariantAt, law: str) -> bool:
     return any(each.law == law for each in variant.laws)
 
 
-def _is_sum_of_angles(entry: Entry) -> bool:
+def is_sum_of_angles(entry: Entry) -> bool:
     """Whether a claim gives an angle as a sum of angles: no law of an impact is in it."""
     left, right = entry.claim.left, entry.claim.right
     meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left

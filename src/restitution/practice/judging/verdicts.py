@@ -40,11 +40,12 @@ from restitution.practice.judging.judged_link import (
     JudgedLink,
     Question,
 )
-from restitution.practice.judging.naming import Explained
+from restitution.practice.judging.naming import Explained, is_sum_of_angles
 from restitution.practice.judging.other_forms import (
     is_to_a_line,
     kind_of,
     of_natures,
+    of_vectors,
 )
 from restitution.practice.judging.own_values import Naming
 from restitution.practice.judging.support import Support
@@ -276,7 +277,7 @@ class Judge(Following):
         worked = is_numeric(entry.claim.left) and is_numeric(entry.claim.right)
         if start == end or worked or not isinstance(first, Letter | Quantity):
             return explained
-        quoted = not explained.variants or start < place
+        quoted = (not explained.variants or start < place) and not is_sum_of_angles(entry)
         for link in links[place : end + 1] if quoted else ():
             whole = replace(entry, claim=replace(entry.claim, left=first, right=link.claim.right))
             other = self.naming.explained(whole, self)
@@ -369,6 +370,11 @@ class Judge(Following):
         held = self._holds(link, line, self.worlds)
         if held is not None:
             accuracy, claim = held
+            if claim.sign != "=" and claim != link.readings[0] and self.wrong:
+                # An inequality may be true by chance, in a reading that nobody means.
+                plainly = self._bounded(line, replace(link, readings=link.readings[:1]))
+                if plainly is not None:
+                    return plainly
             remark = COARSE if accuracy == "coarse" else None
             verdict: Verdict = "true"
             entry = self._entry_of(line, link, claim)
@@ -403,7 +409,11 @@ class Judge(Following):
             for name, tree in meanings.items()
             if suffix(name) in self._base.start or kind_of(tree) in ("velocity", "impulse")
         }
-        forms = (x for each in link.readings for x in (each, *of_natures(each, named)))
+        forms = (
+            x
+            for each in link.readings
+            for x in (each, *of_natures(each, named), *of_vectors(each, meanings, self._base))
+        )
         for claim in chain(forms, self._in_all_meanings(link, line)):
             try:
                 agrees(claim, self._base, meanings, link.decimals, line.scope)

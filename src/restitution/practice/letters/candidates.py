@@ -308,12 +308,14 @@ def _of_impact(
         tangent = Apply("tan", angle)
         yield Candidate(tangent, "tangent", "scalar", None, number, cost=0.4)
     if len(spheres) == 2:
+        moving = {each.name for each in problem.spheres if each.velocity is not None}
         for stage, start in ((number, False), (number - 1, number == 1)):
             first, second = (velocity(body, stage) for body in spheres)
             between = Quantity("angle", (first, second))
             yield Candidate(between, "angle", "angle", None, stage, None, start, 0.3)
             difference = Binary("-", first, second)
-            yield Candidate(difference, "relative", "vector", None, stage, None, False, 0.3)
+            given = start and moving.issuperset(spheres)
+            yield Candidate(difference, "relative", "vector", None, stage, None, given, 0.3)
             yield Candidate(
                 Quantity("along", (difference, line(event, number))),
                 "relative",
@@ -321,7 +323,7 @@ def _of_impact(
                 None,
                 stage,
                 None,
-                False,
+                given,
                 0.4,
             )
     for body in spheres:

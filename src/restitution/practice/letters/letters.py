@@ -73,6 +73,8 @@ _INEQUALITY = 0.25
 _HEADING, _BREAK, _ALONE = 0.2, 0.5, 1.05
 # What it costs that a letter means nothing which its first line may define.
 _UNKNOWN = 0.2
+# What it costs where it stands beside another in two equations like those of the laws.
+_UNPAIRED = 0.4
 # What a line tells that follows from those above or contradicts them, and one of momentum, which
 # tells the sense of its letters as well.
 _WORTH = {"new": 1.0, "follows": 0.3, "contradicts": 0.6}
@@ -198,6 +200,7 @@ class _Search:
         self.failing: set[int] = set()
         self.relations: dict[tuple[int, tuple[Claim, ...]], Relation] = {}
         self.defined: set[str] = set()
+        self.paired: dict[str, set[int]] = {}
         self.definitions = dict(self._definitions())
         self.dotted = self._dotted()
         self.vanishing = frozenset(self._vanishing())
@@ -503,6 +506,8 @@ class _Search:
         count = max(1, len(self.items[line.number]))
         weight = (1.0 if link.readings[0].sign == "=" else _INEQUALITY) / count**0.5
         pair = linear_pair(link.readings[0], sorted(used), self.around.tester, frame)
+        for name in used if pair is not None else ():
+            self.paired.setdefault(name, set()).add(line.number)
         return Item(line.number, link.readings, used, weight, link.decimals, frame, pair)
 
     def _weighed(self, items: Sequence[Item]) -> list[Item]:
@@ -556,6 +561,7 @@ class _Search:
             if chosen is None:
                 unknown.add(name)
                 score -= _UNKNOWN if name in self.definitions else 0.0
+                score -= _UNPAIRED if len(self.paired.get(name, ())) > 1 else 0.0
                 continue
             by = self._by(name, chosen, option, line.scope)
             meanings.append(

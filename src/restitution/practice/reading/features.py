@@ -55,6 +55,7 @@ class Features:
     both: bool = False
     mass_centre: bool = False
     timed: bool = False
+    between: bool = False
 
 
 def words_of(text: str) -> tuple[str, ...]:
@@ -98,6 +99,8 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
             features = replace(features, axis=AXES[low[1]])
         elif low in ("u", "v", "w") and len(words) == 2:
             features = replace(features, heads=features.heads | {"velocity"})
+        elif low == "between":
+            features = replace(features, between=True)
         elif low == "relative":
             features = replace(features, heads=features.heads | {"relative"})
         elif low in ("rebounds", "hits", "collides") and not features.stage:

@@ -307,6 +307,8 @@ def _goes_on(tokens: Sequence[Token], place: int, end: int) -> bool:
 
 def _is_trailing(tokens: Sequence[Token], place: int) -> bool:
     token = tokens[place]
+    if token.word == "between" and place and HEADS.get(tokens[place - 1].word) == "angle":
+        return False  # angle between = 60
     return token.kind == "-" or (token.kind == "word" and token.word in _TRAILING)
 
 

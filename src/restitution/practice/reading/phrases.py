@@ -191,6 +191,8 @@ class _Reader:
                 yield from self.relative(event)
             elif "momentum" in heads:
                 yield from self.momentum(event)
+            elif heads == {"distance"} and len(self.features.names) != 2:
+                yield from self.asked("distance")
             elif "change" in heads and heads & {"velocity", "component"}:
                 yield from self.change(event)
             elif heads == {"change"}:
@@ -543,6 +545,9 @@ class _Reader:
         if len(spheres) > 1 and features.direction is None and features.axis is None:
             first, second = (self.of("velocity", each, event) for each in spheres[:2])
             yield Quantity("angle", (first, second))
+        if features.between and not spheres and len(self.bodies_met(event)) == 2:
+            yield self.angle_between(event)
+            return
         if features.axis is not None and "centres" in (features.direction or ""):
             own = Quantity("angle", (line, features.axis))
             yield own
@@ -553,16 +558,21 @@ class _Reader:
             value = Quantity("angle", (velocity, other))
             square = Binary("-", Degrees(Fraction(90)), value)
             normal = (features.direction or "").startswith("perpendicular")
+            to_wall = features.wall or not set(features.names).isdisjoint(self.walls)
             yield square if normal else value
-            if features.axis is None:
+            if features.axis is None and (normal or not to_wall):
                 yield value if normal else square
             if features.axis is None:
                 yield Binary("-", Degrees(Fraction(180)), value)
             if not features.timed:  # that of before or after is to a line
                 yield Quantity("deflection", (Name(body),), self.after(event))
         if not spheres and features.direction is None and len(self.bodies_met(event)) == 2:
-            first, second = (self.of("velocity", each, event) for each in self.bodies_met(event))
-            yield Quantity("angle", (first, second))  # the angle between them
+            yield self.angle_between(event)
+
+    def angle_between(self, event: int) -> Expression:
+        """The angle between the velocities of two spheres that meet."""
+        first, second = (self.of("velocity", each, event) for each in self.bodies_met(event))
+        return Quantity("angle", (first, second))
 
     def other_direction(self, event: int, line: Expression) -> Expression:
         """That to which an angle is measured."""
@@ -584,6 +594,8 @@ class _Reader:
                 yield Binary("/", whole, Quantity("energy", (), 0))
             if "loss" not in heads:
                 yield Binary("/", Quantity("energy", (), after), energy)
+                if before:
+                    yield Binary("/", Quantity("energy", (), after), Quantity("energy", (), 0))
         if heads & {"speed", "velocity"} or heads == {"ratio"}:
             for body in self.bodies(event):
                 name = (Name(body),)

@@ -58,7 +58,7 @@ _INVERSE = re.compile(
 )
 _ENERGY = re.compile(
     r"(?:KE|ke|Ke|[Ss]peed|[Vv]el(?:ocity)?|[Mm]omentum|[Ii]mpulse|[Mm]ass|[Aa]ngle)"
-    r"_?\{?([A-Z]|(?<=[Ke])[a-z]{1,7}|(?<=_)[a-z]{1,7})(?![A-Za-z0-9])\}?"
+    r"_?\{?([A-Z]|(?<=[Ke])[a-z]{1,7}|(?<=_)[a-z]{1,7}|(?<=[EKek_])0)(?![A-Za-z0-9])\}?"
 )
 _OF_BODY = re.compile(
     r"\b(KE|ke|speed|velocity|vel|energy|momentum|impulse|angle|deflection|mass|direction)"
@@ -67,7 +67,7 @@ _OF_BODY = re.compile(
 )
 _SUFFIXED = re.compile(r"([uvwUVW])(perp|par|para|after|before|rel)(?![A-Za-z])")
 _ENERGY_WORDS = {
-    **dict.fromkeys(("i", "before", "initial", "bef"), "before"),
+    **dict.fromkeys(("i", "0", "before", "initial", "bef"), "before"),
     **dict.fromkeys(("f", "after", "final", "aft"), "after"),
     **dict.fromkeys(("lost", "loss"), "lost"),
 }

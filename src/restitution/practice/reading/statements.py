@@ -705,6 +705,12 @@ class _Reader:
         free = left.name in _SHORT_FOR and left.name not in self.usage.letters
         return free and isinstance(right, Apply) and isinstance(right.argument, Letter)
 
+    def _is_worth(self, phrase: str, letter: str) -> bool:
+        """Whether a phrase of a speed, an energy or an impulse has a letter of the question."""
+        heads = {HEADS.get(word) for word in phrase.split()}
+        known = letter in self.usage.letters and not self.declares
+        return known and bool(heads & {"speed", "energy", "impulse"})
+
     def declaration(
         self,
         segment: Segment,
@@ -717,6 +723,9 @@ class _Reader:
             return False
         left, right = read[0][0].tree, read[1][0].tree
         if is_letter(right) and not is_letter(left) and isinstance(left, Letter):
+            assert isinstance(right, Letter)
+            if self._is_worth(left.name, right.name):
+                return False  # speed of B = u
             left, right, sides = right, left, (sides[1], sides[0])
         if not is_letter(left):
             return False

@@ -23,7 +23,7 @@ from restitution.practice.worlds.agreement import difference
 from restitution.practice.worlds.telling import Telling
 from restitution.practice.worlds.timing import retimed
 from restitution.practice.worlds.world import World
-from restitution.problem import Aligned, AtRest, Compare, Given, Impact, Relation
+from restitution.problem import Aligned, AtRest, Compare, Given, Impact, Kick, Relation
 from restitution.vector import Vector
 
 Array = Any
@@ -146,7 +146,7 @@ def _of_claim(claim: Claim) -> Equation:
 
 
 def laws_of(world: World) -> Iterator[Equation]:
-    """The laws of every impact: momentum, restitution, and the components that do not change."""
+    """The laws of every impact and blow: momentum, restitution, components that do not change."""
     for number, step in enumerate(world.events, 1):
         if isinstance(step, Impact) and number in world.lines:
             wall = step.second in world.walls or step.second not in world.start
@@ -156,6 +156,8 @@ def laws_of(world: World) -> Iterator[Equation]:
             yield Equation(_restitution(number, spheres), "restitution", number, spheres)
             if not wall:
                 yield Equation(_momentum(number, spheres), "momentum", number, spheres)
+        elif isinstance(step, Kick):
+            yield Equation(_blow(number, step), "blow", number, (step.body,))
 
 
 def _parts(world: World, number: int, body: str) -> tuple[Vector, Vector, Vector]:
@@ -189,6 +191,16 @@ def _restitution(number: int, bodies: tuple[str, ...]) -> Residual:
             other_before, other_after, _ = _parts(world, number, bodies[1])
             before, after = before - other_before, after - other_after
         return _column(world, after.dot(c) + Telling(world).coefficient(number) * before.dot(c))
+
+    return residual
+
+
+def _blow(number: int, step: Kick) -> Residual:
+    def residual(world: World) -> Array:
+        telling = Telling(world, degrees=False)
+        change = telling.velocity(step.body, number) - telling.velocity(step.body, number - 1)
+        apart = change * telling.mass(step.body) - telling.read(step.impulse, number - 1)
+        return np.stack([world.spread(apart.x), world.spread(apart.y)], axis=1)
 
     return residual
 
