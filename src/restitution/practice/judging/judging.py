@@ -316,16 +316,11 @@ class _Sitting:
 
     def _angles_below(self, lines: Sequence[JudgedLine]) -> Iterator[str]:
         """The letters taken for an angle by their look alone, that stand in no line which holds."""
-        best = self.meanings.best
-        where = {
-            m.letter: [line for line in lines if m.letter in _names_in(line.line)]
-            for m in best.meanings
-            if m.by == "default" and not is_phrase(m.letter) and kind_of(m.quantity) in _ANGLES
-        }
-        for name, own in where.items():
-            verdicts = {line.verdict for line in own}
-            if "false" in verdicts and "true" not in verdicts:
-                yield name
+        for each in self.meanings.best.meanings:
+            own = [line.verdict for line in lines if each.letter in _names_in(line.line)]
+            by_look = each.by == "default" and kind_of(each.quantity) in _ANGLES
+            if by_look and not is_phrase(each.letter) and "false" in own and "true" not in own:
+                yield each.letter
 
     # --- letters that are not certain -----------------------------------------------------------
 

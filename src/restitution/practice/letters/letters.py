@@ -11,7 +11,7 @@ from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from itertools import pairwise
+from itertools import pairwise, permutations
 
 import numpy as np
 
@@ -73,7 +73,7 @@ _INEQUALITY = 0.25
 _HEADING, _BREAK, _ALONE = 0.2, 0.5, 1.05
 # What it costs that a letter means nothing which its first line may define.
 _UNKNOWN = 0.2
-# What it costs where it stands beside another in two equations like those of the laws.
+# What it costs where it stands in two equations like those of the laws beside one with a meaning.
 _UNPAIRED = 0.4
 # What a line tells that follows from those above or contradicts them, and one of momentum, which
 # tells the sense of its letters as well.
@@ -200,7 +200,7 @@ class _Search:
         self.failing: set[int] = set()
         self.relations: dict[tuple[int, tuple[Claim, ...]], Relation] = {}
         self.defined: set[str] = set()
-        self.paired: dict[str, set[int]] = {}
+        self.paired: dict[str, dict[str, set[int]]] = {}
         self.definitions = dict(self._definitions())
         self.dotted = self._dotted()
         self.vanishing = frozenset(self._vanishing())
@@ -506,8 +506,8 @@ class _Search:
         count = max(1, len(self.items[line.number]))
         weight = (1.0 if link.readings[0].sign == "=" else _INEQUALITY) / count**0.5
         pair = linear_pair(link.readings[0], sorted(used), self.around.tester, frame)
-        for name in used if pair is not None else ():
-            self.paired.setdefault(name, set()).add(line.number)
+        for one, other in permutations(pair.names if pair is not None else (), 2):
+            self.paired.setdefault(one, {}).setdefault(other, set()).add(line.number)
         return Item(line.number, link.readings, used, weight, link.decimals, frame, pair)
 
     def _weighed(self, items: Sequence[Item]) -> list[Item]:
@@ -561,13 +561,16 @@ class _Search:
             if chosen is None:
                 unknown.add(name)
                 score -= _UNKNOWN if name in self.definitions else 0.0
-                score -= _UNPAIRED if len(self.paired.get(name, ())) > 1 else 0.0
                 continue
             by = self._by(name, chosen, option, line.scope)
             meanings.append(
                 Meaning(name, chosen.quantity, self._words(chosen.quantity), by, line.scope, since)
             )
         known = {meaning.letter for meaning in meanings}
+        for name in unknown - known:
+            beside = self.paired.get(name, {})
+            if any(len(lines) > 1 for other, lines in beside.items() if other in known):
+                score -= _UNPAIRED
         return Interpretation(tuple(meanings), score, frozenset(unknown - known), self.fixed)
 
     def _by(self, name: str, chosen: Candidate, option: int, scope: Scope) -> By:
