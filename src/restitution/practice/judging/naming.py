@@ -158,10 +158,12 @@ class Names:
         are their ids), and those that contradict no law which is stated rightly.
         """
         variants = [each for each in explained.variants if each.id in confirmed]
-        speeds = all(_family_of(each) in _OF_SPEEDS for each in variants)
-        if variants and speeds and explained.direct:
+        plainer = [each for each in explained.variants if _family_of(each) in _PLAINER]
+        speeds = variants and all(_family_of(each) in _OF_SPEEDS for each in variants)
+        if speeds:
             # What the speeds of a direct impact are taken for has a plainer name.
-            variants += [each for each in explained.variants if _family_of(each) in _PLAINER]
+            variants += plainer
+        open_ = bool(speeds and plainer) and not explained.direct
         variants = variants or [
             each for each in explained.variants if not _contradicts(each, stated)
         ]
@@ -178,7 +180,7 @@ class Names:
             each: usual.get(each, set()) | _BEFORE_ACROSS.get(each, set()) for each in families
         }
         likely = [each for each in families if not set(families) & before[each]]
-        name = likely[0] if len(likely) == 1 else None
+        name = likely[0] if len(likely) == 1 and not open_ else None
         dull = _OF_SPEEDS if name in _PLAINER else frozenset()
         also = tuple(each for each in families if each != name and each not in dull)
         return Mistake(name, "misconception", ids, also, explained.at, sure=not also)
@@ -216,6 +218,8 @@ class Names:
             by_states = [each for each in by_states if _kinds(each) & _OF_ENERGY - {"speed"}]
         if is_sum_of_angles(entry):
             by_states = [each for each in by_states if _kinds(each) & _OF_ANGLES]
+        if by_states and _is_bare(entry) and any(each.change == "figure" for each in mended):
+            return ()  # a number alone may be another by its figure
         if by_states:
             lawful = [each for each in mended if _is_law(each, entry, judge)]
             return tuple(each for each in by_states if _stands(each, lawful))
@@ -343,6 +347,15 @@ def _is_direct(number: int, world: World) -> bool:
     spheres = [each for each in (step.first, step.second) if each in world.start]
     across = (world.spread(told.velocity(each, number - 1).cross(line)) for each in spheres)
     return all(bool(np.all(np.abs(each) < _TINY)) for each in across)
+
+
+def _is_bare(entry: Entry) -> bool:
+    """Whether a claim gives a letter one number: ``-v = -5``."""
+    one, other = (
+        each.operand if isinstance(each, Negate) else each
+        for each in (entry.claim.left, entry.claim.right)
+    )
+    return isinstance(one, Letter | Quantity) and isinstance(other, Number)
 
 
 def _numbers_in(world: World, tree: Expression) -> Iterator[float]:
