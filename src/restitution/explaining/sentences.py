@@ -832,6 +832,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Tangent of the angle between two velocities = size of their vector product ÷ their scalar "
         "product"
     ),
+    "turned.products-over": (
+        "Cotangent of the angle between two velocities = their scalar product ÷ size of their "
+        "vector product"
+    ),
     "turned-wall.title": "Angle of deflection",
     "loss-spheres.title": "Kinetic energy lost, by the components that change",
     "change-of-energy.title": "Change of kinetic energy, by the component that changes",

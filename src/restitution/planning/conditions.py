@@ -26,13 +26,15 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Negate,
     Quantity,
     Unit,
     has_quantity,
     is_zero,
     walk,
 )
-from restitution.planning.angles_bounded import write_bounded
+from restitution.planning.angles_bounded import Bounded, write_bounded
+from restitution.planning.bounds_by_cotangents import write_by_cotangent
 from restitution.planning.bounds_with_roots import collected
 from restitution.planning.deflections import scalar_product
 from restitution.planning.desk import together
@@ -146,10 +148,13 @@ class Conditions:
                 bounded = write_bounded(self.worths, fact, link, angle)
                 if bounded is not None:
                     return self.finished(*both_squared(self.worths, *bounded), wanted)
+        bounded = self._by_cotangent(fact, link)
+        if bounded is not None:
+            return self.finished(*bounded, wanted)
         gap = self.gap(link)
         own = without_signs(self.scene, gap, link.sign)
-        if own is None:
-            return None
+        if own is None or own[1].has(sp.atan2):
+            return None  # an angle that no line bounds
         sign, x = own
         squared = write_speeds(self.worths, fact, link, sign, x)
         if squared is not None:
@@ -163,6 +168,15 @@ class Conditions:
         if line is None:
             return None
         return self.finished(line, sign, x, wanted)
+
+    def _by_cotangent(self, fact: Fact, link: Link) -> Bounded | None:
+        """A bound in degrees of a deflection, or of a direction, by the cotangent."""
+        match self.worths.opened(link.left), link.right:
+            case Quantity("deflection" | "direction", (Name(),), int()) as angle, (
+                Degrees() | Negate(Degrees())
+            ):
+                return write_by_cotangent(self.worths, fact, link, angle)
+        return None
 
     def _by_sense(self, fact: Fact, link: Link, wanted: Expression | None) -> int | None:
         """A direction that is given of who moves along the line of centres: which way it goes."""
@@ -220,6 +234,8 @@ class Conditions:
         if link.sign == "=":
             return None
         gap = self.gap(link)
+        if gap.has(sp.atan2):
+            return None
         pool = [fact.id, *self.sources(link), *self.worths.known_in(gap)]
         trees = [
             tree_of(self.scene.put(self.scene.scalar(side))[0]) for side in (link.left, link.right)

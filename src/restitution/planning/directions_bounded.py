@@ -77,11 +77,16 @@ def write_of_wide_angle(
 
     None where a tangent does as well, and where none is defined by a quotient.
     """
+    # The statement may have a letter for the angle.
+    opened = [
+        Link(claims.worths.opened(each.left), each.sign, claims.worths.opened(each.right))
+        for each in relation.only
+    ]
     match quantities:
         case [Quantity("angle" | "deflection") as angle] if all(
-            each.sign in FLIPPED and angle in (each.left, each.right) for each in relation.only
+            each.sign in FLIPPED and angle in (each.left, each.right) for each in opened
         ):
-            links = [_solved(claims, each, angle) for each in relation.only]
+            links = [_solved(claims, each, angle) for each in opened]
         case _:
             return None
     if all(_is_acute(claims, each) for each in links):

@@ -269,6 +269,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 name = "derived-energy.title"  # by speeds of the data
             case "energy-lost", _ if self._of_energies(line):
                 name = "derived-energy.title"
+            case "tan-deflection", Apply("cot"):
+                name = "turned.products-over"
             case "perpendicular", _ if not is_zero(last.right) or self._squares(line):
                 return None
             case "perpendicular", _ if last.sign in FLIPPED:

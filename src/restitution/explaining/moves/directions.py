@@ -59,6 +59,41 @@ def between_ratios(step: Step, relation: Relation) -> bool:
     return False
 
 
+def is_bounded_cotangent(step: Step, relation: Relation) -> bool:
+    """A bound of a cotangent by one of its angle that is cited: from 0° to 180° it falls.
+
+    So it does with a direction on either side of **i**. The line that gives the cotangent is cited
+    too.
+    """
+    match relation.options:
+        case ((Link(Apply("cot", side), sign, right),),) if sign in FLIPPED:
+            angle = _angle(step, side)
+        case _:
+            return False
+    if angle is None:
+        return False
+    defined = any(
+        each.sign == "="
+        and isinstance(each.left, Apply)
+        and each.left.function == "cot"
+        and _angle(step, each.left.argument) == angle
+        for each in step.links
+    )
+    window = _window(step, angle, "cot", [])
+    if not defined or window is None:
+        return False
+    for each in step.links:
+        own = each if _angle(step, each.left) == angle else _turned(each)
+        if _angle(step, own.left) != angle or own.sign != FLIPPED[sign]:
+            continue
+        bound = _value(step, own.right)
+        inside = compared(bound, ">", window.low), compared(bound, "<", window.high)
+        between = bound.is_number and all(map(step.oracle.proves, inside))
+        if between and equal_in(step, sp.cot(bound), _value(step, right)):
+            return True
+    return False
+
+
 def is_of_a_cotangent(step: Step, link: Link) -> bool:
     """Whether an angle of up to 180° is 90° less the inverse tangent of its cited cotangent.
 
@@ -247,4 +282,4 @@ def _value(step: Step, tree: Expression) -> sp.Expr:
     return step.world.expression(step.world.scalar(tree), step.roles)
 
 
-__all__ = ["between_ratios", "is_of_a_cotangent", "speaks_of_an_angle"]
+__all__ = ["between_ratios", "is_bounded_cotangent", "is_of_a_cotangent", "speaks_of_an_angle"]

@@ -6,7 +6,11 @@ import sympy as sp
 
 from restitution.explaining.derivation import Link, Meaning, Relation, Sign
 from restitution.explaining.moves.bases import FLIPPED, equal_in
-from restitution.explaining.moves.directions import between_ratios, speaks_of_an_angle
+from restitution.explaining.moves.directions import (
+    between_ratios,
+    is_bounded_cotangent,
+    speaks_of_an_angle,
+)
 from restitution.explaining.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.setting import Cited
 from restitution.explaining.step import Step
@@ -91,6 +95,8 @@ def _is_equation(relation: Relation | Meaning) -> bool:
 def is_certain(step: Step, relation: Relation) -> bool:
     """Whether what is cited proves a relation: of inverse tangents first by the tangents."""
     if speaks_of_an_angle(step, relation) and between_ratios(step, relation):
+        return True
+    if is_bounded_cotangent(step, relation):
         return True
     ways = [by_oracle, between_tangents]
     if any(

@@ -1,0 +1,80 @@
+"""Bounds of a deflection, or of a direction, that are given: by the cotangent, which falls.
+
+Each working is followed line by line, its answers are those of the solver, and it says what a
+teacher says.
+"""
+
+from __future__ import annotations
+
+import pytest
+from workings import planned
+
+from restitution.workings import to_text
+from restitution.workings.derived import explanation_of
+
+# A statement, and what its working says: lines, or parts of them.
+CASES = {
+    "a deflection that may be obtuse": (
+        """
+sphere A: mass m, velocity u at 30°
+sphere B: mass k m, at rest
+A hits B: along i, e = 1/2
+given deflection(A) > 30°
+find range of k
+""",
+        (
+            "Cotangent of the angle between two velocities = their scalar product ÷ size of their",
+            "cot δ < √3, as 0° ≤ δ ≤ 180° and δ > 30°",
+            "k > ⅘",
+        ),
+    ),
+    "a direction": (
+        """
+sphere A: mass 1, velocity 4i + 3j
+sphere B: mass k, at rest
+A hits B: along i, e = 1/2
+given direction(A) > 60°
+find range of k
+""",
+        ("cot θ = 2(2 − k)/(3(1 + k))", "0° < θ < 180°", "cot θ < √3/3, as θ > 60°"),
+    ),
+    "a direction on either side of a right angle": (
+        """
+sphere P: mass M, velocity u at 45°
+sphere Q: mass m, at rest
+P hits Q: along i, e = 2/3
+given direction(P) > 60°, direction(P) < 120°
+find range of M/m
+""",
+        ("cot θ < √3/3, as θ > 60°", "cot θ > −√3/3, as θ < 120°"),
+    ),
+    "a direction below": (
+        """
+sphere P: mass 3, velocity 4i - 2j
+sphere Q: mass M, at rest
+P hits Q: along i, e = 1/2
+given direction(P) < -45°
+find range of M
+""",
+        ("−180° < θ < 0°", "cot θ > −1, as θ < −45°"),
+    ),
+    "a letter for an angle that may be right": (
+        """
+sphere P: mass M, velocity w at beta
+sphere Q: mass M, at rest
+P hits Q: along i
+let psi = angle(velocity(P), velocity(Q))
+show psi > beta
+""",
+        ("cot ψ = ½(1 − e)w cos β/(w sin β)", "cot ψ < 1/tan β", "ψ > β"),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_an_angle_that_is_bounded_bounds_letters(name: str) -> None:
+    statement, said = CASES[name]
+    problem, derivation = planned(statement)
+    text = to_text(explanation_of(derivation, problem), 120)
+    for each in said:
+        assert each in text, text
