@@ -270,10 +270,32 @@ def test_a_working_in_a_hurry_is_told(monkeypatch, caught):
     explanation = explain(solve(parse(STATEMENT)))
     monkeypatch.setattr(sys.modules["restitution.workings"], "explain", hurried)
     reply = job.serve(job.Job("-", parse(STATEMENT), job.Writing(), limit=1.0))
-    reason = "no answer within the time limit of 1 s"
+    reason = "the time limit of 1 s was near while it was written"
     assert reply.warnings == (f"here are the answers without their working: {reason}",)
     assert "speed(B)" in reply.content
     assert reply.tired
+
+
+def test_a_working_has_what_solving_leaves_of_the_time(monkeypatch):
+    """It takes longer than the share that it has in any case, and is written."""
+
+    def slow(solution, part=None, **options):
+        """Takes half of the time limit."""
+        end = time.monotonic() + 0.5
+        while time.monotonic() < end:
+            spend()
+            time.sleep(0.001)
+        return explanation
+
+    explanation = explain(solve(parse(STATEMENT)))
+    monkeypatch.setattr(sys.modules["restitution.workings"], "explain", slow)
+    monkeypatch.setattr(sys.modules["restitution.solving"], "solve", lambda problem: solution)
+    solution = solve(parse(STATEMENT))
+    for form in ("text", "json"):
+        task = job.Writing(form, working=form == "json")
+        reply = job.serve(job.Job("-", parse(STATEMENT), task, limit=1.0))
+        assert not reply.warnings
+        assert not reply.tired
 
 
 PIECES = {

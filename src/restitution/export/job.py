@@ -41,6 +41,7 @@ Format = Literal["text", "markdown", "latex", "html", "json"]
 # there is time to write down the rest.
 _FIRST = 0.6
 _WRITING = 0.3
+_WRITTEN = 0.8  # by then a working is written, or given up: from one checkpoint to the next is far
 _SHOWING = 0.9  # by then all pieces of a page are made, or given up
 
 
@@ -220,6 +221,11 @@ def stopped(limit: float | None) -> TimeLimitError:
     return TimeLimitError(f"no answer within the time limit of {limit or 0:g} s")
 
 
+def unwritten(limit: float | None) -> TimeLimitError:
+    """The error of a working that took longer than what solving had left of the time."""
+    return TimeLimitError(f"the time limit of {limit or 0:g} s was near while it was written")
+
+
 def hurried(limit: float | None, while_: str) -> str:
     """The warning that something may be missing, as the clock broke off a piece of the work."""
     return f"the time limit of {limit or 0:g} s was near while {while_}: something may be left out"
@@ -258,7 +264,7 @@ def serve(job: Job) -> Reply:
         case Writing("json", working=False, check=False):
             return Reply(contract.to_json(reply) + "\n", answered, tired=tired)
         case Writing("json"):
-            explained = _explained(solution, job.task, job.limit)
+            explained = _explained(solution, job.task, job.limit, began)
             reply["warnings"] += explained.why_not
             written_down: SolvedObject | WorkedObject = reply
             if job.task.working:
@@ -274,7 +280,7 @@ def serve(job: Job) -> Reply:
                 notes=explained.notes,
             )
         case Writing():
-            text, explained = _written(solution, job.task, job.limit)
+            text, explained = _written(solution, job.task, job.limit, began)
             return Reply(
                 text if text.endswith("\n") else text + "\n",
                 answered and explained.sound,
@@ -319,10 +325,7 @@ def serve(job: Job) -> Reply:
         case Showing(early):
             from restitution.export.working import Pieces, shown
 
-            left = None
-            if job.limit is not None:
-                spent = time.monotonic() - began
-                left = max(job.limit * _SHOWING - spent, job.limit * _WRITING)
+            left = _left(job.limit, began, _SHOWING)
 
             def seen(pieces: Pieces) -> None:
                 if early is not None:
@@ -335,6 +338,13 @@ def serve(job: Job) -> Reply:
             return Reply(
                 content, answered, errors, tuple(warnings), page.fault, tired or page.tired
             )
+
+
+def _left(limit: float | None, began: float, share: float) -> float | None:
+    """The seconds for writing: what solving has left of a share, and never less than its own."""
+    if limit is None:
+        return None
+    return max(limit * share - (time.monotonic() - began), limit * _WRITING)
 
 
 def _varied(job: Job) -> tuple[Problem, tuple[str, ...]]:
@@ -379,12 +389,12 @@ def _explained(
     solution: Solution,
     task: Writing,
     whole: float | None,
+    began: float,
     make: Callable[[Explanation], Any] = lambda explanation: explanation,
 ) -> _Explained:
-    """The working, or what ``make`` makes of it, in its share of the time."""
-    limit = None if whole is None else whole * _WRITING
+    """The working, or what ``make`` makes of it, in what is left of the time."""
     try:
-        with limited(limit, error=stopped(whole)):
+        with limited(_left(whole, began, _WRITTEN), error=unwritten(whole)):
             from restitution.workings import explain
 
             explanation = explain(
@@ -411,14 +421,16 @@ _FOLLOWED = {
 }
 
 
-def _written(solution: Solution, task: Writing, whole: float | None) -> tuple[str, _Explained]:
+def _written(
+    solution: Solution, task: Writing, whole: float | None, began: float
+) -> tuple[str, _Explained]:
     """The working as text, or the answers alone; and what came of the working."""
     from restitution.export.answers import answers
 
     assert task.form != "json"
     explained = _Explained()
     if not task.answers_only:
-        explained = _explained(solution, task, whole, lambda each: _working(each, task))
+        explained = _explained(solution, task, whole, began, lambda each: _working(each, task))
         if explained.value is not None:
             return explained.value, explained
     return answers(solution, task.form, task.part), explained
