@@ -180,3 +180,16 @@ def test_who_was_at_rest_goes_along_a_line_of_centres_that_is_worked_out() -> No
     )
     assert "𝐯_B = ⅓(𝐢 + 𝐣)" in own
     assert any(each.startswith("𝐯_B is parallel to the line of centres") for each in own)
+
+
+# --- a coefficient at its end -------------------------------------------------------------------
+
+
+def test_an_angle_is_bounded_at_the_greatest_coefficient_and_then_over_the_other_angle() -> None:
+    own = rows(
+        TWO.format(a="2m", u="u at theta", b="m", v="at rest", e="") + "show deflection(A) <= 30°"
+    )
+    (most,) = (n for n, each in enumerate(own) if each.startswith("tan δ ≤ 2 tan θ/(1 + 3 tan²θ)"))
+    (least,) = (n for n, each in enumerate(own) if each.startswith("tan δ ≥ tan θ/(2 + 3 tan²θ)"))
+    assert most < own.index("tan δ ≤ √3/3") < least < own.index("tan δ > 0, as θ is acute")
+    assert own[-1] == "δ ≤ 30°, as 0° ≤ δ ≤ 180° (as required)"

@@ -50,7 +50,7 @@ from restitution.planning.inequalities import (
 )
 from restitution.planning.letter_ties import Ties, is_letter_or_square
 from restitution.planning.order import Solver
-from restitution.planning.polynomials import one_fraction
+from restitution.planning.polynomials import factored, one_fraction
 from restitution.planning.quotients import write_quotient
 from restitution.planning.scene import Scene
 from restitution.planning.turn_lines import meeting
@@ -332,7 +332,7 @@ class Claims:
             return self.compared([line], own) or self.monotone(line, own)
         written = self.monotone(line, own)
         if written is None and not is_plain(self.scene, line, own):
-            written = self._by_quotient(line, own)
+            written = self._quotient_at_an_end(line, own) or self._by_quotient(line, own)
         return written or self.compared([line], own)
 
     def angle_of(
@@ -355,6 +355,9 @@ class Claims:
         positive = self.compared([tangent, *meeting(self.scene)], bounded)
         if positive is None and support:
             positive = self.compared(support, bounded)
+        if positive is None:
+            least = next(self._at_ends(tangent, ">="), None)
+            positive = None if least is None else self.compared([least], bounded)
         if positive is None:
             return None
         return self.compared([line, positive, *rest, *ranges], relation)
@@ -441,6 +444,32 @@ class Claims:
                 return self.compared([bound.line], relation)
             self.worths.back(mark)
         return None
+
+    def _quotient_at_an_end(self, line: int, relation: Relation) -> int | None:
+        """A bound by the greatest value of what a quotient is where a coefficient is 1, or 0."""
+        mark = self.worths.mark()
+        for first in self._at_ends(line, "<="):
+            written = self._by_quotient(first, relation)
+            if written is not None:
+                return written
+            self.worths.back(mark)
+        return None
+
+    def _at_ends(self, line: int, sign: Sign) -> Iterator[int]:
+        """Bounds of what a line gives by what it is where a coefficient is 1, or 0."""
+        whole = self.scene.desk.last_link(line)
+        value = self.worths.value(whole.right)
+        known = self.judge.known(s.name for s in value.free_symbols)
+        for symbol in sorted(value.free_symbols, key=lambda s: s.name):
+            role = roles(self.scene.problem).get(symbol.name)
+            if role is None or role.kind != "restitution" or len(value.free_symbols) == 1:
+                continue
+            for end in (role.high, role.low):
+                there = tidy(factored(value.subs(symbol, end)))
+                bound = Relation(((Link(whole.left, sign, tree_of(there)),),))
+                written = self.judge.write((Move("monotone"),), [line, *known], bound)
+                if written is not None:
+                    yield written
 
     def _staged(self, line: int, relation: Relation) -> int | None:
         """A bound by a bound of what a line gives, with the end of one letter put in."""

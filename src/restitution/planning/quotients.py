@@ -30,9 +30,11 @@ class Bound:
 def write_quotient(claims: Comparing, line: int, symbol: sp.Symbol, end: Link) -> Bound | None:
     """The greatest value of a quotient over a letter, or over the tangent of an angle.
 
-    ``line`` says what the left side of ``end`` is; None where it is no such quotient.
+    ``line`` says what the left side of ``end`` is, or what it is at most; None where that is no
+    such quotient.
     """
     scene, judge = claims.scene, claims.judge
+    stated = scene.desk.last_link(line).sign
     role = roles(scene.problem)[symbol.name]
     t = sp.Dummy("t", positive=True)
     value = scene_value(scene, scene.desk.last_link(line).right)
@@ -43,7 +45,9 @@ def write_quotient(claims: Comparing, line: int, symbol: sp.Symbol, end: Link) -
         top, poly = (sp.Poly(sp.expand(each), t) for each in (above, below))
     except sp.PolynomialError:
         return None
-    if end.sign[0] != "<" or top.monoms() != [(1,)] or poly.degree() != 2:
+    if end.sign[0] != "<" or stated not in ("=", "<="):
+        return None
+    if top.monoms() != [(1,)] or poly.degree() != 2:
         return None
     a, d, b = (tidy(sp.factor(poly.nth(n))) for n in (0, 1, 2))
     if a == 0:
@@ -63,11 +67,11 @@ def write_quotient(claims: Comparing, line: int, symbol: sp.Symbol, end: Link) -
     divided = judge.write(
         (Move("rearrange"),),
         [line, *known],
-        Relation(((Link(end.left, "=", Binary("/", tree_of(c), whole)),),)),
+        Relation(((Link(end.left, stated, Binary("/", tree_of(c), whole)),),)),
     )
     name = _letter_for(scene, whole)
     let = scene.desk.write(Move("let"), (), Meaning(name, whole))
-    by_name = Relation(((Link(end.left, "=", Binary("/", tree_of(c), Letter(name))),),))
+    by_name = Relation(((Link(end.left, stated, Binary("/", tree_of(c), Letter(name))),),))
     above = line if divided is None else divided
     quotient = judge.write((Move("put"),), [above, let, *known], by_name)
     if quotient is None:
