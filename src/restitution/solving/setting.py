@@ -247,15 +247,20 @@ class Setting:
         accepted: list[Sample] = []
         stories: list[Story] = []
         rng = random.Random(11)
+        # A working is written at the first of the samples: there signs are as they look.
+        as_they_look: Sample | None = None
         for attempt in range(POINTS_TRIED if free else 1):
             values = sample(free, known, rng)
-            if not attempt:  # a working is written at the first: where signs are as they look
+            plain = as_they_look is None and attempt % 2 == 0
+            if plain:
                 values = {n: x if x.sign >= 0 else -x for n, x in values.items()}
             numbers = stories[0] if stories else None
             trial = Trial(assignment, (), None, None, admission, story, None, numbers)
             reason = self._objection(trial, values, stories)
             if reason is None:
                 accepted.append(values)
+                if plain:
+                    as_they_look = values
                 if len(accepted) == SAMPLES_WANTED:
                     break
             else:
@@ -274,6 +279,9 @@ class Setting:
                     accepted.append(values)
                 else:
                     reasons[reason] += 1
+        if as_they_look is not None and as_they_look is not accepted[0]:
+            accepted.sort(key=lambda each: each is not as_they_look)
+            stories.insert(0, self.tell(Numbers(as_they_look)))
         if accepted:
             rare = reasons.most_common(1)[0][0] if len(accepted) == 1 and free else None
             return Trial(

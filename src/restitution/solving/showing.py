@@ -15,8 +15,8 @@ import sympy as sp
 
 from restitution import exact
 from restitution.errors import UnsupportedError
-from restitution.expression.evaluate import Evaluator, evaluate
-from restitution.expression.tree import Degrees, Expression, letters, walk
+from restitution.expression.evaluate import Angle, Evaluator, evaluate
+from restitution.expression.tree import Degrees, Expression, Quantity, letters, walk
 from restitution.oracle import (
     BeyondError,
     Formula,
@@ -119,6 +119,8 @@ def show(results: Results, step: Show, now: int) -> ItemResult:
     )
 
 
+_ANGLES = ("angle", "direction", "deflection")
+
 _WEAKNESS = ("algebra", "decision", "intervals", "witness", "undecided")
 
 
@@ -133,11 +135,29 @@ def _verdict(outcome: Outcome, branch: Branch, step: Show, now: int) -> tuple[Ve
     oracle = _oracle(outcome, branch)
     try:
         verdict = oracle.decide(claim)
+        if verdict.answer == "refuted" and (existence := _existence(branch, step, now)):
+            # Where an angle has no value, a claim about it says nothing.
+            verdict = oracle.with_facts(existence).decide(claim)
     except BeyondError:
         return UNDECIDED, claim
     if verdict and not (isinstance(letters_, Letters) and letters_.certain):
         return UNDECIDED, claim
     return verdict, claim
+
+
+def _existence(branch: Branch, step: Show, now: int) -> list[Formula]:
+    """That the angles in a claim have values: neither of their directions is that of a rest."""
+    evaluator = branch.story.evaluator(now)
+    facts: list[Formula] = []
+    for tree in trees_of_relation(step.relation):
+        for node in walk(tree):
+            if isinstance(node, Quantity) and node.kind in _ANGLES:
+                value = evaluator.value(node)
+                if isinstance(value, Angle):
+                    size = sp.sympify(value.x**2 + value.y**2, strict=True)
+                    if size.free_symbols:
+                        facts.append(Relation(size, ">"))
+    return facts
 
 
 def _oracle(outcome: Outcome, branch: Branch) -> Oracle:

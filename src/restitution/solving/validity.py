@@ -103,12 +103,33 @@ def range_limitations(outcome: Outcome, region: Region, values: sp.Set) -> tuple
     facts = [each for each in presupposed(outcome) if region.letter not in letters_of(each)]
     base = Oracle(region.roles, tuple(facts))
     if base.decide(gap.formula):
-        return ()
+        return _defined(outcome, region.trials[0], base, values.args[:2])
     return tuple(_limits(outcome, region.trials[0], base, [gap]))
 
 
 def defined(outcome: Outcome, trial: Trial, values: Iterable[sp.Expr]) -> tuple[Limitation, ...]:
     """For which letters values exist: no divisor is zero, and no root is that of less than zero."""
+    if trial.admission is None:
+        return ()
+    base = Oracle(trial.admission.roles, presupposed(outcome))
+    return _defined(outcome, trial, base, values)
+
+
+def _defined(
+    outcome: Outcome, trial: Trial, base: Oracle, values: Iterable[sp.Expr]
+) -> tuple[Limitation, ...]:
+    rest = [
+        each
+        for each in _existence(values)
+        if _is_of_visible_letters(each)
+        and letters_of(each.formula) <= base.roles.keys()
+        and not base.decide(each.formula)
+    ]
+    return tuple(_limits(outcome, trial, base, _needed(base, rest))) if rest else ()
+
+
+def _existence(values: Iterable[sp.Expr]) -> list[Demand]:
+    """That no divisor in some values is zero, and that no root is that of less than zero."""
     demands: list[Demand] = []
     for power in {each for value in values for each in value.atoms(sp.Pow)}:
         inside, exponent = power.as_base_exp()
@@ -119,18 +140,13 @@ def defined(outcome: Outcome, trial: Trial, values: Iterable[sp.Expr]) -> tuple[
                 ">=" if exponent > 0 else "!=" if exponent.is_Integer else ">"
             )
             demands.append(Demand(Relation(inside, sign), "", "fact"))
-    admission = trial.admission
-    if not demands or admission is None:
-        return ()
-    base = Oracle(admission.roles, presupposed(outcome))
-    rest = [
-        each
-        for each in demands
-        if _is_of_visible_letters(each)
-        and letters_of(each.formula) <= admission.roles.keys()
-        and not base.decide(each.formula)
-    ]
-    return tuple(_limits(outcome, trial, base, _needed(base, rest)))
+    return demands
+
+
+def always_exist(values: sp.Set, base: Oracle) -> bool:
+    """Whether the ends of a range have values for all that the other letters may be."""
+    ends = values.args[:2] if isinstance(values, sp.Interval) else ()
+    return all(base.decide(each.formula) for each in _existence(ends))
 
 
 def _gap(values: sp.Interval) -> Demand | None:

@@ -21,6 +21,7 @@ from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solving.letters import roles
 from restitution.solving.solution import Answer, ItemResult, PartSolution, Solution
+from restitution.solving.validity import always_exist
 
 
 def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sentence]:
@@ -156,7 +157,10 @@ def _sentence(
         return None
     if isinstance(item.item, Range):
         asked = item.item.expression
-        if not isinstance(asked, Letter):
+        exist = isinstance(answer.value, sp.Set) and always_exist(
+            answer.value, Oracle(roles(solution.problem))
+        )
+        if not isinstance(asked, Letter) or not exist:
             return say("answer.only", condition=condition)
         letter = lay.from_sympy(sp.Symbol(asked.name))
         return say("answer.only-range", condition=condition, letter=letter)
