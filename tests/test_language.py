@@ -555,6 +555,20 @@ SLIPS = {
     "B is hit by A": (1, "did you mean 'A hits B'?"),
     "P arrives at W": (3, "did you mean 'reaches'?"),
     "given e between 0 and 1": (7, "did you mean '0 < e < 1'?"),
+    # directions that are told otherwise, and what happens afterwards
+    "sphere P: velocity 6 at 30° to the normal of W": (25, "did you mean '90° - 30° to W'?"),
+    "find angle(velocity(A), normal to W)": (25, "90° less that to its normal"),
+    "sphere P: velocity 4 at bearing 060°": (25, "a bearing of 060° is the direction at 30°"),
+    "A hits B: along due north": (17, "with i to the east and j to the north"),
+    "wall V: through F and G": (18, "'from F to G'"),
+    "wall V: x + 2y = 4": (9, "'along 2i - j, through (4, 0)'"),
+    "A hits B and W": (10, "an impact is one of two bodies"),
+    "A rebounds at 15° to W": (1, "did you mean 'given angle(velocity(A), W) = 15°'?"),
+    "B leaves the wall W at beta to the wall W": (1, "did you mean 'given angle("),
+    "sphere P: velocity 4i, at rest after": (32, "'given A at rest'"),
+    "find range of e such that A changes direction": (27, "'given along(velocity(A), i) < 0'"),
+    "find time between 0 and impact": (6, "'time(2) - time(1)'"),
+    "find the point of impact": (6, "'position(P, 1)'"),
 }
 
 

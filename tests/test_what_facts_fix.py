@@ -6,6 +6,7 @@ import pytest
 import sympy as sp
 
 from restitution.language import parse
+from restitution.render.text import to_text as to_line
 from restitution.solving import solve
 from restitution.workings import explain, to_text
 
@@ -243,3 +244,48 @@ def test_an_equation_of_letters_is_what_a_ratio_comes_from() -> None:
     working = " ".join(to_text(explain(solve(parse(text))), 80).split())
     assert "From (2): (kinetic energy lost)/(kinetic energy before the impact) = " in working
     assert "Substituting for the kinetic energy" not in working
+
+
+def test_an_angle_without_a_value_refutes_nothing() -> None:
+    """With e = 0 P is at rest after the second wall, so there is no second deflection."""
+    text = (
+        "wall OX: along i\nwall OY: along j\nsphere P: velocity u at alpha to OX\n"
+        "P hits OX\nP hits OY\nshow deflection(P, 1) + deflection(P, 2) = 180°\n"
+        "show deflection(P, 1) + deflection(P, 2) = 170°"
+    )
+    first, second = solve(parse(text)).parts[None].items
+    assert first.holds is True
+    assert second.holds is False
+
+
+@pytest.mark.parametrize(("mass", "condition"), [("k^2 m", "0 < e < 1"), ("m", "e > 0")])
+def test_ends_of_a_range_that_may_have_no_value(mass: str, condition: str) -> None:
+    """With e = 0 A and B collide again whatever k is: e < k < 1/e is not that."""
+    text = (
+        "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\n"
+        f"sphere C: mass {mass}, at rest\nA hits B: along i\nB hits C: along i\n"
+        "given A and B collide again\nfind range of k in terms of e"
+    )
+    solution = solve(parse(text))
+    (answer,) = solution["range of k"].answers
+    assert answer.condition_layout is not None
+    assert to_line(answer.condition_layout) == condition
+    working = to_text(explain(solution), 80)
+    assert f"This holds for {condition} only." in working
+    assert "no such k" not in working
+
+
+def test_a_sample_is_as_letters_look() -> None:
+    """Of b nothing is known but a² ≤ b²: the size of the impulse is written for b > 0."""
+    text = (
+        "wall W: along i\nsphere P: mass m, velocity a i - b j\nP hits W\n"
+        "given e = a^2/b^2\nfind impulse"
+    )
+    assert "m(a²/b + b) = m(a² + b²)/b" in to_text(explain(solve(parse(text))), 80)
+
+
+def test_a_letter_for_an_angle_is_below_90_degrees() -> None:
+    text = TWO.replace("45° from -i", "beta") + "given beta = 90°, e = 1\nfind velocity(A)"
+    error = solve(parse(text))["velocity(A)"].error
+    assert error is not None
+    assert "the angle must lie between 0° and 90°" in error.message

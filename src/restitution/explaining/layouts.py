@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import fields, replace
 from fractions import Fraction as Ratio
 from functools import lru_cache, reduce
-from itertools import pairwise
 from math import isqrt
 from typing import Any
 
@@ -348,10 +347,12 @@ def _grouped(product: lay.Product) -> lay.Layout:
         return lay.Product((*head, own), "×")
     if product.sign:
         return product
-    for index, (one, other) in enumerate(pairwise(product.factors), 1):
-        if isinstance(one, lay.Letter) and one == other:
-            sides = product.factors[:index], product.factors[index:]
-            return lay.Product(tuple(lay.product(*side) for side in sides), "×")  # 4u × u
+    again = _repeated(product.factors)
+    if again is not None:
+        sides = product.factors[:again], product.factors[again:]
+        whole = [lay.product(*side) for side in sides]
+        later = [_grouped(each) if isinstance(each, lay.Product) else each for each in whole[1:]]
+        return lay.Product((whole[0], *later), "×")  # 4u × u, km × ku, e × e²u
     if _numeric(rest[0]) and not _numeric(first):
         return _grouped(lay.Product((rest[0], first, *rest[1:])))
     groups: list[list[lay.Layout]] = [[]]
@@ -371,6 +372,18 @@ def _grouped(product: lay.Product) -> lay.Layout:
         for group in groups
     ]
     return lay.Product(tuple(whole))
+
+
+def _repeated(factors: Sequence[lay.Layout]) -> int | None:
+    """Where a letter stands for the second time, perhaps as a power; None where none does."""
+    letters: set[lay.Letter] = set()
+    for index, factor in enumerate(factors):
+        base = factor.base if isinstance(factor, lay.Power) else factor
+        if isinstance(base, lay.Letter):
+            if base in letters:
+                return index
+            letters.add(base)
+    return None
 
 
 def _numeric(factor: lay.Layout) -> bool:

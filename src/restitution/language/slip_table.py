@@ -436,7 +436,7 @@ SLIPS: tuple[tuple[str, str, Cure | str], ...] = (
     ),
     (
         "event",
-        rf"^\s*{NAME}\s+hits\s+{NAME}\s*(?P<x>,?\s*(?:with|where|when|as|and|at)\b|,)",
+        rf"^\s*{NAME}\s+hits\s+{NAME}\s*(?P<x>,?\s*(?:with|where|when|as|and(?!\s+[A-Z])|at)\b|,(?!\s*[A-Z]))",
         Cure("expected ':' here", ":", tight=True),
     ),
     (
@@ -731,6 +731,96 @@ SLIPS: tuple[tuple[str, str, Cure | str], ...] = (
         _ASKED,
         rf"(?P<x>\b[vV]{_AFTER})",
         Cure("did you mean {each}?", "velocity({sphere})"),
+    ),
+    # directions that are told otherwise
+    (
+        "sphere",
+        (
+            r"\bat\s+(?P<x>(?P<a>[^\s,]+)\s+(?:to|from|with)\s+(?:the\s+)?normal"
+            rf"(?:\s+(?:to|of)\s+(?:the\s+)?(?:wall\s+)?(?P<w>{NAME})))"
+        ),
+        Cure(
+            "an angle is one to the wall, 90° less that to its normal: did you mean "
+            "'90° - {a} to {w}'?",
+            "90° - {a} to {w}",
+        ),
+    ),
+    (
+        "",
+        r"(?P<x>\b(?:the\s+)?normal)\b(?!\s+to\b\s*[^\sA-Z])",
+        (
+            "an angle is one to the wall itself, 90° less that to its normal, as in "
+            "'angle(velocity(P), W)'"
+        ),
+    ),
+    (
+        "",
+        (
+            r"(?P<x>\b(?:on\s+a\s+)?bearings?|\b(?:due\s+)?(?:[Nn]orth|[Ss]outh)(?:-?(?:[Ee]ast|[Ww]est)"
+            r")?|\b(?:due\s+)?(?:[Ee]ast|[Ww]est))\b"
+        ),
+        (
+            "directions are told by i and j: with i to the east and j to the north a bearing of "
+            "060° is the direction at 30°"
+        ),
+    ),
+    (
+        "wall",
+        r":\s*(?:through|from)\s+[^,()]+?(?P<x>\s*(?:,|\band\b))\s*(?:through\s+)?[A-Z(]",
+        (
+            "a wall from one point to another is told as 'from F to G', one without ends by its "
+            "direction, such as 'along 2i + j, through F'"
+        ),
+    ),
+    (
+        "wall",
+        r":\s*(?P<x>[^:]*[xy][^:]*=.*?)\s*$",
+        (
+            "a wall is told by its direction and a point of it: x + 2y = 4 is 'along 2i - j, "
+            "through (4, 0)'"
+        ),
+    ),
+    (
+        "event",
+        rf"^\s*{NAME}\s+hits\s+{NAME}\s*(?P<x>(?:,|&|\band\b)\s*{NAME})\b",
+        "an impact is one of two bodies; where a sphere strikes two at once is not answered",
+    ),
+    (
+        "other",
+        (
+            rf"^\s*(?P<x>(?P<body>{NAME})\s+(?:then\s+)?(?:rebounds|bounces\s+(?:off|back)|leaves"
+            rf"|(?:goes|moves|comes|travels)(?:\s+(?:off|away|back))?)"
+            rf"(?:\s+(?:from\s+)?(?:the\s+)?(?:wall\s+)?{NAME})?\s+"
+            rf"at\s+(?P<a>[^,]+?)\s+to\s+(?:the\s+)?(?:wall\s+)?(?P<w>{NAME}))\s*$"
+        ),
+        _meant("given angle(velocity({body}), {w}) = {a}"),
+    ),
+    (
+        "sphere",
+        r"\bat\s+rest\s+(?P<x>(?:immediately\s+|just\s+)?after(?:wards)?\b.*?)\s*$",
+        "what a sphere does after an event is a fact below that, such as 'given A at rest'",
+    ),
+    (
+        f"other event {_ASKED}",
+        rf"(?P<x>\b{NAME}\s+(?:changes|reverses|has\s+changed|is\s+reversed)\b.*?\bdirection\b)",
+        (
+            "whether a sphere goes back along the line of centres is told by its component, as in "
+            "'given along(velocity(A), i) < 0'; straight back is 'velocity(A) opposite to "
+            "velocity(A, 0)'"
+        ),
+    ),
+    (
+        _ASKED,
+        r"(?P<x>\b(?:the\s+)?time\s+(?:between|until|till|to|from|taken|of)\b.*?)\s*$",
+        ("the time of event 1 is 'time(1)', and that between events 1 and 2 'time(2) - time(1)'"),
+    ),
+    (
+        _ASKED,
+        r"(?P<x>\b(?:the\s+)?(?:point|place)\s+(?:of|where)\b.*?)\s*$",
+        (
+            "the place of a sphere at event 1 is 'position(P, 1)', and how far it has come "
+            "'distance(position(P, 0), position(P, 1))'"
+        ),
     ),
     # what is asked, in words
     (

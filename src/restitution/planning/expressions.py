@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from typing import Any
 
@@ -40,6 +41,13 @@ _ANGLES = ("angle", "deflection", "direction")
 _DATA = ("mass", "restitution")
 
 
+def _terms(tree: Expression) -> list[Expression]:
+    """The terms of a sum."""
+    if isinstance(tree, Binary) and tree.op == "+":
+        return [*_terms(tree.left), *_terms(tree.right)]
+    return [tree]
+
+
 def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     """The line in which an expression comes to its value, with the value.
 
@@ -69,7 +77,8 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     if not refs:
         raise NotPlannedError("an expression of data")
     value = _worth(scene, asked, values)
-    final = tree_of(value)
+    angle = isinstance(asked, Quantity) and asked.kind in _ANGLES
+    final = tree_of(value, angle=angle)
     if value == 0 and isinstance(asked, Binary) and asked.op == "/":
         nothing = chain(asked, (final, None))
         ways = (Move("rearrange"), Move("put"), Move("divide"))
@@ -79,6 +88,8 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         return line, final
     right = swept(exchanged(asked, values))
     if isinstance(value, Vector):
+        if Counter(_terms(right)) == Counter(_terms(final)):
+            right = final  # the component along i first
         line = scene.desk.write(Move("put"), together(refs), chain(asked, (right, None)))
         if right != final:
             line = scene.desk.write(Move("rearrange"), (line,), chain(asked, (final, None)))

@@ -168,6 +168,8 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
     return _of_several(scene, each)
 
 
+_ANGLES = ("angle", "deflection", "direction")
+
 _QUOTED = ("speed", "energy", "energy_lost", "total_energy_lost", "impulse")
 
 
@@ -331,7 +333,8 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
     if isinstance(own.value, Vector):
         raise NotPlannedError("a vector that is given")
     value, refs = scene.put(scene.scalar(each.link.right))
-    left = each.link.right if not refs else tree_of(value)
+    angle = isinstance(each.link.left, Quantity) and each.link.left.kind in _ANGLES
+    left = each.link.right if not refs else tree_of(value, angle=angle)
     if own.move.record == "tan" and value == sp.pi / 2:
         return _right_angle(scene, each, own)
     if own.move.record == "tan" and _of_open_sense(scene, own):

@@ -72,6 +72,8 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             scene.desk.end(name, *write_ratio(scene, function, angle))
         case Letter() if named is not None:
             _named(scene, asked, named, name)
+        case Letter() if (defining := _defining(scene, asked)) is not None:
+            _named_expression(scene, asked, defining, defining.relation.only[0].right, name)
         case Letter(letter):
             known = scene.desk.known(asked) or _by_its_given_ratio(scene, letter)
             if known is None:
@@ -234,7 +236,7 @@ def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
     """A letter by which the statement calls a quantity."""
     quantity = fact.relation.only[0].left
     if not isinstance(quantity, Quantity):
-        _named_expression(scene, asked, fact, name)
+        _named_expression(scene, asked, fact, quantity, name)
         return
     known = scene.desk.known(asked)
     if known is not None:
@@ -253,9 +255,10 @@ def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
     scene.desk.end(name, write_formula(scene, own), chain(asked, (tree_of(own.value), None)))
 
 
-def _named_expression(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
+def _named_expression(
+    scene: Scene, asked: Letter, fact: Fact, expression: Expression, name: str
+) -> None:
     """A letter by which the statement calls an expression: what that is worth."""
-    expression = fact.relation.only[0].left
     known = scene.desk.known(expression)
     if known is not None:
         value, refs = scene.put(known.value)
@@ -270,6 +273,20 @@ def _named_expression(scene: Scene, asked: Letter, fact: Fact, name: str) -> Non
     if premises is None:
         raise NotPlannedError("a letter for an expression of quantities")
     scene.desk.end(name, scene.desk.write(Move("put"), premises, relation), relation)
+
+
+def _defining(scene: Scene, asked: Letter) -> Fact | None:
+    """The given fact that a letter is an expression of quantities, where no one line has it yet."""
+    known = scene.desk.known(asked)
+    if known is not None and sum(isinstance(ref, int) for ref in known.refs) == 1:
+        return None
+    for fact in scene.desk.facts:
+        if fact.kind != "given" or not scene.desk.holds(fact.id):
+            continue
+        match fact.relation.options:
+            case ((Link(left, "=", right),),) if left == asked and has_quantity(right):
+                return None if asked.name in letters(right) else fact
+    return None
 
 
 def _by_its_given_ratio(scene: Scene, letter: str) -> Source | None:

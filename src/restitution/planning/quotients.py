@@ -57,6 +57,13 @@ def write_quotient(claims: Comparing, line: int, symbol: sp.Symbol, end: Link) -
     a, b, c, d = (tidy(each / common) for each in (a, b, c, d))
     if scene.model.sign(a) < 0:
         a, b, c, d = (tidy(-each) for each in (a, b, c, d))
+    lettered = bool(a.free_symbols | b.free_symbols)
+    share: sp.Expr = sp.Integer(1)
+    if lettered:
+        share = _number_in_common(a, b, d)
+        a, b, d = (tidy(each / share) for each in (a, b, d))
+        above, share = sp.fraction(c / share)
+        c = tidy(above)
     letter: Expression = Letter(symbol.name)
     own: Expression = Apply("tan", letter) if role.kind == "angle" else letter
     terms = [Binary("/", tree_of(a), own), product(tree_of(b), own)]
@@ -64,14 +71,19 @@ def write_quotient(claims: Comparing, line: int, symbol: sp.Symbol, end: Link) -
         terms.append(tree_of(d))
     known = judge.known([*names, symbol.name])
     whole = total(terms)
+
+    def shared(tree: Expression) -> Expression:
+        return tree if share == 1 else product(tree_of(share), tree)
+
     divided = judge.write(
         (Move("rearrange"),),
         [line, *known],
-        Relation(((Link(end.left, stated, Binary("/", tree_of(c), whole)),),)),
+        Relation(((Link(end.left, stated, Binary("/", tree_of(c), shared(whole))),),)),
     )
     name = _letter_for(scene, whole)
     let = scene.desk.write(Move("let"), (), Meaning(name, whole))
-    by_name = Relation(((Link(end.left, stated, Binary("/", tree_of(c), Letter(name))),),))
+    by_letter = Binary("/", tree_of(c), shared(Letter(name)))
+    by_name = Relation(((Link(end.left, stated, by_letter),),))
     above = line if divided is None else divided
     quotient = judge.write((Move("put"),), [above, let, *known], by_name)
     if quotient is None:
@@ -80,7 +92,6 @@ def write_quotient(claims: Comparing, line: int, symbol: sp.Symbol, end: Link) -
     roots = [tree_of(tidy(sp.sqrt(each / front))) for each in (a, b)]
     gap = product(tree_of(front), square(Binary("-", roots[0], product(roots[1], own))))
     rest = tree_of(tidy(2 * sp.sqrt(a) * sp.sqrt(b) + d))
-    lettered = bool(a.free_symbols | b.free_symbols)
     if a.free_symbols and b.free_symbols:
         # A root of a product is not that of its factors: both are as in the square.
         rest = total((product(tree_of(2), *roots), tree_of(d)))
@@ -94,12 +105,21 @@ def write_quotient(claims: Comparing, line: int, symbol: sp.Symbol, end: Link) -
     if bound is None:
         return None
     if a.free_symbols and b.free_symbols:
-        end = Link(end.left, end.sign, Binary("/", tree_of(c), rest))
+        end = Link(end.left, end.sign, Binary("/", tree_of(c), shared(rest)))
     last = judge.write((Move("compare"),), [quotient, bound, *known], Relation(((end,),)))
     if last is None:
         return None
-    place = Link(own, "=", Binary("/", *roots)) if lettered else None
+    plain = tree_of(tidy(sp.sqrt(a / b))) if b.is_number else Binary("/", *roots)
+    place = Link(own, "=", plain) if lettered else None
     return Bound(last, (quotient, bound), place, end.right)
+
+
+def _number_in_common(*terms: sp.Expr) -> sp.Expr:
+    """The largest number that divides all terms; 1 where one of them has no rational factor."""
+    numbers = [sp.factor(each).as_coeff_Mul()[0] for each in terms if each != 0]
+    if not all(each.is_Rational for each in numbers):
+        return sp.Integer(1)
+    return sp.Abs(sp.gcd_list(numbers))
 
 
 def _common(a: sp.Expr, b: sp.Expr) -> sp.Expr:

@@ -20,11 +20,12 @@ from restitution.planning.angles_at_ends import write_at_ends
 from restitution.planning.claims import Claims
 from restitution.planning.comparisons import Comparison
 from restitution.planning.desk import NotPlannedError, chain
+from restitution.planning.expressions import write_expression
 from restitution.planning.extrema import write_extremum
 from restitution.planning.forms import (
     ZERO,
 )
-from restitution.planning.items import in_a_frame, is_named
+from restitution.planning.items import determine, in_a_frame, is_named
 from restitution.planning.order import Solver
 from restitution.planning.polynomials import expanded
 from restitution.planning.ranges import write_range
@@ -61,10 +62,30 @@ def write_show(
     if item.subject is not None:
         _of_subject(scene, solver, item, now, name)
         return
-    line, relation = _written(scene, solver, item, now)
+    line, relation = _direction(scene, solver, item, now) or _written(scene, solver, item, now)
     _print_form(scene, line, relation)
     scene.desk.end(name, line, relation, shown=True)
     _quotable(scene, line, relation)
+
+
+def _direction(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, Relation] | None:
+    """The line of a direction that is to be shown, as a number of degrees; None of all else."""
+    match item.relation:
+        case Compare((Quantity("direction", (Name(),)), Degrees()), ("=",), None):
+            (link,) = links_of(scene.problem, item.relation, now)
+        case _:
+            return None
+    standing = solver.mark()
+    try:
+        determine(scene, solver, link.left)
+        line, _ = write_expression(scene, link.left)
+    except NotPlannedError:
+        solver.back(standing)
+        return None
+    if scene.desk.relation(line) != Relation(((link,),)):
+        solver.back(standing)
+        return None
+    return line, Relation(((link,),))
 
 
 def _written(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, Relation]:

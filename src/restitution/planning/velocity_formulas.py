@@ -256,7 +256,8 @@ def speed_formula(scene: Scene, quantity: Quantity) -> Formula:
     if len({atom.args for atom in value.atoms(sp.sin, sp.cos)}) > 1:
         # Products of ratios of several angles are longer multiplied out.
         size = min(size, _with_factor_outside(value), key=lambda each: each.count_ops())
-    return Formula(move, itself, quantity, Apply("sqrt", tree), size, refs)
+    right = tree if value == 0 else Apply("sqrt", tree)
+    return Formula(move, itself, quantity, right, size, refs)
 
 
 def _by_its_angle(

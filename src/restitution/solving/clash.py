@@ -5,13 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+import sympy as sp
+
 from restitution.errors import ContradictionError, ImpossibleError, RestitutionError
+from restitution.expression.evaluate import evaluate
+from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.language.writing import relation_text
-from restitution.problem import Arrival, Given, Impact, Kick, Part, Problem, Relation
+from restitution.problem import Arrival, Compare, Given, Impact, Kick, Part, Problem, Relation
 from restitution.solving.facts import givens
 from restitution.solving.letters import narrowed_by, roles
+from restitution.solving.numbers import at
 from restitution.solving.part import work_out
-from restitution.solving.setting import Setting
+from restitution.solving.setting import Setting, out_of_range
 from restitution.wording.clauses import clause
 from restitution.wording.scene import scene_of
 from restitution.wording.text import inline
@@ -49,7 +54,11 @@ def named(setting: Setting, error: RestitutionError) -> RestitutionError:
     clauses = [clause_of(setting.problem, each.given, each.relation) for each in core]
     place = core[-1].given.place
     line = None if place is None else place.line
-    if len(words) == 1:
+    reason = _of_a_letter(setting.problem, core[0].relation) if len(core) == 1 else None
+    if reason is not None:
+        text = f"the facts clash: {words[0]} cannot be, as {reason}"
+        because = f"it cannot be that {clauses[0]}, as {reason}"
+    elif len(words) == 1:
         text = f"the facts clash: {words[0]} cannot be, as the rest is told"
         because = f"the other data make it impossible that {clauses[0]}"
     else:
@@ -60,6 +69,21 @@ def named(setting: Setting, error: RestitutionError) -> RestitutionError:
     clash = ContradictionError(f"{text}: {error.message}" if physical else text, line)
     clash.because = f"{because}: {error.because or error.message}" if physical else because
     return clash
+
+
+def _of_a_letter(problem: Problem, relation: Relation) -> str | None:
+    """Why a letter cannot have the number that a fact gives it, by what letters may be."""
+    match relation:
+        case Compare((Letter(name), value), ("=",)) if not has_quantity(value):
+            role = roles(problem).get(name)
+            if letters(value) or role is None:
+                return None
+            number = sp.sympify(evaluate(value, sp.Symbol), strict=True)
+            refused = out_of_range(name, at(number, {}), role)
+            if refused is None or role.kind != "angle":
+                return None if refused is None else refused[0]
+            return f"{refused[0]}: write the direction itself in place of {name}"
+    return None
 
 
 def _words(problem: Problem, fact: Fact) -> str:

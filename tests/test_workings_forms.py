@@ -1,0 +1,87 @@
+"""How values, products and places are written in workings."""
+
+from __future__ import annotations
+
+import pytest
+
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
+
+
+def working(text: str) -> str:
+    return " ".join(to_text(explain(solve(parse(text))), 80).split())
+
+
+@pytest.mark.parametrize(
+    ("third", "sum_of", "square", "place"),
+    [("4m", "4m²/M + M + 5m", "(2m − M)²/M + 9m", "2m"), ("m", "m²/M + M + 2m", "(m − M)²", "m")],
+)
+def test_a_number_in_common_stands_before_the_sum(
+    third: str, sum_of: str, square: str, place: str
+) -> None:
+    """Of 16m²/M + 4M + 20m that is 4, and the place is no quotient of roots."""
+    shown = working(
+        "sphere A: mass m, velocity u i\nsphere B: mass M, at rest\n"
+        f"sphere C: mass {third}, at rest\nA hits B: along i, e = 1/2\nB hits C: along i, e = 1/2\n"
+        "find maximum of speed(C) over M"
+    )
+    assert f"Let S = {sum_of}." in shown
+    assert f"S = {square}" in shown
+    assert f"when M = {place} A1" in shown
+
+
+def test_an_angle_that_is_put_in_is_in_degrees() -> None:
+    shown = working(
+        "wall W: along i\nsphere P: velocity u at theta to W\nP hits W\n"
+        "given angle(velocity(P), W) = theta/3\ngiven theta = 60°\nfind e"
+    )
+    assert "π" not in shown
+    assert "tan 20°" in shown
+
+
+@pytest.mark.parametrize("given", ["", "given e = m/M\n"])
+def test_a_direction_of_90_degrees_is_shown(given: str) -> None:
+    mass, e = ("M", "") if given else ("2m", ", e = 1/2")
+    shown = working(
+        f"sphere A: mass m, velocity u at alpha\nsphere B: mass {mass}, at rest\n"
+        f"A hits B: along i{e}\n{given}show direction(A) = 90°"
+    )
+    assert shown.endswith("angle from 𝐢 to 𝐯_A = 90° (as required) A1*")
+
+
+def test_a_letter_that_a_fact_makes_of_quantities() -> None:
+    shown = working(
+        "sphere A: mass 3, velocity 4i + j\nsphere B: mass 2, velocity -2i + 3j\n"
+        "A hits B: along i, e = 1/3\ngiven Q = energy_lost/energy(0)\nfind Q"
+    )
+    assert "not written" not in shown
+    assert "Since Q = (kinetic energy lost)/(total kinetic energy before the impact): Q =" in shown
+
+
+def test_a_letter_that_comes_twice() -> None:
+    shown = working(
+        "wall V: along i, through (0, 0)\nwall W: along i, through (0, d)\n"
+        "sphere P: at (0, 0), velocity u at alpha\nP hits W\nP hits V\nP hits W\n"
+        "find along(velocity(P), j)"
+    )
+    assert "−e × e²u sin α = −e³u sin α" in shown
+
+
+def test_a_sum_of_vectors_begins_with_i() -> None:
+    shown = working(
+        "wall X: along i\nwall Y: along j\nsphere P: mass 2, velocity -3i - 4j\n"
+        "P hits X: e = 1/2\nP hits Y: e = 1/3\n"
+        "find impulse(P, 1), impulse(P, 2), impulse(P, 1) + impulse(P, 2)"
+    )
+    assert "= (8𝐢 + 12𝐣) N s" in shown
+    assert "12𝐣 + 8𝐢" not in shown
+
+
+def test_who_is_at_rest_has_no_root_for_a_speed() -> None:
+    shown = working(
+        "sphere S: mass m, velocity 2u at 30°\nsphere T: mass 2m, velocity u at -90°\n"
+        "S hits T: along j, e = 1/2\nfind speed(T)"
+    )
+    assert "√0" not in shown
+    assert "speed of T = 0" in shown
