@@ -375,9 +375,14 @@ def _grouped(product: lay.Product) -> lay.Layout:
 
 
 def _repeated(factors: Sequence[lay.Layout]) -> int | None:
-    """Where a letter stands for the second time, perhaps as a power; None where none does."""
+    """Where a letter stands for the second time, perhaps as a power; None where none does.
+
+    Where a sine stands between them, brackets part them.
+    """
     letters: set[lay.Letter] = set()
     for index, factor in enumerate(factors):
+        if isinstance(factor, lay.Function):
+            return None
         base = factor.base if isinstance(factor, lay.Power) else factor
         if isinstance(base, lay.Letter):
             if base in letters:
