@@ -6,13 +6,15 @@ line the place of who strikes, and so on back to the first.
 
 from __future__ import annotations
 
+import sympy as sp
+
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.expression.tree import Binary, Quantity
+from restitution.expression.tree import Binary, Degrees, Expression, Name, Negate, Quantity
 from restitution.planning.circles import circle_of
 from restitution.planning.desk import Source, chain, together
 from restitution.planning.forms import product, total, tree_of, vector
-from restitution.planning.impacts import whole_direction
+from restitution.planning.impacts import plain_direction, whole_direction
 from restitution.planning.place_trees import AXES, coordinate_tree, place_tree
 from restitution.planning.scene import Scene
 from restitution.planning.whereabouts import contact_of
@@ -47,6 +49,25 @@ def struck(scene: Scene, number: int) -> str | None:
         following = _next_event(scene, body, number)
         if following is not None and _comes_to(scene, body, following):
             return body
+        if direction_given(scene, body, number) is not None:
+            return body
+    return None
+
+
+def direction_given(scene: Scene, body: str, number: int) -> tuple[str, Expression] | None:
+    """The fact that gives the direction in degrees in which a body moves off, and that angle."""
+    for fact in scene.desk.facts:
+        if fact.kind != "given" or not scene.desk.holds(fact.id) or len(fact.relation.options) > 1:
+            continue
+        match fact.relation.only:
+            case (
+                Link(
+                    Quantity("direction", (Name(name),), int(event)),
+                    "=",
+                    (Degrees() | Negate(Degrees())) as angle,
+                ),
+            ) if (name, event) == (body, number):
+                return fact.id, angle
     return None
 
 
@@ -85,6 +106,9 @@ def write_centres(scene: Scene, number: int) -> int:
     """The line of centres by the way on which the struck sphere goes."""
     hit = struck(scene, number)
     assert hit is not None
+    given = direction_given(scene, hit, number)
+    if given is not None:
+        return _by_direction(scene, number, hit, *given)
     following = _next_event(scene, hit, number)
     assert following is not None
     end = _place_of(scene, hit, following)
@@ -102,6 +126,17 @@ def write_centres(scene: Scene, number: int) -> int:
     if scene.desk.relation(line) == relation:
         return line
     return scene.desk.write(Move("rearrange"), (line,), relation)
+
+
+def _by_direction(scene: Scene, number: int, hit: str, fact: str, angle: Expression) -> int:
+    """The line of centres by the direction that is given of the struck sphere."""
+    turn = scene.scalar(angle)
+    whole = plain_direction(Vector(tidy(sp.cos(turn)), tidy(sp.sin(turn))))
+    centres = Quantity("line_of_centres", (), number)
+    relation = Relation(((Link(centres, "parallel to", tree_of(whole)),),))
+    return scene.desk.write(
+        Move("law", "along-the-change", number, (hit,)), (f"velocity {hit}", fact), relation
+    )
 
 
 def _place_of(scene: Scene, body: str, number: int) -> Source:

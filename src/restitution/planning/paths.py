@@ -229,6 +229,8 @@ def _aim(scene: Scene, body: str, number: int) -> Path | None:
         return None
     end = place_at(scene, number)
     place = scene.value(place_tree(body, since))
+    if not since and (fact := scene.facts.get(f"position {body}")) is not None:
+        place = scene.vector(fact.relation.only[0].right)  # with the letters of the data
     gap = Vector(end.x - place.x, end.y - place.y)
     residual = tidy(without_walls(scene, gap.cross(scene.velocity(body, since))))
     if not scene.unknown(residual):
@@ -267,7 +269,8 @@ def write_path(scene: Scene, path: Path) -> int:
         speed = velocity(scene, body, since, other)
         return scene.desk.write(
             Move("define", "straight-line", number, (body,)),
-            together(*(end.refs for end in ends), speed.refs, timed),
+            # Along a direction in which it does not move no time is needed.
+            together(*(end.refs for end in ends), speed.refs, timed if speed.value != 0 else ()),
             chain(
                 swept(difference(tree_of(ends[1].value), tree_of(ends[0].value))),
                 (swept(product(tree_of(speed.value), flight)), None),
