@@ -7,7 +7,7 @@ from test_planning_closing import lines, planned, said
 
 from restitution.explaining.awarding import awarded
 from restitution.explaining.derivation import Derivation
-from restitution.workings import to_text
+from restitution.workings import explain, to_text
 from restitution.workings.derived import explanation_of
 
 PAIR = "sphere A: mass {a}, velocity {u}\nsphere B: mass {b}, velocity {x}\nA hits B: along i"
@@ -114,3 +114,15 @@ def test_what_the_data_give_is_not_followed_through() -> None:
     marked = awarded(derivation)
     assert not any(mark.ft for mark in marked.lines[-1].marks)
     assert "as e ≥ 0" in to_text(explanation_of(derivation, solution.problem))
+
+
+def test_a_time_that_is_a_multiple_of_the_one_before_tells_the_time_between() -> None:
+    solution, derivation = planned(
+        "wall W: along i, through (0, 0)\npoint Q: (9, 2)\n"
+        "sphere P: at (0, 4), velocity V at alpha to W\nP hits W\nP reaches Q\n"
+        "given time(2) = 5 time(1)\nfind e"
+    )
+    told = said(derivation)
+    assert "time(2) - time(1) = 4time(1)" in told
+    assert not any(each.startswith("time(2) =") for each in told)
+    assert "Since t₂ = 5t₁:" in to_text(explain(solution))

@@ -365,3 +365,16 @@ def test_along_a_wall_in_letters_a_body_goes_forwards() -> None:
     _, derivation = planned(f"{text}\nfind velocity(P)")
     assert any("= u/sqrt(k^2 + 1)" in each for each in said(derivation))
     assert not any("= -u/sqrt(k^2 + 1)" in each for each in said(derivation))
+
+
+def test_equal_angles_of_open_sense_are_two_linear_equations() -> None:
+    _, derivation = planned(
+        "sphere A, B: mass m\nsphere A: velocity u at 30°\nsphere B: velocity u at 60° from -i\n"
+        "A hits B: along i\n"
+        "given angle(velocity(A), line_of_centres) = angle(velocity(B), line_of_centres)\nfind e"
+    )
+    assert said(derivation)[-3:] == [
+        "((2 + sqrt(3)) e + sqrt(3) - 2) (1 - e) = 0",
+        "e = 1 or e = (2 - sqrt(3))/(2 + sqrt(3))",
+        "e = 1 or e = 7 - 4sqrt(3)",
+    ]

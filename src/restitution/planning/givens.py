@@ -550,6 +550,41 @@ def _of_two_energies(scene: Scene, each: GivenEquation, left: Quantity) -> int |
     return None if refs is None else scene.desk.write(move, refs, relation)
 
 
+def _time_since(scene: Scene, each: GivenEquation) -> int | None:
+    """A time that is a multiple of the one before it, by the time between: t₂ − t₁ = 2t₁.
+
+    None of other times, and where the time between has no line.
+    """
+    match each.link:
+        case Link(Quantity("time", (), int(late)) as whole, "=", right):
+            first = next((n for n in walk(right) if isinstance(n, Quantity)), None)
+        case _:
+            return None
+    if first is None or first != Quantity("time", (), late - 1):
+        return None
+    factor = product_without(right, first)
+    value = None if factor is None or has_quantity(factor) else scene.scalar(factor)
+    if value is None or not value.is_number or value <= 1:
+        return None
+    if each.lets:
+        return None
+    mark = scene.desk.mark()
+    between = Binary("-", whole, first)
+    times = tree_of(value - 1)
+    try:
+        (early, time), (gap, apart) = (journeys.write(scene, e) for e in (first, between))
+    except NotPlannedError:
+        scene.desk.back(mark)
+        return None
+    rest = chain(between, (swept(product(times, first)), None))
+    line = scene.judge.write((Move("rearrange"),), (each.fact.id,), rest)
+    relation = chain(tree_of(apart), (swept(product(times, tree_of(time))), None))
+    put = line and scene.judge.write((Move("put"),), (line, gap, early), relation)
+    if put is None:
+        scene.desk.back(mark)
+    return put
+
+
 def _of_two_components(
     scene: Scene,
     each: GivenEquation,
@@ -614,6 +649,9 @@ def _place(scene: Scene, each: GivenEquation) -> int:
 def _of_several(scene: Scene, each: GivenEquation) -> int:
     """A relation between quantities: each is defined, and put into what is given."""
     own = each.link
+    apart = _time_since(scene, each)
+    if apart is not None:
+        return apart
     if isinstance(own.left, Quantity) and own.left.kind in ("speed", "energy"):
         write = _of_two_speeds if own.left.kind == "speed" else _of_two_energies
         number = write(scene, each, own.left)

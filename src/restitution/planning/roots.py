@@ -28,7 +28,11 @@ from restitution.planning.impacts import momentum, residual, restitution, scene_
 from restitution.planning.polynomials import expanded, factor_powers, factored
 from restitution.planning.premises import background
 from restitution.planning.scene import Scene
-from restitution.planning.square_roots import is_product_of_sums, is_square_of_sum
+from restitution.planning.square_roots import (
+    is_product_of_sums,
+    is_square_of_sum,
+    linear_factors,
+)
 
 
 def known_as(scene: Scene, symbol: sp.Symbol, value: Any, number: int) -> Source:
@@ -53,6 +57,9 @@ def by_roots(
     if of is None:
         of = itself if generator == symbol else generator.func
     factors = [(base, power) for base, power in factor_powers(above) if base.has(generator)]
+    linear = linear_factors(scene, number, symbol) if generator == symbol else []
+    if len(linear) > 1 and any(each.atoms(sp.Pow) for each in linear):
+        factors = [(each, 1) for each in linear]  # with roots of numbers they are not found again
     polynomials = [sp.Poly(base, generator) for base, _ in factors]
     if not factors or any(
         polynomial.degree() > 2
@@ -84,6 +91,7 @@ def by_roots(
     refs = scene.judge.enough(Move("roots"), (number,), alternatives, known)
     if refs is not None:
         line: int | None = _by_the_formula(scene, number, polynomials, alternatives, known)
+        line = line or _by_linear_factors(scene, number, polynomials, alternatives, known)
         line = line or scene.desk.write(Move("roots"), refs, alternatives)
     elif len(polynomials) == 1:
         line = _by_pythagoras(scene, number, polynomials[0], alternatives, known)
@@ -126,6 +134,35 @@ def _by_the_formula(
     if coefficients[1] == 0 or len(roots.options) < 2:
         return None  # of a double root there is nothing to put in order
     return _in_two_lines(scene, number, polynomials[0], roots, known, Move("rearrange"))
+
+
+def _by_linear_factors(
+    scene: Scene,
+    number: int,
+    polynomials: Sequence[sp.Poly],
+    roots: Relation,
+    known: Iterable[Ref],
+) -> int | None:
+    """The roots of linear factors in numbers with roots as quotients, and then put in order.
+
+    None of other factors.
+    """
+    if len(polynomials) < 2 or any(each.degree() != 1 for each in polynomials):
+        return None
+    if not all(c.is_number for each in polynomials for c in each.all_coeffs()):
+        return None
+    quotients: dict[sp.Expr, Expression] = {}
+    for each in polynomials:
+        slope, rest = (expanded(c) for c in each.all_coeffs())
+        turned = -1 if scene.model.sign(slope) < 0 else 1
+        parts = (tree_of(expanded(turned * x), as_it_is=True) for x in (-rest, slope))
+        if slope.is_Add:
+            quotients[tidy(-rest / slope)] = Binary("/", *parts)
+    options = tuple(
+        (Link(links[0].left, "=", quotients.get(scene.scalar(links[0].right), links[0].right)),)
+        for links in roots.options
+    )
+    return _then(scene, number, Relation(options), roots, known, Move("rearrange"))
 
 
 def _of_a_square(

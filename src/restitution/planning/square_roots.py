@@ -102,15 +102,21 @@ def is_square_of_sum(scene: Scene, number: int, symbol: sp.Symbol) -> bool:
 
 def is_product_of_sums(scene: Scene, number: int, symbol: sp.Symbol) -> bool:
     """Whether a line says that a product of sums with the unknown is zero: so are its roots."""
+    return len(linear_factors(scene, number, symbol)) > 1
+
+
+def linear_factors(scene: Scene, number: int, symbol: sp.Symbol) -> list[sp.Expr]:
+    """The factors with the unknown of a product that is zero, where all are linear; else none."""
     match scene.desk.last_link(number):
         case Link(left, "=", right) if is_zero(right):
             factors = [factor for factor in factors_above(left) if symbol.name in letters(factor)]
             values = [sp.sympify(scene_value(scene, factor), strict=True) for factor in factors]
-            return len(factors) > 1 and all(
+            if all(
                 value.is_polynomial(symbol) and sp.Poly(value, symbol).degree() == 1
                 for value in values
-            )
-    return False
+            ):
+                return values
+    return []
 
 
 def _sums(tree: Expression, name: str) -> Iterator[Expression]:
@@ -158,10 +164,7 @@ def _as_a_product(
 ) -> int | None:
     """Where either root may be meant: the difference of two squares as a product that is zero."""
     one, other = (sp.sympify(scene_value(scene, each), strict=True) for each in (left, right))
-    below = sp.lcm(*(sp.fraction(sp.together(each))[1] for each in (one, other)))
-    parts = [sp.cancel(each * below) for each in (one, other)]
-    common = sp.gcd(*parts)
-    parts = [sp.cancel(each / common) for each in parts]
+    parts = _side_by_side(one, other)
     if not all(each.is_polynomial(symbol) and sp.degree(each, symbol) <= 1 for each in parts):
         return None
     if any(each.free_symbols - {symbol} or not each.has(symbol) for each in parts):
@@ -177,6 +180,23 @@ def _as_a_product(
         return line
     plain = Binary("*", *(tree_of(each.primitive()[1]) for each in sums))
     return _write(scene, line, Relation(((Link(plain, "=", zero),),))) or line
+
+
+def _side_by_side(one: sp.Expr, other: sp.Expr) -> list[sp.Expr]:
+    """Two sides without what is below a line, and without a common factor."""
+    (a, b), (c, d) = (sp.fraction(sp.together(each)) for each in (one, other))
+    if any(
+        each.is_number and not each.is_Rational for x in (b, d) for each in sp.preorder_traversal(x)
+    ):
+        # Of denominators with roots of numbers none is a factor of the other.
+        parts = [sp.expand(a * d), sp.expand(c * b)]
+        contents = [sp.factor_terms(each).as_coeff_Mul()[0] for each in parts]
+        common = sp.gcd(*contents)
+        return [sp.expand(each / common) for each in parts]
+    below = sp.lcm(b, d)
+    parts = [sp.cancel(each * below) for each in (one, other)]
+    common = sp.gcd(*parts)
+    return [sp.cancel(each / common) for each in parts]
 
 
 def _root_of(tree: Expression) -> Expression | None:

@@ -216,6 +216,8 @@ class Sources:
             # Below an answer it is a new thought, and says where it comes from.
             apart = bool(cited) and (cited[0] != above or above in self._ended)
             return Source("add", tuple(cited)) if apart else None
+        if move == "rearrange" and not cited and (facts := self._given(line.premises)):
+            return Source("put", facts=facts)
         if move == "solve":
             return Source("solve", () if cited == [above] else tuple(cited))
         if line.move.record == "size" and cited and cited[0] != above and self._is_read_off(line):
