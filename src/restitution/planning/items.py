@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 
 import sympy as sp
@@ -59,7 +60,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
         pass  # an impact of two spheres does not change it
     elif placed:
         solver.determine(journeys.goals(scene, asked))
-    else:
+    elif not _by_a_line_above(scene, solver, asked):
         determine(scene, solver, asked)
         _determine_velocities(scene, solver, asked)
     write_related(scene, asked)
@@ -155,6 +156,39 @@ def write_with_facts(scene: Scene, solver: Solver, name: str) -> bool:
         return False
     scene.desk.end(name, scene.desk.write(Move("put"), premises, relation), relation)
     return True
+
+
+def _by_a_line_above(scene: Scene, solver: Solver, asked: Expression) -> bool:
+    """Whether a line above gives a letter in terms of letters that are known by now.
+
+    It is then known by that line.
+    """
+    if not isinstance(asked, Letter) or scene.desk.known(asked) is not None or scene.others:
+        return False
+    symbol = scene.model.unknowns.letter(asked.name)
+    known = scene.model.final.get(symbol)
+    for line in reversed(scene.desk.lines) if known is not None else ():
+        relation = line.relation
+        if not isinstance(relation, Relation) or len(relation.options) != 1:
+            continue
+        links = relation.only
+        if links[0].left != asked or any(each.sign != "=" for each in links):
+            continue
+        value = scene.scalar(links[-1].right)
+        if value.has(sp.sin, sp.cos, sp.tan) or not value.free_symbols & scene.model.final.keys():
+            continue
+        if symbol in value.free_symbols or not scene.desk.holds(line.number):
+            continue
+        standing = solver.mark()
+        with suppress(NotPlannedError):
+            # Where it is greatest or least no gradient tells of its letters.
+            solver.determine(sorted(value.free_symbols & scene.model.final.keys(), key=str))
+            put, refs = scene.put(value)
+            if refs and not scene.unknown(put) and scene.model.identically_zero(put - known):
+                scene.desk.know(asked, value, (line.number,))
+                return True
+        solver.back(standing)
+    return False
 
 
 def _closed(scene: Scene, asked: Expression, line: int, value: sp.Expr) -> int:

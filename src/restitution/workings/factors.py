@@ -5,10 +5,12 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.derivation import Derivation, Line, Relation
+from restitution.explaining.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.trees import exchanged
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Expression
-from restitution.planning.forms import UnwrittenError, tree_of
+from restitution.expression.tree import Binary, Expression, Letter, is_zero, letters
+from restitution.planning.forms import UnwrittenError, factors_above, tree_of
+from restitution.workings.right_angles import in_letters_alone
 
 
 def factor_cancelled(derivation: Derivation, line: Line) -> Expression | None:
@@ -37,4 +39,30 @@ def _residual(relation: Relation) -> sp.Expr:
     return sp.sympify(left - right, strict=True)
 
 
-__all__ = ["factor_cancelled"]
+def factor_left(derivation: Derivation, line: Line) -> Expression | None:
+    """The sum that is left out of a product that is zero, where a line takes the root of the other.
+
+    None where there is no such factor, or more than one.
+    """
+    (first, *rest) = line.premises or ("",)
+    above = derivation.line(first) if isinstance(first, int) else None
+    if above is None or rest or line.move.id not in ("rearrange", "cancel"):
+        return None
+    match above.relation, line.relation:
+        case (
+            Relation((((Link(product, "=", right)),),)),
+            Relation(((Link(Letter(name), "=", value), *_),)),
+        ) if is_zero(right):
+            sums = [each for each in factors_above(product) if isinstance(each, Binary)]
+        case _:
+            return None
+    put = [in_letters_alone(exchanged(each, {Letter(name): value})) for each in sums]
+    left = [
+        each
+        for each, own in zip(sums, put, strict=True)
+        if name in letters(each) and own is not None and sp.cancel(own) != 0
+    ]
+    return left[0] if len(sums) == 2 and len(left) == 1 else None
+
+
+__all__ = ["factor_cancelled", "factor_left"]

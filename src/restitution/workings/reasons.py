@@ -45,7 +45,7 @@ from restitution.render import layout as lay
 from restitution.solving.letters import roles
 from restitution.solving.signs import sign
 from restitution.workings.equality import divisor_left_out, place_of_zero
-from restitution.workings.factors import factor_cancelled
+from restitution.workings.factors import factor_cancelled, factor_left
 from restitution.workings.grounds import grounds_of, motion_of
 from restitution.workings.growing import growth, limit_at_an_end, way_of
 from restitution.workings.later_times import later_than
@@ -100,7 +100,7 @@ class Reasons:
             return (since,)
         grounds = tuple(map(self._ground, grounds_of(self._derivation, self._roles, line)))
         reasoned = line.move.id in _REASONED or self._ordered(line) or self._is_root(line)
-        reasoned = reasoned or any(self._cleared(line))
+        reasoned = reasoned or any(self._cleared(line)) or any(self._dropped(line))
         if not reasoned and not self._of_sizes(line) and not grounds:
             return ()
         if line.move.id == "cancel" and factor_cancelled(self._derivation, line) is not None:
@@ -116,6 +116,7 @@ class Reasons:
             *self._known(line),
             *self._silent(line),
             *self._cleared(line),
+            *self._dropped(line),
         )
         reasons = reasons or tuple(self._positive_sum(line))
         if self._is_root(line):
@@ -371,6 +372,12 @@ class Reasons:
         role = self._roles.get(name)
         if role is not None and role.kind == "positive" and above.only[0].sign in (*_UP, *_DOWN):
             yield self._laid(Relation(((Link(Letter(name), ">", ZERO),),)))
+
+    def _dropped(self, line: Line) -> Iterator[lay.Layout]:
+        """That a sum which was a factor of a product that is zero is not zero itself."""
+        factor = factor_left(self._derivation, line)
+        if factor is not None:
+            yield self._laid(Relation(((Link(factor, "!=", ZERO),),)))
 
     def _relation_of(self, ref: Ref) -> Relation | None:
         """What a premise says."""
