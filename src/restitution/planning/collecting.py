@@ -31,6 +31,7 @@ from restitution.planning.forms import (
     difference,
     number,
     product,
+    square,
     tree_of,
 )
 from restitution.planning.impacts import residual, scene_value
@@ -53,7 +54,7 @@ def multiplied_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
     if link.sign != "=" or any(_is_plain(link, each.name) for each in symbols):
         return line
     line = _with_plain_squares(scene, line)
-    line = _across(scene, line, symbols)
+    line = _squares_cleared(scene, _across(scene, line, symbols), symbols)
     link = scene.desk.last_link(line)
     sides = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
     generators = _of_all(sides, symbols)
@@ -132,6 +133,59 @@ def _across(scene: Scene, line: int, symbols: Sequence[sp.Symbol]) -> int:
         refs = scene.judge.enough(Move("rearrange"), (line,), relation, background(scene, names))
         return line if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
     return line
+
+
+def _squares_cleared(scene: Scene, line: int, symbols: Sequence[sp.Symbol]) -> int:
+    """A sum of squares of quotients without the sum that is below, as a line of squares.
+
+    The same line where not all terms are squares, or no unknown stands in a sum below one.
+    """
+    link = scene.desk.last_link(line)
+    sides = [list(_terms(side)) for side in (link.left, link.right)]
+    terms = [term for side in sides for term in side]
+    bases = [
+        e.left for e in terms if isinstance(e, Binary) and e.op == "^" and e.right == number(2)
+    ]
+    if len(bases) < len(terms) or len(terms) < 3 or _has_difference(link):
+        return line
+    values = [sp.sympify(scene_value(scene, each), strict=True) for each in bases]
+    powers = (power for each in values for power in each.atoms(sp.Pow))
+    if any(each.free_symbols and not each.exp.is_Integer for each in powers):
+        return line
+    fractions = [sp.fraction(sp.together(each)) for each in values]
+    below = sp.lcm([d for _, d in fractions])
+    if not any(d.is_Add or d.has(sp.Add) for _, d in fractions if d.free_symbols & set(symbols)):
+        return line
+    parts = [sp.factor_terms(sp.cancel(n * below / d)) for n, d in fractions]
+    common = sp.Mul(*set.intersection(*(set(sp.Mul.make_args(each)) for each in parts)))
+    trees: list[Expression] = []
+    for each in parts:
+        factor, rest = sp.factor_terms(each / common).as_independent(
+            *each.free_symbols, as_Add=False
+        )
+        whole = square(tree_of(rest)) if rest != 1 else ONE
+        trees.append(product(tree_of(tidy(factor**2)), whole) if factor**2 != 1 else whole)
+    left, right = (_total(trees[: len(sides[0])]), _total(trees[len(sides[0]) :]))
+    relation = chain(left, (right, None))
+    names = {each.name for each in residual(scene, line).free_symbols}
+    refs = scene.judge.enough(Move("rearrange"), (line,), relation, background(scene, names))
+    return line if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
+
+
+def _has_difference(link: Link) -> bool:
+    """Whether a term of a side is taken off."""
+    return any(
+        isinstance(node, Negate) or (isinstance(node, Binary) and node.op == "-")
+        for side in (link.left, link.right)
+        for node in _sums_of(side)
+    )
+
+
+def _sums_of(tree: Expression) -> Iterator[Expression]:
+    yield tree
+    if isinstance(tree, Binary) and tree.op in ("+", "-"):
+        yield from _sums_of(tree.left)
+        yield from _sums_of(tree.right)
 
 
 def _has_quotient_in_a_sum(tree: Expression) -> bool:
