@@ -117,7 +117,7 @@ def test_what_has_come_to_a_number_is_put_into_the_law() -> None:
 sphere A: mass 2, velocity 4i + 3j
 sphere B: mass 1, velocity 2j
 A hits B: along i
-given speed(B) = 2 sqrt(5)
+given energy_lost = 4
 find e, velocity(A)
 """
     lines = [each for each in planned(text).lines if isinstance(each.relation, Relation)]
@@ -417,3 +417,20 @@ P hits W1: e = e
 find minimum of time(2) over alpha
 """
     assert "α is acute and e > 0" in printed(text)
+
+
+def test_a_letter_in_letters_that_are_known_by_now_comes_of_its_line() -> None:
+    text = """
+sphere A: mass m, velocity u at 30°
+sphere B: mass k m, at rest
+A hits B: along i
+given speed(A) = speed(B)
+find range of k
+part b
+given e = 1
+find k
+"""
+    lines = said(text)
+    assert "3(1 + e)^2 = 3(1 - e k)^2 + (1 + k)^2" in lines
+    assert lines[-1] == "k = 2"
+    assert not any("(1 - k)" in each for each in lines)
