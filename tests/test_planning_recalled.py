@@ -434,3 +434,32 @@ find k
     assert "3(1 + e)^2 = 3(1 - e k)^2 + (1 + k)^2" in lines
     assert lines[-1] == "k = 2"
     assert not any("(1 - k)" in each for each in lines)
+
+
+def test_a_range_begins_with_the_bound_that_was_shown() -> None:
+    text = """
+sphere A, B: mass m
+sphere A: velocity u at alpha
+sphere B: velocity u at alpha from -i
+A hits B: along i, e = 1/3
+given deflection(B) > 90°
+show tan(alpha) < 1/sqrt(3)
+show alpha < 30°
+find range of alpha
+"""
+    lines, derivation = said(text), planned(text)
+    assert lines[-1] == "0° < alpha < 30°"
+    (before,) = (each for each in derivation.lines[-1].premises if isinstance(each, int))
+    assert before == derivation.lines[-2].number
+
+
+def test_an_end_of_a_range_that_was_shown_is_not_derived_again() -> None:
+    lines = said("""
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+show u cos(alpha) <= speed(P) <= u
+show e u <= speed(P) <= u
+""")
+    assert "speed(P, 1) <= u" not in lines
+    assert lines[-1] == "e u <= speed(P, 1) <= u"

@@ -322,7 +322,8 @@ def _of_a_product(work: Work, line: Line) -> bool:
     lefts = [
         each.relation.options[0][0].left for each in cited if isinstance(each.relation, Relation)
     ]
-    return bool(lefts) and all(isinstance(e, Quantity) and e.kind == "velocity" for e in lefts)
+    whole = bool(lefts) and all(isinstance(e, Quantity) and e.kind == "velocity" for e in lefts)
+    return whole and line.number in work.ends
 
 
 def _in_letters(work: Work, line: Line) -> bool:

@@ -384,7 +384,10 @@ class Claims:
         for each in relation.only:
             link = turned(each) if has_quantity(each.right) else each
             own = Relation(((link,),))
-            if self._is_left(lines[0], link):
+            line = self._in_a_range(link)
+            if line is not None:
+                pass  # one end of what stands already
+            elif self._is_left(lines[0], link):
                 line = self._without_square(lines[0], own)
             elif ZERO in (link.left, link.right) or is_plain(self.scene, lines[0], own):
                 line = self._bounded(lines[0], link)
@@ -406,6 +409,16 @@ class Claims:
         if line is None:
             self.worths.back(mark)
         return line
+
+    def _in_a_range(self, link: Link) -> int | None:
+        """The line of a range that has an inequality as one of its ends."""
+        for line in self.scene.desk.lines:
+            own = line.relation
+            if isinstance(own, Relation) and len(own.options) == 1 and len(own.only) > 1:
+                ends = {*own.only, *(turned(e) for e in own.only if e.sign in FLIPPED)}
+                if link in ends and self.scene.desk.holds(line.number):
+                    return line.number
+        return None
 
     def _is_left(self, line: int, link: Link) -> bool:
         """Whether a lower bound is what a line says without one of its squares."""

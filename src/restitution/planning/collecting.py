@@ -327,7 +327,8 @@ def _without_the_same(sides: list[sp.Poly]) -> list[sp.Poly]:
         same = set(sp.Add.make_args(one[m])) & set(sp.Add.make_args(other[m]))
         one[m], other[m] = (expanded(each[m] - sp.Add(*same)) for each in (one, other))
     gens = sides[0].gens
-    for m in one.keys() & other.keys() if len(gens) > 1 else ():
+    of_an_angle = len(gens) > 1 and not any(each.is_Symbol for each in gens)
+    for m in one.keys() & other.keys() if of_an_angle else ():
         # Of sines and cosines like terms stand on one side: 2e cos²α, and not e cos²α on both.
         share = sp.cancel(other[m] / one[m]) if one[m] != 0 else sp.S.One
         if any(m) and share.is_Rational and share != 1:

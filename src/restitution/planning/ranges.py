@@ -8,11 +8,19 @@ from typing import Any
 import sympy as sp
 
 from restitution.explaining.derivation import Link, Move, Relation, Sign
-from restitution.expression.tree import Apply, Expression, Quantity, has_quantity
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Quantity,
+    has_quantity,
+    letters,
+)
 from restitution.planning.angles_at_ends import AngleAtEnds, is_angle_of_motion, write_at_ends
 from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import tree_of
+from restitution.planning.inequalities import turned
 from restitution.planning.order import Solver
 from restitution.planning.scene import Scene
 from restitution.solving.solution import ItemResult
@@ -34,6 +42,8 @@ def write_range(
             relation = scene.desk.relation(line)
         elif (earlier := _by_an_earlier_one(scene, solver, relation)) is not None:
             line = earlier
+        elif not shown and (bounded := _by_a_bound_above(claims, relation)) is not None:
+            line = bounded
         elif len(relation.options) > 1:
             line = claims.write_parts(asked, relation)
         else:
@@ -99,6 +109,28 @@ def _by_an_earlier_one(scene: Scene, solver: Solver, relation: Relation) -> int 
         if line is not None:
             return line
         solver.back(standing)
+    return None
+
+
+def _by_a_bound_above(claims: Claims, relation: Relation) -> int | None:
+    """A range of which a line above says one end, and what may be known of letters the other.
+
+    None of another range, and where more is needed.
+    """
+    if len(relation.options) > 1 or len(relation.only) != 2:
+        return None
+    ends = {*relation.only, *map(turned, relation.only)}
+    for line in reversed(claims.scene.desk.lines):
+        own = line.relation
+        if not isinstance(own, Relation) or len(own.options) != 1 or len(own.only) != 1:
+            continue
+        if own.only[0] in ends and claims.scene.desk.holds(line.number):
+            sides = (Binary("-", end.left, end.right) for end in relation.only)
+            names = {name for each in sides for name in letters(each)}
+            pool = (line.number, *claims.judge.known(names))
+            written = claims.judge.write((Move("compare"),), pool, relation)
+            if written is not None:
+                return written
     return None
 
 
