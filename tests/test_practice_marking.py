@@ -391,3 +391,36 @@ def test_an_angle_may_be_worked_out_to_another_line_first() -> None:
     lines = ["parallel to AB: 1/2(4u/5) = 2u/5", "perp: 3u/5", "angle to AB = tan^-1(3/2) = 56.3"]
     assert "M1 angle" not in kinds_lost(statement, lines, {})
     assert "M1 angle" in kinds_lost(statement, lines[:2], {})
+
+
+OFFSET = (
+    "sphere A: mass 2m, velocity u i, radius r\nsphere B: mass m, velocity -u i, radius r\n"
+    "A hits B: offset 2 r sin(alpha)\nfind impulse in terms of m, u, e, alpha\n"
+    "show speed(A)^2 = u^2 (sin^2(alpha) + (1 - 2e)^2 cos^2(alpha)/9)\n"
+)
+CENTRES = {"x": "along(velocity(A), line_of_centres)", "y": "along(velocity(B), line_of_centres)"}
+
+
+def test_an_equation_shows_the_components_in_it_though_a_result_is_printed() -> None:
+    lines = [
+        "2mu cos α - mu cos α = 2mx + my",
+        "y - x = e(2u cos α)",
+        "3x = u cos α - 2eu cos α",
+        "x = u cos α(1 - 2e)/3",
+        "I = 2m(u cos α - x) = 4/3m(1 + e)u cos α",
+        "V² = u² sin²α + u² cos²α(1 - 2e)²/9",
+    ]
+    assert kinds_lost(OFFSET, lines, {**CENTRES, "V": "speed(A)"}) == []
+
+
+def test_a_law_may_have_values_of_his_own_in_it() -> None:
+    statement = (
+        "sphere A: mass m, velocity 2u at 30°\nsphere B: mass 2m, velocity u at 120°\n"
+        "A hits B: along i\ngiven deflection(B) = 60°\nfind e\n"
+    )
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    lines = ["w = u/2", "m(2u cos 30) + 2m(u cos 60) = mv + 2mw", "v = 1.73u"]
+    lost = kinds_lost(statement, [*lines, "e = (0.5 - 1.73)/(1.73 + 0.5) = -0.552"], letters)
+    assert not [each for each in lost if each.endswith("restitution")]
+    alone = kinds_lost(statement, [*lines, "e = -0.552"], letters)
+    assert "A1 restitution" in alone

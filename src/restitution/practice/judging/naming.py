@@ -30,6 +30,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    letters,
     walk,
 )
 from restitution.practice.judgement import Mistake, Use
@@ -216,6 +217,7 @@ class Names:
         if _is_of_energy(entry):
             # The values of two mistakes may be one: a line of energy has a mistake of energy.
             by_states = [each for each in by_states if _kinds(each) & _OF_ENERGY - {"speed"}]
+        by_states = list(self._of_masses(entry, by_states))
         if is_sum_of_angles(entry):
             by_states = [each for each in by_states if _kinds(each) & _OF_ANGLES]
         if by_states and _is_bare(entry) and any(each.change == "figure" for each in mended):
@@ -227,6 +229,7 @@ class Names:
             return ()
         blocking = [each for each in mended if not self._is_familiar(each, entry, judge)]
         variants = list(self._results(entry, judge)) or list(self._worlds(entry, judge))
+        variants = list(self._of_masses(entry, variants))
         if _is_coefficient(entry):
             variants = [each for each in variants if _replaces(each, "restitution")]
         return tuple(dict.fromkeys(each for each in variants if _stands(each, blocking)))
@@ -237,6 +240,29 @@ class Names:
         given = (value for quantity, value in self._given if quantity.kind == "impulse")
         return any(_is_impulse(side, entry) for side in sides) or any(
             map(sides.__contains__, given)
+        )
+
+    def _of_masses(self, entry: Entry, variants: Sequence[VariantAt]) -> Sequence[VariantAt]:
+        """The altered laws of a line: of one with masses in it none of restitution, if others fit.
+
+        So it is with ``4mu - kmu = mu + 2kmu``.
+        """
+        names = letters(entry.claim.left) | letters(entry.claim.right)
+        if self._masses.isdisjoint(names):
+            return variants
+        kept = [
+            each
+            for each in variants
+            if _replaces(each, "momentum") or not _replaces(each, "restitution")
+        ]
+        return kept or variants
+
+    @cached_property
+    def _masses(self) -> frozenset[str]:
+        """The letters of masses in the statement."""
+        masses = (each.mass for each in self.problem.spheres)
+        return frozenset[str]().union(
+            *(letters(each) for each in masses if isinstance(each, Expression))
         )
 
     @cached_property

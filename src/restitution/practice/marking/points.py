@@ -236,10 +236,18 @@ class _Examiner:
                 # Newton's law with the sense that his momentum gives his letters.
                 if point.principle == "restitution" and self.values.has_velocities(line):
                     return self._earned(point, line, "consistent with the line of momentum")
+                if point.principle == "restitution" and self._puts_in(line):
+                    return self._earned(point, line, "the law with his own values in it")
                 why = "follows from an earlier slip"
                 lost = PointMark(point, "lost", line.line.number, why)
             lost = lost or PointMark(point, "lost", line.line.number, self._reason(line))
         return lost or self._missing(point)
+
+    def _puts_in(self, line: JudgedLine) -> bool:
+        """Whether a line is a law with values in it, and not a value alone: ``e = (3 - 1)/4``."""
+        links = line.line.links
+        worked = len(links) > 1 and _continues(links[0], links[1])
+        return line.uses[0].principle in _LAWS and (worked or not self.values.is_solved(line))
 
     def _independent(self, point: MarkPoint) -> PointMark:
         """A component that stays, or one read off: as a line, or used in one."""
@@ -409,8 +417,14 @@ class _Examiner:
                 if self.values.is_formula(line):
                     continue
                 use = self._use(line, point)
-                if use is not None and not self._is_stated_wrongly(line, use):
+                if use is None or self._is_by_chance(line, use):
+                    continue
+                if not self._is_stated_wrongly(line, use):
                     yield line, use
+
+    def _is_by_chance(self, line: JudgedLine, use: Use) -> bool:
+        """Whether a value that follows from a mistake only happens to fit another altered law."""
+        return line.verdict == "follows" and bool(use.altered) and self.values.is_solved(line)
 
     def _is_stated_wrongly(self, line: JudgedLine, use: Use) -> bool:
         """Whether a line only implies a law that a line above states wrongly."""
@@ -548,8 +562,9 @@ class _Examiner:
             line = self._line(own.line)
             if line is None or line.verdict not in ("true", "unsupported", "remark"):
                 continue
-            if self._is_broken(own.line, ("false",)) and not self._is_sure(own):
-                continue
+            broken = self._is_broken(own.line, ("false",)) and not self._is_sure(own)
+            if broken and not point.equation:
+                continue  # a true equation shows what is in it, whatever stands above
             stated = point.letter == "M" and not own.implied
             stated = stated and not self._is_given(point, line)
             if stated and point.principle not in ("solve", "fact"):
@@ -565,8 +580,8 @@ class _Examiner:
                     continue
                 if state.point.item is not None and state.line is not None:
                     continue  # an answer is right or wrong by itself
-                if name in printed and point.letter != "B":
-                    continue
+                if name in printed and point.letter != "B" and not point.equation:
+                    continue  # an equation shows the components in it
                 if point.equation and state.point.principle not in _IN_EQUATIONS:
                     continue  # an equation needs the components in it, and nothing found before
                 if state.line is not None and self._is_wrong(state.line):
