@@ -79,6 +79,16 @@ find M, speed(B)
 """,
         ("M = (4 tan 70° − 4 tan 25°)/(5 tan 70° + 10 tan 25°) ≈ 0.496 kg",),
     ),
+    "a letter that has to go, by an equation between momenta": (
+        """
+sphere A: mass M, velocity u at alpha
+sphere B: mass m, velocity v at beta from -i
+A hits B: along i
+given M u cos(alpha) = 2 m v cos(beta)
+find impulse in terms of M, m, u, alpha, e
+""",
+        ("v = Mu cos α/(2m cos β)",),
+    ),
 }
 
 

@@ -24,16 +24,20 @@ def turn_round(model: Model, wanted: frozenset[str]) -> bool:
     for symbol in [each for each in model.final if each.name in wanted & own_roles.keys()]:
         value = model.final[symbol]
         others = [each for each in value.free_symbols if each.name not in wanted]
-        if len(others) != 1 or others[0].name not in own_roles:
+        if any(each.name not in own_roles for each in others):
             continue
-        changes = _inverse(model, symbol, value, others[0])
+        if len(others) > 1:  # of several letters that may go it is one that is no angle
+            plain = [each for each in others if own_roles[each.name].kind != "angle"]
+            others = sorted(plain, key=str, reverse=True)
+        inverses = ((each, _inverse(model, symbol, value, each)) for each in others)
+        other, changes = next(((e, own) for e, own in inverses if own), (symbol, None))
         if changes is None:
             continue
         turned = True
         del model.final[symbol]
         for each in list(model.final):
             model.final[each] = _put(model.final[each], changes)
-        model.final[others[0]] = changes[others[0]]
+        model.final[other] = changes[other]
         for key, component in model.components.items():
             model.components[key] = replace(component, value=model.final[component.symbol])
     return turned
@@ -55,7 +59,11 @@ def _inverse(
         x = value.xreplace({other: t})
     if other in x.free_symbols:
         return None
-    above = sp.fraction(factored(one_fraction(symbol - x)))[0]
+    own: sp.Expr = symbol
+    if x.has(sp.atan2):
+        # An acute angle by its cosine.
+        x, own = sp.simplify(sp.cos(x)), sp.cos(symbol)
+    above = sp.fraction(factored(one_fraction(own - x)))[0]
     try:
         poly = sp.Poly(expanded(above), t)
     except sp.PolynomialError:
@@ -66,10 +74,10 @@ def _inverse(
     elif powers == {0, 2}:
         root = sp.sqrt(tidy(factored(-poly.nth(0) / poly.nth(2))))
     elif powers == {0, 1, 2} and role.kind != "angle":
-        own = _of_two(model, symbol, poly, other)
-        if own is None:
+        one = _of_two(model, symbol, poly, other)
+        if one is None:
             return None
-        root = own
+        root = one
     else:
         return None
     if role.kind != "angle":
