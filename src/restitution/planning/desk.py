@@ -342,7 +342,8 @@ class Desk:
             self._scopes[line.number] = common_scope(map(self._scope, line.premises))
 
     def end(self, item: str, line: int, answer: Relation, shown: bool = False) -> None:
-        """The last line of an item."""
+        """The last line of an item, which is printed."""
+        self.lines[line - 1] = replace(self.line(line), shown="line")
         self.ends.append(ItemEnd(item, line, answer, self.part, shown))
 
     def is_of_this_part(self, number: int) -> bool:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Any
 
 import sympy as sp
 
 from restitution import exact
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, Ref, Relation
+from restitution.explaining.derivation import Line, Meaning, Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -19,6 +20,7 @@ from restitution.expression.tree import (
     Letter,
     Quantity,
     letters,
+    walk,
 )
 from restitution.planning.angle_ratios import given_ratio, range_of, write_other_ratio
 from restitution.planning.angles import RIGHT, STRAIGHT
@@ -71,14 +73,60 @@ def write_turn(
     right = turn.made_of(*trees)
     value = exact.tidy_angle(whole)
     plain = not value.atoms(sp.atan)
-    final = tree_of(value, angle=True, as_it_is=True) if plain else _collected(turn, trees) or right
+    collected = None if plain else _collected(turn, trees) or _with_one_number(turn, trees)
+    final = tree_of(value, angle=True, as_it_is=True) if plain else collected or right
     relation = chain(Letter(letter), (right, None), (final, "rearrange"))
     pool = dict.fromkeys((meaning, *refs, *turn.first.refs, *turn.second.refs, *_axis(turn)))
     premises = scene.judge.needed(turn.move, pool, relation, (meaning,))
     if premises is None:
         scene.desk.back(mark)
         return None
+    _without_arcs(scene, premises, mark.lines)
     return scene.desk.write(turn.move, premises, relation)
+
+
+def _without_arcs(scene: Scene, premises: Iterable[Ref], since: int) -> None:
+    """Takes the lines ``θ = arctan(2)`` off paper: the tangents say it, and so does the sum."""
+    for ref in premises:
+        if not isinstance(ref, int) or ref <= since:
+            continue
+        own = scene.desk.line(ref)
+        arcs = isinstance(own.relation, Relation) and any(
+            isinstance(each, Apply) and each.function.startswith("arc")
+            for each in walk(own.relation.only[-1].right)
+        )
+        if own.move.id == "inverse" and arcs and not _is_by_data(scene, own):
+            scene.desk.lines[ref - 1] = replace(own, shown="silent")
+
+
+def _is_by_data(scene: Scene, line: Line) -> bool:
+    """Whether the ratio behind an angle stands in no line."""
+    return not any(
+        isinstance(ref, int) and not isinstance(scene.desk.line(ref).relation, Meaning)
+        for ref in line.premises
+    )
+
+
+def _with_one_number(turn: Turn, trees: Sequence[Expression | None]) -> Expression | None:
+    """The angle with what is in degrees added up: 180° − 60° − arctan(2) is 120° − arctan(2)."""
+    signs = _SIGNS[turn.form]
+    degrees = [Fraction(180 if turn.form.startswith("rest") else 0)]
+    degrees += [
+        sign * tree.value
+        for sign, tree in zip(signs, trees, strict=True)
+        if isinstance(tree, Degrees)
+    ]
+    others = [
+        (sign, tree)
+        for sign, tree in zip(signs, trees, strict=True)
+        if tree is not None and not isinstance(tree, Degrees)
+    ]
+    if len([each for each in degrees if each]) < 2 or len(others) != 1:
+        return None
+    total_, ((sign, other),) = sum(degrees, Fraction(0)), others
+    if total_ > 0:
+        return Binary("+" if sign > 0 else "-", Degrees(total_), other)
+    return Binary("-", other, Degrees(-total_)) if total_ and sign > 0 else None
 
 
 def _collected(turn: Turn, trees: Sequence[Expression | None]) -> Expression | None:
