@@ -12,7 +12,7 @@ from workings import planned
 from restitution.language import parse
 from restitution.planning.planner import plan
 from restitution.solving import solve
-from restitution.workings import to_text
+from restitution.workings import explain, to_text
 from restitution.workings.derived import explanation_of
 
 # A statement, and what its working says: lines, or parts of them.
@@ -235,3 +235,26 @@ def test_no_tangent_is_a_quotient_of_products() -> None:
     for statement, _ in CASES.values():
         derivation = plan(solve(parse(statement)))
         assert all(each.move.record != "tan-deflection" for each in derivation.lines)
+
+
+TURNED = """
+sphere A: mass m, velocity u at 60°
+sphere B: mass m, velocity 2u at 60° from -i
+A hits B: along i, e = 1/4
+"""
+
+
+def _printed(asked: str) -> str:
+    text = f"{TURNED}find {asked}\n"
+    return to_text(explain(solve(parse(text))), 100)
+
+
+def test_an_angle_of_two_others_has_no_lines_of_inverse_tangents() -> None:
+    text = _printed("deflection(A), angle(velocity(A), velocity(B))")
+    assert "β = arctan" not in text
+    assert "= 180° − 60° − arctan(8√3/7) = 120° − arctan(8√3/7)" in text
+
+
+def test_an_inverse_tangent_that_is_asked_stands() -> None:
+    text = _printed("deflection(A), angle(velocity(A), line_of_centres)")
+    assert "β = arctan(8√3/7)" in text

@@ -341,9 +341,13 @@ class Desk:
         for line in self.lines:
             self._scopes[line.number] = common_scope(map(self._scope, line.premises))
 
+    def show(self, line: int) -> None:
+        """Has a line printed that was not."""
+        self.lines[line - 1] = replace(self.line(line), shown="line")
+
     def end(self, item: str, line: int, answer: Relation, shown: bool = False) -> None:
         """The last line of an item, which is printed."""
-        self.lines[line - 1] = replace(self.line(line), shown="line")
+        self.show(line)
         self.ends.append(ItemEnd(item, line, answer, self.part, shown))
 
     def is_of_this_part(self, number: int) -> bool:

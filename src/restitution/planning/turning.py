@@ -91,7 +91,9 @@ def write_angle(scene: Scene, asked: Expression) -> tuple[int, Relation]:
 
     Raises NotPlannedError where there is no plan for it.
     """
-    return write_decimal(scene, angle_line(scene, quantity_of(scene, asked)))
+    line = angle_line(scene, quantity_of(scene, asked))
+    scene.desk.show(line)
+    return write_decimal(scene, line)
 
 
 def quantity_of(scene: Scene, asked: Expression) -> Quantity:
