@@ -17,6 +17,7 @@ from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import solve
 from restitution.solving.letters import roles
+from restitution.solving.printed_terms import in_printed_terms
 from restitution.workings.derived import explanation_of
 from restitution.workings.text import to_text
 
@@ -193,3 +194,33 @@ def test_an_angle_is_bounded_at_the_greatest_coefficient_and_then_over_the_other
     (least,) = (n for n, each in enumerate(own) if each.startswith("tan δ ≥ tan θ/(2 + 3 tan²θ)"))
     assert most < own.index("tan δ ≤ √3/3") < least < own.index("tan δ > 0, as θ is acute")
     assert own[-1] == "δ ≤ 30°, as 0° ≤ δ ≤ 180° (as required)"
+
+
+# --- what is sought of a claim --------------------------------------------------------------------
+
+
+def test_a_claim_is_decided_by_the_letter_that_it_prints_by_others() -> None:
+    own = rows(
+        "wall C: circle centre (0, 0) radius r\n"
+        "sphere P: at (r, 0), velocity w at theta from -i\n"
+        "P hits C\n"
+        "P hits C\n"
+        "P reaches (r, 0)\n"
+        "show tan^2(theta) = e^3/(1 + e + e^2)"
+    )
+    assert own[-1] == "tan²θ = e³/(1 + e + e²) (as required)"
+    assert own[-2] == "(1 + e) tan²θ = e³ − e² tan²θ"
+
+
+def test_a_claim_beside_a_time_that_is_sought_too_is_not_tried_again() -> None:
+    solution = solve(
+        parse(
+            "wall C: circle centre (0, 0) radius r\n"
+            "sphere P: at (r, 0), velocity w at theta from -i\n"
+            "P hits C\n"
+            "P hits C\n"
+            "given position(P, at t) = (r, 0)\n"
+            "show tan^2(theta) = e^3/(1 + e + e^2)"
+        )
+    )
+    assert in_printed_terms(solution) is None

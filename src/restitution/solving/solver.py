@@ -10,6 +10,7 @@ from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.language.checking import check
 from restitution.problem import Compare, Given, Problem, Relation, Show, trees_of_step
 from restitution.solving.part import Desk
+from restitution.solving.printed_terms import in_printed_terms, refused
 from restitution.solving.solution import ItemResult, PartSolution, Solution
 from restitution.solving.unsaid import with_unsaid
 from restitution.solving.worker import Worker, asks
@@ -27,7 +28,10 @@ def solve(problem: Problem, time_limit: float | None = None) -> Solution:
     check(problem)
     limit = None if time_limit is None else f"no answer within the time limit of {time_limit:g} s"
     with work.limited(time_limit, error=None if limit is None else TimeLimitError(limit)):
-        return _solved(with_unsaid(problem))
+        solution = _solved(with_unsaid(problem))
+        other = in_printed_terms(solution)
+        again = None if other is None else _solved(other)
+        return solution if again is None or refused(again) >= refused(solution) else again
 
 
 def _solved(problem: Problem) -> Solution:
