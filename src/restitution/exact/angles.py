@@ -8,8 +8,9 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, Float, Integer, Mul, Rational, S
 
-from restitution.exact.directions import direction_in_surds, direction_of
+from restitution.exact.directions import direction_in_surds, direction_of, vector_of
 from restitution.exact.numbers import is_nested, tidy_number, tidy_parts
+from restitution.exact.plain_angles import has_plain_angles
 from restitution.exact.simplicity import HALF, TOUCHED, UNREADABLE, cost, node_count
 from restitution.exact.surds import root_is_nested
 from restitution.exact.textbook import tidy
@@ -49,8 +50,11 @@ def _tidy_angle(value: Expr) -> Expr:
         return value.func(tidy_number(value.args[0]))
     if not size.is_real:
         return tidy_parts(value)
-    vector = None if _near_nice(size) else direction_in_surds(value)
-    if vector is not None and root_is_nested(vector[0] ** 2 + vector[1] ** 2):
+    plain_angles = has_plain_angles(value)
+    vector = None
+    if not _near_nice(size):
+        vector = vector_of(value) if plain_angles else direction_in_surds(value)
+    if vector is not None and (plain_angles or root_is_nested(vector[0] ** 2 + vector[1] ** 2)):
         # Its cosine and sine are longer than its tangent.
         candidates = [_by_tangent(*vector)]
     else:
@@ -75,7 +79,7 @@ def _tidy_angle(value: Expr) -> Expr:
 def _candidates(cosine: Expr, sine: Expr) -> list[tuple[float, Expr]]:
     """An angle by its tangent, cosine and sine, each with its cost."""
     # The quadrant is that of the direction: the angle itself may be too near to its end.
-    ahead, left = bool(cosine > 0), bool(sine > 0)
+    ahead, left = _is_positive(cosine), _is_positive(sine)
     if cosine == 0 or sine == 0:
         return []
     candidates = [_by_tangent(cosine, sine)]
@@ -93,7 +97,7 @@ def _candidates(cosine: Expr, sine: Expr) -> list[tuple[float, Expr]]:
 
 def _by_tangent(x: Expr, y: Expr) -> tuple[float, Expr]:
     """The angle of a vector by its tangent, with its cost."""
-    ahead, left = bool(x > 0), bool(y > 0)
+    ahead, left = _is_positive(x), _is_positive(y)
     tangent = tidy_number(y / x)
     if tangent.is_negative:
         tangent = -tangent
@@ -103,6 +107,12 @@ def _by_tangent(x: Expr, y: Expr) -> tuple[float, Expr]:
     else:
         form = -form if ahead else form - sympy.pi
     return cost(form) - (3 if tangent.is_Rational else 1), form
+
+
+def _is_positive(number: Expr) -> bool:
+    """Whether a number is above zero, by its digits where these tell."""
+    size = number.evalf(20)
+    return bool(size > 0) if abs(size) > Float("1e-9") else bool(number > 0)
 
 
 def _near_nice(size: Expr) -> bool:

@@ -63,26 +63,34 @@ def direction_in_surds(value: Expr) -> tuple[Expr, Expr] | None:
 
     Its length is whatever comes out: a tangent t gives (1, t).
     """
+    vector = vector_of(value)
+    if vector is None:
+        return None
+    components = rationalised(vector[0]), rationalised(vector[1])
+    return None if None in components else components
+
+
+def vector_of(value: Expr) -> tuple[Expr, Expr] | None:
+    """A vector of some length in the direction of an angle made of arctangents and parts of π."""
     if isinstance(value, Add):
         x, y = S.One, S.Zero
         for term in value.args:
-            part = direction_in_surds(term)
+            part = vector_of(term)
             if part is None:
                 return None
             x, y = x * part[0] - y * part[1], y * part[0] + x * part[1]
-    elif isinstance(value, sympy.atan):
-        x, y = S.One, value.args[0]
-    elif isinstance(value, sympy.atan2):
+        return x, y
+    if isinstance(value, sympy.atan):
+        return S.One, value.args[0]
+    if isinstance(value, sympy.atan2):
         y, x = value.args
-    elif value.as_coeff_Mul()[0] is S.NegativeOne:
-        part = direction_in_surds(-value)
+        return x, y
+    if value.as_coeff_Mul()[0] is S.NegativeOne:
+        part = vector_of(-value)
         return None if part is None else (part[0], -part[1])
-    elif (value / sympy.pi).is_Rational:
-        x, y = sympy.cos(value), sympy.sin(value)
-    else:
-        return None
-    components = rationalised(x), rationalised(y)
-    return None if None in components else components
+    if (value / sympy.pi).is_Rational:
+        return sympy.cos(value), sympy.sin(value)
+    return None
 
 
 def _half_direction(number: Rational, rest: Expr) -> tuple[Expr, Expr] | None:

@@ -8,6 +8,7 @@ are surds, make one.
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 
 import sympy
@@ -20,6 +21,7 @@ from restitution.work import remembered, spend
 _STEP = Fraction(1, 12)
 _RIGHT = Fraction(1, 2)
 _POWERS = 6
+_NEAR = 1e-6
 _TERMS = 200
 
 # The coefficient of the cosine of each multiple of π from 0 to 1; of 0 it is what stands alone.
@@ -32,18 +34,19 @@ class _OtherError(Exception):
 
 def merged(value: Expr) -> Expr:
     """The same with the cosines and sines of plain angles merged, wherever that is shorter."""
-    if not _has_plain_angles(value):
+    if not has_plain_angles(value):
         return value
     return _merged(value)
 
 
-def _has_plain_angles(value: Expr) -> bool:
+def has_plain_angles(value: Expr) -> bool:
+    """Whether there are cosines or sines of numbers, such as cos 35°."""
     return any(not each.free_symbols for each in value.atoms(sympy.sin, sympy.cos))
 
 
 @remembered(2048)
 def _merged(value: Expr) -> Expr:
-    if value.is_Atom or isinstance(value, sympy.Function) or not _has_plain_angles(value):
+    if value.is_Atom or isinstance(value, sympy.Function) or not has_plain_angles(value):
         return value
     spend()
     value = value.func(*map(_merged, value.args))
@@ -53,7 +56,7 @@ def _merged(value: Expr) -> Expr:
         return _of_number(value)
     if not isinstance(value, Add):
         number, rest = value.as_independent(*value.free_symbols, as_Add=False)
-        return _of_number(number) * rest if _has_plain_angles(number) else value
+        return _of_number(number) * rest if has_plain_angles(number) else value
     numbers: dict[Expr, Expr] = {}
     for term in value.args:
         number, rest = term.as_independent(*value.free_symbols, as_Add=False)
@@ -64,7 +67,7 @@ def _merged(value: Expr) -> Expr:
 @remembered(2048)
 def _of_number(value: Expr) -> Expr:
     """A number, where its merged form is shorter."""
-    if not _has_plain_angles(value):
+    if not has_plain_angles(value):
         return value
     try:
         cosines = _cosines(value)
@@ -164,15 +167,18 @@ def _term(rest: Fraction, a: Expr, b: Expr) -> Expr | None:
     """A cos ρ + b sin ρ as one cosine; None where no multiple of 15° turns it into one."""
     if not rest:
         return a
-    for further in range(12):
-        turn = further * _STEP
-        # b cos φ = a sin φ: then it is R cos(ρ − φ) with a = R cos φ, b = R sin φ.
-        cosine, sine = sympy.cos(_radians(turn)), sympy.sin(_radians(turn))
-        if tidy_number(sympy.expand(b * cosine - a * sine)) != 0:
-            continue
-        size = tidy_number(sympy.radsimp(a / cosine if cosine != 0 else b / sine))
-        return size * _plain(rest - turn)
-    return None
+    # b cos φ = a sin φ: then it is R cos(ρ − φ) with a = R cos φ, b = R sin φ.
+    steps = math.atan2(float(b.evalf(20)), float(a.evalf(20))) % math.pi / (math.pi * _STEP)
+    further = round(steps)
+    if abs(steps - further) > _NEAR:
+        return None
+    turn = further % 12 * _STEP
+    cosine, sine = sympy.cos(_radians(turn)), sympy.sin(_radians(turn))
+    if tidy_number(sympy.expand(b * cosine - a * sine)) != 0:
+        return None
+    part, ratio = (a, cosine) if cosine != 0 else (b, sine)
+    size = tidy_number(sympy.expand(part * sympy.radsimp(1 / ratio)))
+    return size * _plain(rest - turn)
 
 
 def _plain(turns: Fraction) -> Expr:
