@@ -85,3 +85,25 @@ def test_who_is_at_rest_has_no_root_for_a_speed() -> None:
     )
     assert "√0" not in shown
     assert "speed of T = 0" in shown
+
+
+def test_what_only_a_calculator_knows_stands_once() -> None:
+    """Lines below v ≈ −2.280 have its figures; what they say is exact."""
+    shown = working(
+        "sphere A: mass 2, velocity 5 at 20°\nsphere B: mass 3, velocity 4 at 130°\n"
+        "A hits B: along i, e = 0.6\nfind speed(A), direction(A), energy_lost"
+    )
+    assert shown.count("v = 0.2 cos 20° − 3.84 cos 50° ≈ −2.280 m s⁻¹") == 1
+    assert "speed of A ≈ √(2.28² + (5 sin 20°)²) ≈ 2.85 m s⁻¹" in shown
+    assert "θ ≈ 180° − arctan((5 sin 20°)/2.28), as v < 0 ≈ 143°" in shown
+    assert "½ × 2((5 cos 20°)² − 2.28²) + ½ × 3((4 cos 50°)² − 2.081²) ≈ 20.3 J" in shown
+    assert "9.6 cos² 20°" not in shown
+
+
+def test_a_vector_of_whole_degrees_has_figures() -> None:
+    shown = working(
+        "sphere A: mass 0.8, velocity 5 at 70°\nsphere B: mass 1.1, velocity 2 at 150°\n"
+        "A hits B: along 35°, e = 0.45\nfind direction(A)"
+    )
+    assert "≈ (−1.688𝐢 + 2.319𝐣) m s⁻¹" in shown
+    assert "tan θ ≈ −2.319/1.688" in shown

@@ -36,6 +36,7 @@ from restitution.solving.letters import roles
 from restitution.workings.bold_letters import unit_vector
 from restitution.workings.ends import Ends
 from restitution.workings.extremes import EXTREMA, extreme, value_reached
+from restitution.workings.figures import FIGURES_BETWEEN, Figures, of_plain_angles
 from restitution.workings.measured import (
     Measures,
     as_answer,
@@ -55,9 +56,6 @@ from restitution.workings.steps import REQUIRED, Row
 _GOES_ON = frozenset({"rearrange", "put", "identity", "value", "cancel"})
 # So many lines after a letter was introduced a reader still knows what it stands for.
 _REMEMBERED = 3
-# Of a value on the way, so that three are right in the end.
-_FIGURES_BETWEEN = 4
-_RATIOS = frozenset({"sin", "cos", "tan"})
 _TANGENTS = frozenset({"tan", "tan-direction"})
 _ORDERS = frozenset({"<", "<=", ">", ">="})
 # What two values are that are known to differ.
@@ -76,6 +74,7 @@ class Rows:
         self._naming = naming
         self._measures = measures
         self._ends = ends
+        self._figures = Figures()
         # The left side of the row above, and the item to which it belongs.
         self._left: tuple[Expression, str | None] | None = None
 
@@ -218,7 +217,13 @@ class Rows:
         match links[0]:
             case Link(Quantity("line_of_centres"), "=") if not self._measures.decimals:
                 trees[1:] = [unit_vector(each) or each for each in trees[1:]]
+        in_figures = self._in_figures(line, links, trees)
         sides = [self._naming.layout(tree) for tree in trees]
+        idle = [
+            sides[n]
+            for n, tree in enumerate(trees)
+            if n not in in_figures and n > min(in_figures, default=n) and of_plain_angles(tree)
+        ]
         match trees:
             case [Binary("/", Quantity(), Quantity()), Binary("/", Number() as above, below), *_]:
                 # A quotient of two numbers stands as it is before its decimal.
@@ -233,7 +238,7 @@ class Rows:
         for n, each in enumerate(links, 1):
             if each.sign == "≈":
                 sides[n] = to_three_figures(trees[n]) or sides[n]
-        signs = [_sign(link) for link in links]
+        signs = ["≈" if n in in_figures else _sign(link) for n, link in enumerate(links, 1)]
         angle = self._tangent_of(line, links[0])
         if angle is not None:
             sides[:0], signs[:0] = [self._naming.layout(Apply("tan", angle))], ["="]
@@ -255,9 +260,26 @@ class Rows:
         if signs[-1] in ("=", "≈") and last:
             self._ended(line, links, sides, signs)
             self._placed(line, links, sides, signs)
+            # Behind figures a value is not written once more exactly.
+            for n in range(len(sides) - 2, 0, -1):
+                if any(sides[n] is each for each in idle):
+                    del sides[n], signs[n - 1]
         elif last and self._ends.of(line) is not None:
             self._bounded(trees, sides)
         return Row(tuple(sides), tuple(signs))
+
+    def _in_figures(
+        self, line: Line, links: tuple[Link, ...], trees: list[Expression]
+    ) -> frozenset[int]:
+        """Puts figures for values that are on paper; the numbers of the sides that have them."""
+        exact = list(trees)
+        for n, link in enumerate(links, 1):
+            if link.sign not in ("=", "≈"):
+                continue
+            trees[n] = self._figures.put(trees[n])
+            if is_vector(links[0].left) and self._ends.of(line) is None:
+                trees[n] = self._figures.vector(trees[n])
+        return frozenset(n for n, tree in enumerate(trees) if tree != exact[n])
 
     def _unrationalised(self, ratio: Expression) -> lay.Layout:
         """A quotient by a root as it stands, where its layout would have a whole number below."""
@@ -406,14 +428,15 @@ class Rows:
                 if side != sides[-1] and not (sign == "=" and _has_decimals(sides[-1])):
                     sides.append(side)
                     signs.append(sign)
-        if end is None and unit and links[-1].sign == "=" and _of_plain_angles(right):
+        if end is None and unit and links[-1].sign == "=" and of_plain_angles(right):
             # A component away from a wall is printed with the other sign.
             printed = (right, right.operand) if isinstance(right, Negate) else (right,)
             tree = next((e for e in printed if self._naming.layout(e) == sides[-1]), None)
-            figures = None if tree is None else to_figures(tree, _FIGURES_BETWEEN)
+            figures = None if tree is None else to_figures(tree, FIGURES_BETWEEN)
             if figures is not None:
                 sides.append(figures)
                 signs.append("≈")
+                self._figures.note(right)
         nothing = sides[-1] in (lay.Number("0"), lay.ZERO_VECTOR)
         answered = end is not None and not has_quantity(right)
         if unit and not nothing and (answered or is_plain(sides[-1])):
@@ -518,12 +541,6 @@ class Rows:
         if _is_value(trees[0]) and is_plain(sides[-1]) and signs[-1] in ("=", "≈"):
             sides[-1] = with_unit(sides[-1], self._measures.unit(trees[0]))
         return lay.Relation(tuple(sides), tuple(signs))
-
-
-def _of_plain_angles(tree: Expression) -> bool:
-    """Whether a number has ratios of angles such as 37°, of which only a calculator knows."""
-    ratios = [e for e in walk(tree) if isinstance(e, Apply) and e.function in _RATIOS]
-    return bool(ratios) and not letters(tree)
 
 
 def _has_function(tree: Expression) -> bool:

@@ -1,0 +1,102 @@
+"""Values of whole degrees and decimals to four figures, once they are on paper.
+
+Exactly ``v = (61/76) cos 35° − (319/190) sin 25°`` is long, and stands once, with ``≈ −0.05208``
+behind it; where it comes again, its figures are printed. What the lines say stays exact.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explaining.trees import exchanged, rebuilt
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Negate,
+    Number,
+    Unit,
+    letters,
+    walk,
+)
+from restitution.planning.forms import swept
+from restitution.workings.measured import worth
+
+# Of a value on the way, so that three are right in the end.
+FIGURES_BETWEEN = 4
+_RATIOS = frozenset({"sin", "cos", "tan"})
+# Values beyond these would need a power of ten.
+_LEAST, _GREATEST = Fraction(1, 1000), 10000
+
+
+def of_plain_angles(tree: Expression) -> bool:
+    """Whether a number has ratios of angles such as 37°, of which only a calculator knows."""
+    ratios = [e for e in walk(tree) if isinstance(e, Apply) and e.function in _RATIOS]
+    return bool(ratios) and not letters(tree)
+
+
+class Figures:
+    """The sums of ratios of plain angles that are on paper, with their figures."""
+
+    def __init__(self) -> None:
+        self._known: dict[Expression, Expression] = {}
+
+    def note(self, tree: Expression) -> None:
+        """Notes that the figures of a value stand behind it now."""
+        own = tree.operand if isinstance(tree, Negate) else tree
+        if not _is_sum(own):
+            return
+        number = _in_figures(own)
+        if number is not None:
+            self._known[own] = number
+
+    def put(self, tree: Expression) -> Expression:
+        """A side of a line with figures for the values in it that are on paper."""
+        own = tree.operand if isinstance(tree, Negate) else tree
+        if own in self._known:
+            return tree
+        put = exchanged(tree, self._known)
+        return tree if put == tree else swept(rebuilt(swept(put), _odd))
+
+    def vector(self, tree: Expression) -> Expression:
+        """A vector of which each long component has its figures alone; they are known from then."""
+        for node in walk(tree):
+            match node:
+                case Binary("*", size, Unit()):
+                    self.note(size)
+        return self.put(tree)
+
+
+def _odd(tree: Expression) -> Expression:
+    """An arctangent without a sign inside: 180° − arctan 1.374."""
+    match tree:
+        case Apply("arctan", Negate(inside)):
+            return Negate(Apply("arctan", inside))
+    return tree
+
+
+def _is_sum(tree: Expression) -> bool:
+    """Whether a value is a sum with ratios of plain angles in it."""
+    match tree:
+        case Binary("+" | "-"):
+            return of_plain_angles(tree)
+        case Binary("/", above, Number()):
+            return _is_sum(above)
+    return False
+
+
+def _in_figures(tree: Expression) -> Expression | None:
+    """A number to four figures, as a decimal; None of one that is very small or large."""
+    try:
+        value = worth(tree).evalf(30)
+    except (RestitutionError, sp.SympifyError):
+        return None
+    if not value.is_real or not _LEAST <= abs(value) < _GREATEST:
+        return None
+    size = abs(value)
+    places = FIGURES_BETWEEN - 1 - int(sp.floor(sp.log(size, 10)))
+    number = Number(Fraction(int(sp.floor(size * 10**places + sp.Rational(1, 2))), 10**places))
+    return Negate(number) if value < 0 else number
