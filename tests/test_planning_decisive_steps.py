@@ -126,6 +126,17 @@ def test_a_quadratic_in_letters_is_a_square_before_its_root_is_taken() -> None:
     assert before(text, "0 < k < ") == "e(1 + k)² < (1 + e)²"
 
 
+def test_a_quadratic_that_is_solved_is_not_written_below_its_roots() -> None:
+    own = rows(
+        "sphere A: mass 2m, velocity 2u at 45°\n"
+        "sphere B: mass m, at rest\n"
+        "A hits B: along i\n"
+        "given speed(B) >= speed(A)\n"
+        "find range of e"
+    )
+    assert own[-4:-1] == ["(2 + e)² ≥ 7", "e ≥ √7 − 2, as e ≥ 0", "√7 − 2 ≤ e ≤ 1, as e ≤ 1"]
+
+
 def test_a_difference_of_two_squares_needs_no_product() -> None:
     text = (
         TWO.format(a="2m", u="u at theta", b="3m", v="at rest", e=", e = 0")

@@ -59,6 +59,9 @@ def as_quadratic(
     if own is None:
         return line
     generator, poly = own
+    stated = worths.scene.desk.last_link(line)
+    if tree_of(generator) in (stated.left, stated.right):
+        return line  # it is solved
     if poly.degree() != 2 or 0 in poly.all_coeffs():
         return line
     sides = _in_order(generator, poly) if poly.LC().is_number else _as_square(generator, poly)
