@@ -46,6 +46,9 @@ def kind_of(tree: Expression) -> object:
         return kind_of(tree.operand)
     if isinstance(tree, Binary) and isinstance(tree.left, Degrees):
         return kind_of(tree.right)
+    match tree:
+        case Binary("-", Quantity("time"), Quantity("time")):
+            return "time"
     return tree.kind.removeprefix("total_") if isinstance(tree, Quantity) else type(tree)
 
 

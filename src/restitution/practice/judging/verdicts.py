@@ -56,6 +56,7 @@ from restitution.practice.judging.supposing import (
 )
 from restitution.practice.letters.candidates import suffix
 from restitution.practice.reading.lines import read_as
+from restitution.practice.reading.phrases import is_phrase, names_time
 from restitution.practice.script import Claim, Link, Script, ScriptLine
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.world import World
@@ -426,6 +427,8 @@ class Judge(Following):
             else:
                 if unnamed := unnamed_in(claim):
                     missing.update(unnamed)
+                elif isinstance(claim.left, Letter) and _is_a_time(claim.left):
+                    missing.add(claim.left.name)  # since when it counts, nobody knows
                 elif not missing:
                     return JudgedLink("false", claim)
         first = link.readings[0]
@@ -446,6 +449,11 @@ class Judge(Following):
         if len(uses) > 1:
             uses.pop(Use("arithmetic"), None)
         return tuple(uses)
+
+
+def _is_a_time(label: Letter) -> bool:
+    """Whether a label names a time."""
+    return is_phrase(label.name) and names_time(label.name)
 
 
 def _uses_of_variants(variants: Sequence[VariantAt], mistake: Mistake) -> Iterator[Use]:

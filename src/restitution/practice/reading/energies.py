@@ -41,7 +41,7 @@ def energy_links(
     energy = values[0] if first is None else first.left
     if not _is_energy(energy) or not letters(energy) <= usage.letters:
         return links
-    if _may_be_a_component(energy, problem):
+    if _may_be_a_component(energy, problem) or not _has_squares(energy, problem):
         return links
     readings = tuple(Claim(name, "=", energy) for name in _names(scope, problem))
     if not links:
@@ -49,6 +49,17 @@ def energy_links(
     columns = {line_and_column(each.place)[1] for each in walk(energy) if isinstance(each, Number)}
     decimals = tuple(each for each in links[0].decimals if each.column in columns)
     return (Link(readings, links[0].start, links[0].end, decimals), *links)
+
+
+def _has_squares(energy: Expression, problem: Problem) -> bool:
+    """Whether every term with a letter that is no mass has a square in it."""
+    if isinstance(energy, Binary) and energy.op in ("+", "-"):
+        return _has_squares(energy.left, problem) and _has_squares(energy.right, problem)
+    masses = {"m", "M"}.union(
+        *(letters(x.mass) for x in problem.spheres if isinstance(x.mass, Expression))
+    )
+    squared = any(isinstance(each, Binary) and each.op == "^" for each in walk(energy))
+    return squared or letters(energy) <= masses
 
 
 def _may_be_a_component(energy: Expression, problem: Problem) -> bool:

@@ -41,6 +41,7 @@ __all__ = [
     "is_vague",
     "names_axis",
     "names_quantity",
+    "names_time",
     "read_phrase",
     "words_of",
 ]
@@ -84,6 +85,11 @@ def is_vague(name: str) -> bool:
     """Whether a phrase says what kind of value it is, and not of what: *size*, *the angle*."""
     words = [each for each in name.casefold().split() if each != "the"]
     return all(HEADS.get(each) in _VAGUE for each in words)
+
+
+def names_time(name: str) -> bool:
+    """Whether a phrase names a time: since when, it need not say."""
+    return any(HEADS.get(word) == "time" for word in name.casefold().split())
 
 
 def names_axis(name: str) -> bool:
@@ -216,6 +222,8 @@ class _Reader:
                     yield from self.component(event)  # AB direction: 0.8u
             elif "time" in heads:
                 yield Quantity("time", (), event)
+                for earlier in range(event - 1, 0, -1):
+                    yield Binary("-", Quantity("time", (), event), Quantity("time", (), earlier))
             elif "distance" in heads and len(self.features.names) == 2:
                 first, second = self.features.names
                 yield Quantity("distance", (Name(first), Name(second)))
@@ -366,6 +374,8 @@ class _Reader:
             yield Quantity("along", (velocity, sense))
         elif wall is not None:
             yield from self.at_wall(velocity, wall, line, "perpendicular" in named)
+            if not named:
+                yield from self.at_wall(velocity, wall, line, True)
         elif named == "perpendicular":
             yield Quantity("across", (velocity, line))
             yield Quantity("along", (velocity, line))

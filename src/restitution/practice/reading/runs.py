@@ -60,7 +60,8 @@ def piece(run: str, offset: int, usage: Usage, behind: str = "") -> tuple[str, s
         short = name in _SHORT_INVERSES and low.startswith(name)
         if short and run[offset] in usage.letters:
             inside = run[offset + len(name) :] or behind.lstrip(" (")
-            short = offset > 0 or not inside[:1].isalpha()
+            degrees = name != "atan" and inside[:2].isdigit()  # of 60 there is no arccos
+            short = offset > 0 or not (inside[:1].isalpha() or degrees)
             if not short:
                 continue
         if low.startswith(name) and not (offset and name in _SHORT_INVERSES):
