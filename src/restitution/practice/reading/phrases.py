@@ -222,8 +222,7 @@ class _Reader:
                     yield from self.component(event)  # AB direction: 0.8u
             elif "time" in heads:
                 yield Quantity("time", (), event)
-                for earlier in range(event - 1, 0, -1):
-                    yield Binary("-", Quantity("time", (), event), Quantity("time", (), earlier))
+                yield from self.times()
             elif "distance" in heads and len(self.features.names) == 2:
                 first, second = self.features.names
                 yield Quantity("distance", (Name(first), Name(second)))
@@ -231,6 +230,14 @@ class _Reader:
                 yield from self.asked("distance")
             elif self.features.names:
                 yield from self.velocity(event)
+
+    def times(self) -> Iterator[Expression]:
+        """The times of all events, and those between two of them, the latest first."""
+        for later in range(len(self.events), 0, -1):
+            time = Quantity("time", (), later)
+            yield time
+            for earlier in range(later - 1, 0, -1):
+                yield Binary("-", time, Quantity("time", (), earlier))
 
     def asked(self, kind: str) -> Iterator[Expression]:
         """The quantities of a kind for which the question asks."""
