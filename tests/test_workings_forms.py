@@ -107,3 +107,21 @@ def test_a_vector_of_whole_degrees_has_figures() -> None:
     )
     assert "≈ (−1.688𝐢 + 2.319𝐣) m s⁻¹" in shown
     assert "tan θ ≈ −2.319/1.688" in shown
+
+
+def test_an_angle_to_a_wall_is_compared_by_its_tangent() -> None:
+    """It is less than 90°: a cotangent would need 0 < e."""
+    shown = working(
+        "wall W: along j\nsphere P: velocity u at alpha to W\nP hits W\n"
+        "let theta = angle(velocity(P), W)\nshow theta <= alpha"
+    )
+    assert "tan θ ≤ tan α" in shown
+    assert "cot" not in shown
+
+
+def test_a_letter_of_a_mass_and_of_a_speed() -> None:
+    shown = working(
+        "sphere A: mass 2m, velocity u i\nsphere B: mass k m, velocity -k u i\n"
+        "A hits B: along i, e = 1/2\nfind energy_lost"
+    )
+    assert "2mu − km × ku = 2mv + kmw" in shown

@@ -377,11 +377,11 @@ def _grouped(product: lay.Product) -> lay.Layout:
 def _repeated(factors: Sequence[lay.Layout]) -> int | None:
     """Where a letter stands for the second time, perhaps as a power; None where none does.
 
-    Where a sine stands between them, brackets part them.
+    Where a sine, a root or a bracket stands between them, that parts them.
     """
     letters: set[lay.Letter] = set()
     for index, factor in enumerate(factors):
-        if isinstance(factor, lay.Function):
+        if not isinstance(factor, lay.Letter | lay.Number | lay.Power):
             return None
         base = factor.base if isinstance(factor, lay.Power) else factor
         if isinstance(base, lay.Letter):

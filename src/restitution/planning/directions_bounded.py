@@ -8,7 +8,16 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity, letters, walk
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    letters,
+    walk,
+)
 from restitution.planning.comparing import Comparing
 from restitution.planning.cotangents import cotangent_of, write_ratio_of
 from restitution.planning.desk import NotPlannedError, Source
@@ -89,7 +98,8 @@ def write_of_wide_angle(
             links = [_solved(claims, each, angle) for each in opened]
         case _:
             return None
-    if all(_is_acute(claims, each) for each in links):
+    to_a_wall = angle.kind == "angle" and any(isinstance(e, Name) for e in angle.arguments)
+    if all(_is_acute(claims, each) for each in links) or to_a_wall:
         return None
     mark = claims.worths.mark()
     scene = claims.scene
