@@ -77,10 +77,13 @@ find tan(alpha), speed(P)
         + "given deflection(A) <= 30°\nfind range of e",
         ("(3 + √3)e ≤ 3√3 − 3", "e ≤ (3√3 − 3)/(3 + √3)"),
     ),
-    "the root of a square of a sum with roots": (
+    "a square of one component, and a quotient of sums with roots": (
         SPHERES.format(a="5m", b="2m", u="4u at 60°", w="velocity 3u at 30° from -i", e="")
         + "given energy(B) = energy(B, 0)\nfind e",
-        ("e = (27√3 − 20)/(20 + 15√3) or e = −1",),
+        (
+            "w² = 27u²/4 w = ±3√3 u/2",
+            "27√3 − 20 = (20 + 15√3)e e = (27√3 − 20)/(20 + 15√3) = (323 − 168√3)/55",
+        ),
     ),
     "a deflection that an offset tells, and its greatest value": (
         """

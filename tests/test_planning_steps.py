@@ -98,14 +98,14 @@ def test_components_of_a_velocity_that_is_put_together_are_read_off() -> None:
 # --- values -----------------------------------------------------------------------------------
 
 
-def test_a_component_has_a_line_once_its_letters_are_known() -> None:
+def test_squares_of_sine_and_cosine_are_put_into_a_speed() -> None:
     _, derivation = kept(
         "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W: e = 1/2\n"
         "given angle(velocity(P), W) = 30°\nfind tan(alpha), speed(P)"
     )
     (put,) = (each for each in lines(derivation, "put") if each.move.id == "put")
     (speed,) = (e for e in lines(derivation, "define") if e.move.record == "speed")
-    assert put.number in speed.premises  # the other component is not wanted beside the angle
+    assert speed.number in put.premises  # no component is worked out with roots
 
 
 def test_a_component_that_becomes_a_number_has_a_line() -> None:

@@ -20,8 +20,8 @@ given velocity(A) = -1/2 velocity(A, 0)
 find line_of_centres, e
 """
     words = printed(text)
-    assert words.count("It is given that 𝐯_A = −½𝐮_A.") == 1
-    assert words.index("It is given that") < words.index("the line of centres is parallel to")
+    assert words.count("Since 𝐯_A = −½𝐮_A: 𝐯_A =") == 1
+    assert words.index("Since 𝐯_A") < words.index("the line of centres is parallel to")
 
 
 def test_that_a_body_moves_through_the_centre_has_its_reason_once() -> None:

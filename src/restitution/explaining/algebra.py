@@ -34,7 +34,7 @@ from restitution.explaining.quotients import (
     quotient_ring,
     square_part,
 )
-from restitution.expression.quantities import is_vector_quantity
+from restitution.expression.quantities import ANGLES, is_vector_quantity
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -60,9 +60,6 @@ _TRIGONOMETRIC = frozenset({"sin", "cos", "tan", "cot", "sec", "cosec"})
 
 
 _INVERSE = frozenset({"arcsin", "arccos", "arctan"})
-
-
-_ANGLES = frozenset({"angle", "deflection", "direction"})
 
 
 def _is_line_of_centres(tree: Expression) -> bool:
@@ -383,7 +380,7 @@ class World:
                 if not (isinstance(a, Plane) and isinstance(b, Plane)):
                     raise NotComparableError("a scalar product of numbers")
                 return self.reduced(a.x * b.x + a.y * b.y)
-            case kind if kind in _ANGLES:
+            case kind if kind in ANGLES:
                 return self._measure(tree)
         if is_vector_quantity(tree):
             return self._plane(tree)
@@ -645,7 +642,7 @@ class World:
             case Apply(function, _):
                 return function in _INVERSE
             case Quantity(kind, _):
-                return kind in _ANGLES and not self._is_wall_direction(tree)
+                return kind in ANGLES and not self._is_wall_direction(tree)
         return False
 
     @staticmethod

@@ -9,10 +9,10 @@ from restitution.explaining.quotients import NotComparableError, Plane
 from restitution.explaining.setting import Cited
 from restitution.explaining.step import Step
 from restitution.explaining.trees import of_relation
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import Quantity, walk
 from restitution.oracle import BeyondError, Oracle, compared, negation
 
-_ANGLES = frozenset({"angle", "deflection", "direction"})
 _WORDS = frozenset({"parallel to", "perpendicular to", "≈"})
 
 
@@ -46,7 +46,7 @@ def excludes(note: Note, step: Step, unknown: bool = False, *, quickly: bool = F
 def _is_beyond(link: Link) -> bool:
     """Whether a claim is of what the oracle does not know."""
     return link.sign in _WORDS or any(
-        isinstance(each, Quantity) and each.kind in _ANGLES
+        isinstance(each, Quantity) and each.kind in ANGLES
         for side in (link.left, link.right)
         for each in walk(side)
     )

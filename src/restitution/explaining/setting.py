@@ -11,6 +11,7 @@ import sympy as sp
 from restitution.explaining.derivation import Event, Link, Meaning, Relation
 from restitution.explaining.notation import read_tree
 from restitution.explaining.trees import settled
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity, letters
 from restitution.oracle.roles import ACUTE, DIRECTION, REAL, TO_180, Role
 
@@ -162,7 +163,7 @@ def is_angle(meaning: Meaning) -> bool:
     """Whether a letter stands for an angle."""
     return meaning.angle is not None or (
         isinstance(meaning.quantity, Quantity)
-        and meaning.quantity.kind in ("angle", "deflection", "direction")
+        and meaning.quantity.kind in ANGLES
         and not meaning.vector
     )
 

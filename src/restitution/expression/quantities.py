@@ -256,6 +256,9 @@ KINDS: Mapping[str, Kind] = {
     )
 }
 
+ANGLES = frozenset(kind.word for kind in KINDS.values() if kind.nature == "angle")
+"""The kinds of quantities that are angles."""
+
 # The words that a statement may hold.
 QUANTITIES = tuple(word for word, kind in KINDS.items() if kind.in_statements)
 

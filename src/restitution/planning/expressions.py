@@ -11,6 +11,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref
 from restitution.explaining.trees import exchanged
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -37,7 +38,6 @@ from restitution.planning.turning import angle_line, write_decimal
 from restitution.planning.velocity_formulas import velocity_source
 from restitution.vector import Vector
 
-_ANGLES = ("angle", "deflection", "direction")
 _DATA = ("mass", "restitution")
 
 
@@ -69,7 +69,7 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         source = _value_of(scene, node)
         if source is None:
             continue
-        angle = isinstance(node, Quantity) and node.kind in _ANGLES
+        angle = isinstance(node, Quantity) and node.kind in ANGLES
         values[node] = _angle_tree(scene, source) if angle else tree_of(source.value)
         refs += source.refs
         if not isinstance(source.value, Vector):
@@ -77,7 +77,7 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     if not refs:
         raise NotPlannedError("an expression of data")
     value = _worth(scene, asked, values)
-    angle = isinstance(asked, Quantity) and asked.kind in _ANGLES
+    angle = isinstance(asked, Quantity) and asked.kind in ANGLES
     final = tree_of(value, angle=angle)
     if value == 0 and isinstance(asked, Binary) and asked.op == "/":
         nothing = chain(asked, (final, None))
@@ -178,7 +178,7 @@ def is_angle_sum(tree: Expression) -> bool:
         case Binary("+" | "-", left, right):
             return is_angle_sum(left) and is_angle_sum(right)
         case Quantity(kind):
-            return kind in _ANGLES
+            return kind in ANGLES
     return False
 
 
@@ -214,7 +214,7 @@ def _value_of(scene: Scene, node: Expression) -> Source | None:
     if known is not None:
         value, more = scene.put(known.value)
         return Source(value, together(known.refs, more))
-    if isinstance(node, Quantity) and node.kind in _ANGLES:
+    if isinstance(node, Quantity) and node.kind in ANGLES:
         line = angle_line(scene, node)
         return Source(scene.scalar(scene.desk.last_link(line).right), (line,))
     if isinstance(node, Quantity) and node.kind in _DATA:

@@ -11,6 +11,7 @@ import sympy as sp
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import FLIPPED, Line, Link, Move, Ref, Relation, Sign
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -606,4 +607,4 @@ def _is_time(tree: Expression) -> bool:
 
 
 def _is_angle(tree: Expression) -> bool:
-    return isinstance(tree, Quantity) and tree.kind in ("angle", "deflection", "direction")
+    return isinstance(tree, Quantity) and tree.kind in ANGLES

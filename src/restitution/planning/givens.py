@@ -10,6 +10,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.explaining.trees import exchanged
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -167,8 +168,6 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
                 return write_equal_angles(scene, each)
     return _of_several(scene, each)
 
-
-_ANGLES = ("angle", "deflection", "direction")
 
 _QUOTED = ("speed", "energy", "energy_lost", "total_energy_lost", "impulse")
 
@@ -333,7 +332,7 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
     if isinstance(own.value, Vector):
         raise NotPlannedError("a vector that is given")
     value, refs = scene.put(scene.scalar(each.link.right))
-    angle = isinstance(each.link.left, Quantity) and each.link.left.kind in _ANGLES
+    angle = isinstance(each.link.left, Quantity) and each.link.left.kind in ANGLES
     left = each.link.right if not refs else tree_of(value, angle=angle)
     if own.move.record == "tan" and value == sp.pi / 2:
         return _right_angle(scene, each, own)

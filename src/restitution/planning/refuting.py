@@ -14,6 +14,7 @@ from restitution.explaining.derivation import Link, Meaning, Note, Ref, Relation
 from restitution.explaining.facts import links_of, staged
 from restitution.explaining.trees import trees_of
 from restitution.expression.evaluate import Angle, in_letters
+from restitution.expression.quantities import ANGLES
 from restitution.expression.reading import read_number
 from restitution.expression.tree import (
     Binary,
@@ -309,7 +310,7 @@ class _Refutation:
                 known = roles(self.scene.problem).get(name)
                 return known is not None and known.kind == "angle"
             case Quantity(kind):
-                return kind in ("angle", "deflection", "direction")
+                return kind in ANGLES
             case Negate(operand):
                 return self._is_angle(operand)
             case Binary(op, left, right) if op != "^":

@@ -14,6 +14,7 @@ from restitution.explaining.derivation import Fact, Link, Meaning, Move, Ref, Re
 from restitution.explaining.facts import staged
 from restitution.explaining.trees import rebuilt
 from restitution.expression.evaluate import Evaluator
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
     AtTime,
@@ -41,7 +42,6 @@ from restitution.vector import Vector
 # A letter is put in so often, since what is put in for others may hold it.
 _MOST = 4
 _GIVEN = frozenset(("sin", "cos", "tan", *RECIPROCALS))
-_ANGLES = ("angle", "deflection", "direction")
 _RATIOS = (sp.sin, sp.cos, sp.tan)
 
 
@@ -433,7 +433,7 @@ class Scene:
         if fact is None or name in {e.symbol.name for e in self.model.components.values()}:
             return False
         quantity = fact.relation.only[0].left
-        angle = isinstance(quantity, Quantity) and quantity.kind in _ANGLES
+        angle = isinstance(quantity, Quantity) and quantity.kind in ANGLES
         return not angle or set(names) == {name}
 
     def opened(self, link: Link) -> Link:

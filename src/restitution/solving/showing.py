@@ -16,6 +16,7 @@ import sympy as sp
 from restitution import exact
 from restitution.errors import UnsupportedError
 from restitution.expression.evaluate import Angle, Evaluator, evaluate
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import Degrees, Expression, Quantity, letters, walk
 from restitution.oracle import (
     BeyondError,
@@ -119,8 +120,6 @@ def show(results: Results, step: Show, now: int) -> ItemResult:
     )
 
 
-_ANGLES = ("angle", "direction", "deflection")
-
 _WEAKNESS = ("algebra", "decision", "intervals", "witness", "undecided")
 
 
@@ -151,7 +150,7 @@ def _existence(branch: Branch, step: Show, now: int) -> list[Formula]:
     facts: list[Formula] = []
     for tree in trees_of_relation(step.relation):
         for node in walk(tree):
-            if isinstance(node, Quantity) and node.kind in _ANGLES:
+            if isinstance(node, Quantity) and node.kind in ANGLES:
                 value = evaluator.value(node)
                 if isinstance(value, Angle):
                     size = sp.sympify(value.x**2 + value.y**2, strict=True)

@@ -14,6 +14,7 @@ from restitution.explaining.derivation import Derivation, Line, Link, Ref, Relat
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.trees import rebuilt
 from restitution.expression.evaluate import in_letters
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -32,7 +33,6 @@ from restitution.workings.in_force import inequalities
 from restitution.workings.naming import Naming
 
 _RIGHT_ANGLE = Degrees(Fraction(90))
-_OF_THE_MOTION = ("angle", "deflection", "direction")
 
 
 @dataclass(frozen=True)
@@ -171,7 +171,7 @@ class RightAngles:
                 return None
         meaning = self._naming.meanings.get(angle.name) if isinstance(angle, Letter) else None
         meant = angle if meaning is None else meaning.quantity
-        if not isinstance(meant, Quantity) or meant.kind not in _OF_THE_MOTION:
+        if not isinstance(meant, Quantity) or meant.kind not in ANGLES:
             return None
         quotient = _quotient(value)
         if quotient is None:

@@ -11,6 +11,7 @@ from restitution.explaining.derivation import FLIPPED, Link, Relation, Sign
 from restitution.explaining.moves.bases import equal_in
 from restitution.explaining.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.step import Step
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import Apply, Degrees, Expression, Letter, Negate, Quantity
 from restitution.oracle import Relation as Claim
 from restitution.oracle import compared
@@ -129,7 +130,7 @@ def _angle(step: Step, side: Expression) -> Quantity | None:
     """An angle of the motion that a side is, or for which it is a letter."""
     if isinstance(side, Letter):
         side = next((let.quantity for let in step.lets if let.letter == side.name), side)
-    if isinstance(side, Quantity) and side.kind in ("angle", "deflection", "direction"):
+    if isinstance(side, Quantity) and side.kind in ANGLES:
         return side
     return None
 

@@ -20,6 +20,7 @@ from restitution.errors import RestitutionError
 from restitution.explaining.arrangement import events_of
 from restitution.explaining.misconceptions import MISCONCEPTIONS, ResultAt, VariantAt, variants_at
 from restitution.expression.evaluate import Angle
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -57,7 +58,6 @@ _PLAINER = frozenset({"momentum-sign", "restitution-sign", "impulse-sign", "rest
 _OF_POWERS = frozenset({"square-not-taken", "energy-ratio-as-speed"})
 _OF_FACTORS = frozenset({"mass-omitted", "restitution-omitted", "energy-no-half", "across-changed"})
 _LAWS = frozenset({"momentum", "restitution", "unchanged", "impulse", "energy", "deflection"})
-_OF_ANGLES = frozenset({"angle", "deflection", "direction"})
 _OF_ENERGY = frozenset({"energy", "speed", "fact", "fraction"})
 # Mistakes that are less usual than others of which a line may be an instance as well.
 _BEFORE: Mapping[str, set[str]] = {
@@ -219,7 +219,7 @@ class Names:
             by_states = [each for each in by_states if _kinds(each) & _OF_ENERGY - {"speed"}]
         by_states = list(self._of_masses(entry, by_states))
         if is_sum_of_angles(entry):
-            by_states = [each for each in by_states if _kinds(each) & _OF_ANGLES]
+            by_states = [each for each in by_states if _kinds(each) & ANGLES]
         if by_states and _is_bare(entry) and any(each.change == "figure" for each in mended):
             return ()  # a number alone may be another by its figure
         if by_states:
@@ -303,7 +303,7 @@ class Names:
             if not variant.laws or not variant.alteration.solvable:
                 continue
             kinds = _kinds(variant)
-            if (angular and not kinds & _OF_ANGLES) or (impulsive and "impulse" not in kinds):
+            if (angular and not kinds & ANGLES) or (impulsive and "impulse" not in kinds):
                 continue
             if not (kinds & fitting if energetic else kinds - _OF_ENERGY):
                 continue
@@ -610,7 +610,7 @@ def is_sum_of_angles(entry: Entry) -> bool:
     """Whether a claim gives an angle as a sum of angles: no law of an impact is in it."""
     left, right = entry.claim.left, entry.claim.right
     meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
-    angle = any(isinstance(each, Quantity) and each.kind in _OF_ANGLES for each in walk(meant))
+    angle = any(isinstance(each, Quantity) and each.kind in ANGLES for each in walk(meant))
     sums = isinstance(right, Binary) and right.op in ("+", "-")
     return angle and sums and not any(isinstance(each, Apply | Letter) for each in walk(right))
 

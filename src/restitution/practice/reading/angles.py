@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import cast
 
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -65,7 +66,7 @@ def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
         case Apply(function, _):
             return function.startswith("arc")
         case Quantity(kind):
-            return kind in ("angle", "deflection", "direction")
+            return kind in ANGLES
         case Negate(operand):
             return is_angle(operand, angles)
         case Binary("+" | "-", left, right):
