@@ -40,11 +40,13 @@ def by_hand(name: str) -> Derivation:
 @cache
 def made_up(name: str) -> Derivation:
     statement, _, working = WORKINGS[name].partition("---\n")
-    made = derivation_of(parse(statement), working)
+    derivation = derivation_of(parse(statement), working)
+    inline = INLINE.get(name, ())
     lines = (
-        replace(e, shown="inline") if e.number in INLINE.get(name, ()) else e for e in made.lines
+        replace(each, shown="inline") if each.number in inline else each
+        for each in derivation.lines
     )
-    return replace(made, lines=tuple(lines))
+    return replace(derivation, lines=tuple(lines))
 
 
 # Lines of workings that the next one goes on with.

@@ -69,8 +69,8 @@ find e, velocity(A)
 
 @pytest.mark.parametrize("name", CASES)
 def test_a_change_tells_what_is_after_it(name: str) -> None:
-    statement, said = CASES[name]
+    statement, lines = CASES[name]
     problem, derivation = planned(statement)
     text = to_text(explanation_of(derivation, problem), 120)
-    for each in said:
+    for each in lines:
         assert each in text, text

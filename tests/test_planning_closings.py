@@ -94,8 +94,8 @@ find impulse in terms of M, m, u, alpha, e
 
 @pytest.mark.parametrize("name", CASES)
 def test_one_more_step_closes_an_equation(name: str) -> None:
-    statement, said = CASES[name]
+    statement, lines = CASES[name]
     problem, derivation = planned(statement)
     text = to_text(explanation_of(derivation, problem), 120)
-    for each in said:
+    for each in lines:
         assert each in text, text

@@ -73,8 +73,8 @@ show psi > beta
 
 @pytest.mark.parametrize("name", CASES)
 def test_an_angle_that_is_bounded_bounds_letters(name: str) -> None:
-    statement, said = CASES[name]
+    statement, lines = CASES[name]
     problem, derivation = planned(statement)
     text = to_text(explanation_of(derivation, problem), 120)
-    for each in said:
+    for each in lines:
         assert each in text, text

@@ -72,8 +72,8 @@ find range of e
 
 @pytest.mark.parametrize("name", CASES)
 def test_the_way_a_sphere_moves_bounds_letters(name: str) -> None:
-    statement, said = CASES[name]
+    statement, lines = CASES[name]
     problem, derivation = planned(statement)
     text = to_text(explanation_of(derivation, problem), 120)
-    for each in said:
+    for each in lines:
         assert each in text, text

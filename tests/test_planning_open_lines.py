@@ -88,8 +88,8 @@ find velocity(A), velocity(B), e
 
 @pytest.mark.parametrize("name", CASES)
 def test_a_velocity_is_known_but_for_its_sense(name: str) -> None:
-    statement, said = CASES[name]
+    statement, lines = CASES[name]
     problem, derivation = planned(statement)
     text = to_text(explanation_of(derivation, problem), 120)
-    for each in said:
+    for each in lines:
         assert each in text, text

@@ -46,8 +46,8 @@ find k, speed(Q), velocity(P)
 
 @pytest.mark.parametrize("name", CASES)
 def test_a_direction_tells_where_spheres_touch(name: str) -> None:
-    statement, said = CASES[name]
+    statement, lines = CASES[name]
     problem, derivation = planned(statement)
     text = to_text(explanation_of(derivation, problem), 120)
-    for each in said:
+    for each in lines:
         assert each in text, text

@@ -235,9 +235,9 @@ class Arrangement:
             if velocity is None or axis is None:
                 return False
             value = world.expression(dot(world, velocity, axis), world.roles)
-            way = world.direction(along)
+            wall = world.direction(along)
             ahead = (
-                None if way is None else world.expression(dot(world, velocity, way), world.roles)
+                None if wall is None else world.expression(dot(world, velocity, wall), world.roles)
             )
         except NotComparableError:
             return False

@@ -299,12 +299,12 @@ class _Sitting:
             own = meanings_of(
                 self.script, bench.problem, bench.solution, bench.solved.part.label, known, (world,)
             ).best
-            found = tuple(each for each in own.meanings if each.letter in unknown)
+            newly_known = tuple(each for each in own.meanings if each.letter in unknown)
             phrases = tuple(each for each in best.meanings if is_phrase(each.letter))
             merged = replace(
                 best,
-                meanings=(*(m for m in best.meanings if m.letter in known), *phrases, *found),
-                unknown=best.unknown - {each.letter for each in found},
+                meanings=(*(m for m in best.meanings if m.letter in known), *phrases, *newly_known),
+                unknown=best.unknown - {each.letter for each in newly_known},
             )
             other, again = self._judged(self.script, merged)
             more = sum(line.verdict in ("true", "follows") for line in again)

@@ -369,9 +369,9 @@ def _is_direct(number: int, world: World) -> bool:
     step = world.events[number - 1] if number <= len(world.events) else None
     if line is None or not isinstance(step, Impact):
         return False
-    told = Telling(world, degrees=False)
+    motion = Telling(world, degrees=False)
     spheres = [each for each in (step.first, step.second) if each in world.start]
-    across = (world.spread(told.velocity(each, number - 1).cross(line)) for each in spheres)
+    across = (world.spread(motion.velocity(each, number - 1).cross(line)) for each in spheres)
     return all(bool(np.all(np.abs(each) < _TINY)) for each in across)
 
 
