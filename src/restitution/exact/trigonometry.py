@@ -22,6 +22,15 @@ class MaskedAngle:
     tangent: Symbol
 
 
+def in_sines(value: Expr) -> Expr:
+    """Tangents and cotangents as quotients of sines and cosines.
+
+    These have values where a tangent has none.
+    """
+    value = value.replace(sympy.cot, lambda angle: sympy.cos(angle) / sympy.sin(angle))
+    return value.replace(sympy.tan, lambda angle: sympy.sin(angle) / sympy.cos(angle))
+
+
 def with_angles(value: Expr, angles: list[MaskedAngle]) -> Expr:
     """The cheapest of the forms that differ in how sines, cosines and tangents are used."""
     best = factored(value)

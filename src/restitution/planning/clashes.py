@@ -128,6 +128,7 @@ def _refuted(
             return _with_what_is_needed(scene, whole)
         solver.back(standing)
     desk.withheld = frozenset()
+    # A new scene, in which the fact is given again; what the letters are does not rest on it.
     return _without_a_root(replace(scene), note, late)
 
 

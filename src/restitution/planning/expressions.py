@@ -25,7 +25,7 @@ from restitution.expression.tree import (
 from restitution.planning import distances, journeys
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.energy_formulas import energy_change
-from restitution.planning.forms import square, swept, total, tree_of
+from restitution.planning.forms import outer_terms, square, swept, total, tree_of
 from restitution.planning.formulas import write_formula
 from restitution.planning.named_angles import letter_of
 from restitution.planning.place_trees import is_duration
@@ -39,13 +39,6 @@ from restitution.planning.velocity_formulas import velocity_source
 from restitution.vector import Vector
 
 _DATA = ("mass", "restitution")
-
-
-def _terms(tree: Expression) -> list[Expression]:
-    """The terms of a sum."""
-    if isinstance(tree, Binary) and tree.op == "+":
-        return [*_terms(tree.left), *_terms(tree.right)]
-    return [tree]
 
 
 def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
@@ -88,7 +81,7 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         return line, final
     right = swept(exchanged(asked, values))
     if isinstance(value, Vector):
-        if Counter(_terms(right)) == Counter(_terms(final)):
+        if Counter(outer_terms(right)) == Counter(outer_terms(final)):
             right = final  # the component along i first
         line = scene.desk.write(Move("put"), together(refs), chain(asked, (right, None)))
         if right != final:

@@ -7,7 +7,7 @@ from contextlib import ExitStack
 
 import sympy as sp
 
-from restitution.exact import tidy
+from restitution.exact import in_sines, tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import (
@@ -83,7 +83,7 @@ def _written(claims: Claims, link: Link, speed: Quantity, tie: int, letter: Lett
     symbol = roles(scene.problem)[letter.name].symbol(letter.name)
     worth = sp.sympify(scene.scalar(scene.desk.last_link(tie).right), strict=True)
     terms = [sp.sympify(scene.scalar(each), strict=True) for each in outer_terms(radicand)]
-    put = total(tree_of(tidy(each.subs(symbol, _in_sines(worth)))) for each in terms)
+    put = total(tree_of(tidy(each.subs(symbol, in_sines(worth)))) for each in terms)
     squared = square(speed)
     names = letters(link.right) | letters(radicand)
     known: Sequence[Ref] = judge.known(names)
@@ -121,9 +121,3 @@ def _of_the_angle(tree: Expression) -> Expression:
 
 
 _COMPLEMENTS = {"sin": "cos", "cos": "sin", "tan": "cot", "cot": "tan"}
-
-
-def _in_sines(value: sp.Expr) -> sp.Expr:
-    """Tangents and cotangents as quotients of sines and cosines."""
-    value = value.replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x))
-    return value.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))

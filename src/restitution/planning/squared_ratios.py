@@ -205,10 +205,9 @@ def _with_squares(
         case Negate(operand):
             put = _with_squares(scene, operand, symbol, squares)
             return None if put is None else Negate(put)
-        case Binary("+" | "-" as op, left, right):
-            parts = [_with_squares(scene, each, symbol, squares) for each in (left, right)]
-            return None if None in parts else Binary(op, *parts)  # type: ignore[arg-type]
-        case Binary("*" | "/" as op, left, right) if _is_sum(left) or _is_sum(right):
+        case Binary(op, left, right) if op in "+-" or (
+            op in "*/" and (_is_sum(left) or _is_sum(right))
+        ):
             parts = [_with_squares(scene, each, symbol, squares) for each in (left, right)]
             return None if None in parts else Binary(op, *parts)  # type: ignore[arg-type]
     put_in = expanded(expanded(value).xreplace(squares))

@@ -43,7 +43,7 @@ def limit(
     expression: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool = False
 ) -> sp.Expr | None:
     """The value of an expression at a point, or its limit there (from below if so asked)."""
-    quick = _approached(_in_sines(expression), symbol, sp.sympify(point, strict=True), below)
+    quick = _approached(exact.in_sines(expression), symbol, sp.sympify(point, strict=True), below)
     if quick is not None:
         return quick if quick in (sp.oo, -sp.oo) else exact.tidy(quick)
     try:
@@ -67,11 +67,6 @@ def limits(
         return [(value, {})]
     both = ((limit(expression, symbol, point, side < 0), side) for side in (1, -1))
     return [(each, {symbol.name: side}) for each, side in both if each is not None]
-
-
-def _in_sines(x: sp.Expr) -> sp.Expr:
-    """Tangents as sine over cosine: they have values where a tangent has none."""
-    return x.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a))
 
 
 def _approached(x: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool) -> sp.Expr | None:

@@ -268,7 +268,7 @@ def _clashing_bounds(setting: Setting) -> list[int]:
 def impossible(setting: Setting, trials: Sequence[Trial], place: Place | None) -> RestitutionError:
     """Why none of the solutions can be: the commonest physical reason."""
     named = [t for t in trials if t.reason is not None and t.kind != "equation"]
-    reasons = Counter((t.reason, t.kind) for t in named if not _is_nothing(setting, t))
+    reasons = Counter((t.reason, t.kind) for t in named if not _has_a_letter_of_zero(setting, t))
     line = None if place is None else place.line
     clash = _clashing_bounds(setting)
     if clash:
@@ -288,7 +288,7 @@ def impossible(setting: Setting, trials: Sequence[Trial], place: Place | None) -
     return error
 
 
-def _is_nothing(setting: Setting, trial: Trial) -> bool:
+def _has_a_letter_of_zero(setting: Setting, trial: Trial) -> bool:
     """Whether a letter that nobody asks for would be zero: that solves what is homogeneous."""
     values = trial.root.values
     return any(values[name] == 0 for name in values.keys() & (set(setting.roles) - setting.asked))

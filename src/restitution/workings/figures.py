@@ -11,6 +11,7 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.errors import RestitutionError
+from restitution.exact import significant
 from restitution.explaining.trees import exchanged, rebuilt
 from restitution.expression.tree import (
     Apply,
@@ -59,7 +60,7 @@ class Figures:
         if own in self._known:
             return tree
         put = exchanged(tree, self._known)
-        return tree if put == tree else swept(rebuilt(swept(put), _odd))
+        return tree if put == tree else swept(rebuilt(swept(put), _sign_outside))
 
     def vector(self, tree: Expression) -> Expression:
         """A vector of which each long component has its figures alone; they are known from then."""
@@ -70,7 +71,7 @@ class Figures:
         return self.put(tree)
 
 
-def _odd(tree: Expression) -> Expression:
+def _sign_outside(tree: Expression) -> Expression:
     """An arctangent without a sign inside: 180° − arctan 1.374."""
     match tree:
         case Apply("arctan", Negate(inside)):
@@ -91,12 +92,9 @@ def _is_sum(tree: Expression) -> bool:
 def _in_figures(tree: Expression) -> Expression | None:
     """A number to four figures, as a decimal; None of one that is very small or large."""
     try:
-        value = worth(tree).evalf(30)
-    except (RestitutionError, sp.SympifyError):
+        number = Fraction(significant(worth(tree), FIGURES_BETWEEN))
+    except (RestitutionError, sp.SympifyError, ValueError):
         return None
-    if not value.is_real or not _LEAST <= abs(value) < _GREATEST:
+    if not _LEAST <= abs(number) < _GREATEST:
         return None
-    size = abs(value)
-    places = FIGURES_BETWEEN - 1 - int(sp.floor(sp.log(size, 10)))
-    number = Number(Fraction(int(sp.floor(size * 10**places + sp.Rational(1, 2))), 10**places))
-    return Negate(number) if value < 0 else number
+    return Negate(Number(-number)) if number < 0 else Number(number)
