@@ -6,9 +6,15 @@ teacher says.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
+from derivations import oracle_of
 from workings import planned
 
+from restitution.explaining.derivation import Relation
+from restitution.explaining.follower import follow
+from restitution.expression.tree import Binary
 from restitution.language import parse
 from restitution.planning.planner import plan
 from restitution.solving import solve
@@ -55,6 +61,36 @@ A hits B: along i, e = 1/3
 find deflection(A)
 """,
         ("difference\nof its angles", "δ = arctan(3√3/2) − 60°"),
+    ),
+    "a given turn in numbers, before the laws": (
+        """
+sphere A: mass 3m, velocity 2u at theta
+sphere B: mass m, at rest
+A hits B: along i
+given tan(theta) = 1/2, deflection(A) = arctan(1/3)
+find e
+""",
+        ("of −𝐢, so A turns away", "β = θ + arctan(1/3)", "v = 2√5 u/5\nConservation of momentum"),
+    ),
+    "a right angle that a given turn makes, before the laws": (
+        """
+sphere A: mass m, velocity u at 60°
+sphere B: mass k m, at rest
+A hits B: along i
+given deflection(A) = 30°
+find e in terms of k
+""",
+        ("β = 30° + 60° = 90°", "v = 0", "mu cos 60° = kmw"),
+    ),
+    "a given turn of who is pushed on": (
+        """
+sphere A: mass m, velocity 5u i
+sphere B: mass 5m, velocity u at 60°
+A hits B: along i
+given deflection(B) = 30°
+find e
+""",
+        ("of 𝐢, so B turns towards 𝐢", "β = 60° − 30° = 30°", "w = 3u/2\nConservation of momentum"),
     ),
     "sent back": (
         """
@@ -258,3 +294,17 @@ def test_an_angle_of_two_others_has_no_lines_of_inverse_tangents() -> None:
 def test_an_inverse_tangent_that_is_asked_stands() -> None:
     text = _printed("deflection(A), angle(velocity(A), line_of_centres)")
     assert "β = arctan(8√3/7)" in text
+
+
+def test_which_way_a_sphere_turns_rests_on_the_velocity_of_the_other() -> None:
+    problem, derivation = planned(CASES["a given turn of who is pushed on"][0])
+    (turn,) = (each for each in derivation.lines if each.move.record == "difference")
+    assert "velocity A" in turn.premises
+    others = tuple(each for each in turn.premises if each != "velocity A")
+    assert isinstance(turn.relation, Relation)
+    own, *_ = turn.relation.only
+    assert isinstance(own.right, Binary)
+    away = Relation(((replace(own, right=replace(own.right, op="+")),),))
+    for wrong in (replace(turn, premises=others), replace(turn, relation=away)):
+        lines = tuple(wrong if each == turn else each for each in derivation.lines)
+        assert follow(replace(derivation, lines=lines), oracle_of(problem))

@@ -291,6 +291,14 @@ SENTENCES: Mapping[SentenceId, str] = {
     "turned.from": (
         "{body} turns through the difference of the angles that its velocities make with {axis}:"
     ),
+    "turned.pushed-away": (
+        "The impulse on {body} is in the direction of {back}, so {body} turns away from {axis}, "
+        "through the difference of the angles that its velocities make with {axis}:"
+    ),
+    "turned.pushed-towards": (
+        "The impulse on {body} is in the direction of {axis}, so {body} turns towards {axis}, "
+        "through the difference of the angles that its velocities make with {axis}:"
+    ),
     "between.line": "{body} moves along the line of centres:",
     "same.angle": (
         "The component of {velocity} along {axis} is not negative, so it is the same angle:"

@@ -112,6 +112,7 @@ def _from_a_unit(step: Step, event: Event, one: Moving, other: Moving) -> Expres
         return None
     c, d = (_component(step, event, "along", each) for each in (one, other))
     falls = None if c is None or d is None else _sign(step, c - d)
+    falls = falls or _pushed_back(step, event, one)
     if falls is None:
         return None
     early, late = (
@@ -119,6 +120,19 @@ def _from_a_unit(step: Step, event: Event, one: Moving, other: Moving) -> Expres
         for body, stage in (one, other)
     )
     return Binary("-", late, early) if falls == sense else Binary("-", early, late)
+
+
+def _pushed_back(step: Step, event: Event, before: Moving) -> int | None:
+    """1 where an impact of spheres takes from a component along the axis, −1 where it adds to it.
+
+    The impulse on a sphere is against its velocity relative to the other sphere.
+    """
+    body, stage = before
+    others = [each for each in event.bodies if each != body]
+    if stage != event.number - 1 or event.wall or event.kind != "impact" or len(others) != 1:
+        return None
+    own, other = (_component(step, event, "along", (name, stage)) for name in (body, *others))
+    return None if own is None or other is None else _sign(step, own - other)
 
 
 def _by_directions(step: Step, event: Event) -> Iterator[Link]:

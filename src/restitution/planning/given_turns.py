@@ -198,7 +198,15 @@ def _one_angle(
     relation = chain(subject, (tree, None), (final, "rearrange"))
     refs = [ref for own in sides for ref in own.sources]
     pool = dict.fromkeys(
-        (*each.refs, *named, *refs, *turn.first.refs, *turn.second.refs, *turn.frame.refs)
+        (
+            *each.refs,
+            *named,
+            *refs,
+            *turn.first.refs,
+            *turn.second.refs,
+            *turn.pushed,
+            *turn.frame.refs,
+        )
     )
     pool = dict.fromkeys(ref for ref in pool if isinstance(ref, int) or ref in scene.facts)
     premises = scene.judge.needed(turn.move, pool, relation, (*each.refs, *named))

@@ -105,7 +105,7 @@ def _lines(
     twice = given.angle == other.angle and form == "sum"
     relation = chain(subject, (product(TWO, other.angle) if twice else tree, None))
     sources = [ref for each in (turn.first, turn.second) for ref in (*each.sources, *each.refs)]
-    pool = dict.fromkeys((*refs, meaning, *sources, *turn.frame.refs))
+    pool = dict.fromkeys((*refs, meaning, *sources, *turn.pushed, *turn.frame.refs))
     premises = scene.judge.needed(turn.move, pool, relation, (*refs, meaning))
     if premises is None:
         return None

@@ -67,7 +67,10 @@ class Direction:
 
 @dataclass(frozen=True)
 class Turn:
-    """An angle between two velocities at an impact, of two to the line of centres."""
+    """An angle between two velocities at an impact, of two to the line of centres.
+
+    ``pushed`` tells which way the impulse pushes a body of which the velocity afterwards is open.
+    """
 
     asked: Quantity
     frame: Frame
@@ -75,6 +78,7 @@ class Turn:
     first: Direction
     second: Direction
     form: Form
+    pushed: tuple[Ref, ...] = ()
 
     def made_of(self, first: Expression | None, second: Expression | None) -> Expression:
         """The angle by the two others; None stands for no angle at all."""
@@ -160,7 +164,18 @@ def _from_a_unit(
     if not sign or not scene.model.decide(sign * fall, ">=", 0):
         return None
     late, early = (seen[1], seen[0]) if sign == 1 else (seen[0], seen[1])
-    return Turn(asked, frame, move, late, early, "difference")
+    # Which way the impulse pushes the body is seen before the laws are used.
+    open_ = scene.unknown(sides[1].along.value)
+    pushed = _met(scene, frame, body.name) if open_ else ()
+    return Turn(asked, frame, move, late, early, "difference", pushed)
+
+
+def _met(scene: Scene, frame: Frame, body: str) -> tuple[Ref, ...]:
+    """What the component along the line of centres of what a body meets rests on, before it."""
+    before = frame.number - 1
+    others = (each for each in scene.spheres(frame.number) if each != body)
+    sources = (in_direction(scene, "along", each, before, frame) for each in others)
+    return together(*(each.whole for each in sources))
 
 
 def impact_of(scene: Scene, one: Moving, other: Moving) -> int | None:

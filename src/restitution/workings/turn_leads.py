@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Negate,
     Quantity,
     Unit,
     walk,
@@ -141,7 +142,7 @@ class TurnLeads(LinesAround):
         for each in named:
             match each.quantity:
                 case Quantity("angle", (Quantity("velocity"), Unit() as axis)):
-                    return say("turned.from", body=body, axis=self._naming.layout(axis))
+                    return self._pushed(line, axis)
         form = self._form_of(first)
         alone = len(line.move.bodies) == 1
         if not alone:
@@ -161,6 +162,24 @@ class TurnLeads(LinesAround):
         if turn is not None:
             return say("turned.back-as", body=body, turn=self._naming.layout(turn))
         return say(_TURNED[form], body=body) if form in _TURNED else None
+
+    def _pushed(self, line: Line, axis: Unit) -> Sentence:
+        """That a body turns through the difference of its angles to **i** or **j**.
+
+        With the impulse that turns it, where its velocity after the impact is still to come: then
+        the line rests on the velocity of what it meets, and says the later angle by the earlier.
+        """
+        (body,) = line.move.bodies
+        event = self._naming.events[line.move.event or 0]
+        names = {"body": body, "axis": self._naming.layout(axis)}
+        met = {" ".join(("velocity", each)) for each in event.bodies if each != body}
+        assert isinstance(line.relation, Relation)
+        later = line.relation.options[0][0]
+        if not isinstance(later.left, Letter) or met.isdisjoint(map(str, line.premises)):
+            return say("turned.from", **names)
+        if isinstance(later.right, Binary) and later.right.op == "-":
+            return say("turned.pushed-towards", **names)
+        return say("turned.pushed-away", back=self._naming.layout(Negate(axis)), **names)
 
     def _by_directions(self, line: Line) -> bool:
         """Whether a deflection is made of directions alone: one of the data, one that stands."""
