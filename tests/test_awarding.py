@@ -410,6 +410,23 @@ a: 3 speed(P, 1) = 1/3 u
 b: 4 deflection(P, 1) = 180°
 c: 5 direction(P, 1) = 90°
 """,
+    # The relative speed is the same at every time.
+    "two-times": """
+sphere A: mass 2, velocity 3i - 4j
+sphere B: mass 3, velocity 2i + 3j
+A hits B: along j, e = 3/7
+find distance(A, B, at 5), distance(A, B, at t)
+---
+1 a | let | | let v = c(A, 1)
+2 a | let | | let w = c(B, 1)
+3 a | law unchanged 1 A | velocity A, axis 1 | across(velocity(A, 1), line_of_centres(1)) = -3
+4 a | law unchanged 1 B | velocity B, axis 1 | across(velocity(B, 1), line_of_centres(1)) = -2
+5 a | law restitution 1 A B | e 1, velocity A, axis 1, velocity B, 1, 2 | v - w = 3
+6 a | define distance 1 | start, contact 1, axis 1, 5, 3, 4 | distance(A, B, at 5) = 5 sqrt(10)
+7 b | define distance 1 | start, contact 1, axis 1, 5, 3, 4 | distance(A, B, at t) = sqrt(10) t
+a: 6 distance(A, B, at 5) = 5 sqrt(10)
+b: 7 distance(A, B, at t) = sqrt(10) t
+""",
 }
 
 # Rule, working, line; what stands there in the styles fm1, m4 and caie.
@@ -452,6 +469,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("put-together", "centres-slanted", 10, "DM1", "DM1", "DM1"),
     ("velocity-in-components", "deflection-decimal", 9, "A1", "A1", "A1"),
     ("speed-size-angle-distance", "both-moving", 11, "DM1 A1", "DM1 A1", "DM1 A1"),
+    ("distance-at-another-time", "two-times", 7, "A1", "A1", "A1"),
     ("condition-on-one-component", "mass-ratio", 1, "B1", "B1", "B1"),
     ("condition", "rejected-root", 7, "DM1", "DM1 A1", "DM1"),
     ("difference-of-angles", "greatest-deflection", 9, "", "", ""),

@@ -23,6 +23,7 @@ from restitution.explaining.resting import is_of_a_body_at_rest
 from restitution.explaining.trees import trees_of
 from restitution.expression.tree import (
     Apply,
+    AtTime,
     Binary,
     Degrees,
     Expression,
@@ -151,6 +152,20 @@ def _another_chord(work: Work, line: Line) -> bool:
         case _:
             return False
     return any(each.move.record == "chord" for each in work.above(line))
+
+
+def _at_another_time(work: Work, line: Line) -> bool:
+    """A distance since a contact, below one for another time: the relative speed is the same."""
+    match subject_of(line):
+        case Quantity("distance", bodies, AtTime()):
+            pass
+        case _:
+            return False
+    above = (subject_of(each) for each in work.above(line) if each.move == line.move)
+    return any(
+        isinstance(each, Quantity) and each.arguments == bodies and isinstance(each.stage, AtTime)
+        for each in above
+    )
 
 
 def _place_of_facts(work: Work, line: Line) -> bool:
@@ -536,6 +551,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     ),
     "place-of-facts": _place_of_facts,
     "another-chord": _another_chord,
+    "another-time": _at_another_time,
     "time": lambda work, line: getattr(subject_of(line), "kind", None) == "time",
     "a-place": lambda work, line: (
         line.number not in work.ends and isinstance(subject_of(line), Quantity)

@@ -124,6 +124,7 @@ RULES: tuple[Rule, ...] = (
     _rule("velocity-in-components", ("define",), "", ("assemble",)),
     # Facts closed into equations, and what is asked.
     _rule("angle-of-the-data", ("define",), "", ("scalar-angle",), ("of-facts", "of-a-number")),
+    _rule("distance-at-another-time", ("define",), "", ("distance",), ("another-time",)),
     _rule(
         "speed-size-angle-distance",
         ("define",),

@@ -68,13 +68,30 @@ def _write_distance(
         value = value * times[1]
     value = sized(scene, tidy(value))
     move = Move("define", "distance", event)
+    again = times is not None and _at_another_time(scene, asked, event)
     relation = chain(asked, (swept(tree), None), (tree_of(value), "rearrange"))
+    if again:
+        relation = chain(asked, (tree_of(value), None))
     signs = together(*(_signs(scene, gap) for _, gap in gaps))
     premises = scene.judge.enough(move, refs, relation, signs)
-    number = scene.desk.write(
-        move, together(refs, signs) if premises is None else premises, relation
-    )
+    used = together(refs, signs) if premises is None else premises
+    number = scene.desk.write(move, used, relation, "silent" if again else "line")
     return scene.desk.know(asked, value, (number,))
+
+
+def _at_another_time(scene: Scene, asked: Quantity, event: int | None) -> bool:
+    """Whether a distance since a contact stands for another time: that of this time is seen."""
+    stands = (
+        scene.desk.relation(line.number).only[0].left
+        for line in scene.desk.lines
+        if line.move == Move("define", "distance", event) and scene.desk.holds(line.number)
+    )
+    return any(
+        isinstance(own, Quantity)
+        and isinstance(own.stage, AtTime)
+        and own.arguments == asked.arguments
+        for own in stands
+    )
 
 
 def sized(scene: Scene, value: sp.Expr) -> sp.Expr:

@@ -114,9 +114,10 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
     own = each.link
     subject = each.fact.relation.only[0].left
     if isinstance(subject, Letter) and f"let {subject.name}" in scene.facts:
-        quoted = _quoted_as(scene, each, subject)
-        if quoted is not None:
-            return quoted
+        for quantity in (subject, Apply("tan", subject)):
+            quoted = _quoted_as(scene, each, quantity)
+            if quoted is not None:
+                return quoted
     if own.sign in ("perpendicular to", "parallel to") or _is_right(scene, own):
         return write_tie(scene, each)
     if is_sum(scene, each):

@@ -11,9 +11,14 @@ from restitution.planning.desk import NotPlannedError, Source, together
 from restitution.planning.flights import added
 from restitution.planning.forms import difference, tree_of
 from restitution.planning.place_trees import time_tree
-from restitution.planning.places import spot, time_of, velocity_then, write_place
+from restitution.planning.places import (
+    spot,
+    time_of,
+    velocity_then,
+    write_place,
+)
 from restitution.planning.scene import Scene
-from restitution.planning.whereabouts import standing
+from restitution.planning.whereabouts import hide_place_of_rest, standing
 from restitution.vector import Vector
 
 
@@ -38,6 +43,8 @@ def place_then(scene: Scene, asked: Quantity, body: str) -> Source:
     number = write_place(
         scene, Move("define", "straight-line", since or None, (body,)), asked, used, tree, value
     )
+    if tuple(pace.value) == (0, 0):
+        hide_place_of_rest(scene, body, since, number)
     return scene.desk.know(asked, value, (number,))
 
 

@@ -145,9 +145,8 @@ def write_with_facts(scene: Scene, solver: Solver, name: str) -> bool:
         solver.back(standing)
         return False
     relation = chain(link.left, (tree_of(put), None))
-    ratios = {name: fact.id for name, fact in scene.ratio_facts.items()}
-    given = [ratios[each] for each in sorted(letters(link.right) & ratios.keys())]
-    # A tangent is put in as it is given, without the sine and the cosine.
+    # A tangent is put in as it is given, or stands, without the sine and the cosine.
+    given = [ref for each in sorted(letters(link.right)) for ref in _tangent_of(scene, each)]
     pools = (given, refs) if given else (refs,)
     tried = (scene.judge.enough(Move("put"), (end.line, *pool), relation) for pool in pools)
     premises = next((each for each in tried if each is not None), None)
@@ -156,6 +155,15 @@ def write_with_facts(scene: Scene, solver: Solver, name: str) -> bool:
         return False
     scene.desk.end(name, scene.desk.write(Move("put"), premises, relation), relation)
     return True
+
+
+def _tangent_of(scene: Scene, name: str) -> tuple[Ref, ...]:
+    """The fact that gives a ratio of an angle, or the line that says what its tangent is."""
+    fact = scene.ratio_facts.get(name)
+    known = scene.desk.known(Apply("tan", Letter(name)))
+    if fact is not None or known is None:
+        return () if fact is None else (fact.id,)
+    return known.refs
 
 
 def _by_a_line_above(scene: Scene, solver: Solver, asked: Expression) -> bool:
@@ -249,7 +257,9 @@ def _ratio(scene: Scene, asked: Apply, kind: str, letter: str, name: str) -> Non
     if known is None and kind == "tan":
         line_ = write_tangent_of_sum(scene, Letter(letter))
         if line_ is not None:
-            scene.desk.end(name, line_, chain(asked, (_right(scene, line_), None)))
+            right = _right(scene, line_)
+            scene.desk.know(asked, scene.scalar(right), (line_,))
+            scene.desk.end(name, line_, chain(asked, (right, None)))
             return
     if known is None:
         symbol = scene.model.unknowns.letter(letter)

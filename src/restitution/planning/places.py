@@ -13,7 +13,14 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.expression.tree import Binary, Expression, Polar, Quantity, walk
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Polar,
+    Quantity,
+    walk,
+)
 from restitution.planning.aims import striker, write_aim
 from restitution.planning.circles import chord_from, chord_to_a_point, circle_of
 from restitution.planning.closing import nonzero
@@ -47,6 +54,7 @@ from restitution.planning.whereabouts import (
     axis_for,
     axis_of_approach,
     contact_of,
+    hide_place_of_rest,
     keeps_still,
     last_move,
     of_contact,
@@ -241,6 +249,7 @@ def place_moved(scene: Scene, body: str, stage: int) -> Source:
     number = write_place(
         scene, Move("define", "straight-line", stage, (body,)), quantity, refs, tree, value
     )
+    hide_place_of_rest(scene, body, since, number)
     return _know_place(scene, body, stage, value, number)
 
 
@@ -324,7 +333,11 @@ def place(scene: Scene, body: str, stage: int) -> Source:
     if known is not None:
         return known
     if all(coordinate_given(scene, body, stage, axis) is None for axis in AXES):
-        return place_moved(scene, body, stage)
+        if not rests(scene, body, stage):
+            leg(scene, stage)
+        along, beside = (_with_its_time(scene, body, stage, axis) for axis in AXES)
+        if not (along or beside):
+            return place_moved(scene, body, stage)
     parts = [_worked_out(scene, body, stage, axis) for axis in AXES]
     value = Vector(*(part.value for part in parts))
     number = scene.desk.write(
@@ -365,6 +378,31 @@ def _open_line(scene: Scene, body: str, stage: int) -> int | None:
     return None
 
 
+def _with_its_time(scene: Scene, body: str, stage: int, axis: Axis) -> bool:
+    """Puts its time into a coordinate that a line has by that, which was open; whether one has."""
+    quantity = coordinate_tree(body, stage, axis)
+    move = Move("define", "straight-line", stage, (body,))
+    open_ = [
+        line.number
+        for line in scene.desk.lines
+        if line.move == move
+        and scene.desk.holds(line.number)
+        and scene.desk.relation(line.number).only[0].left == quantity
+    ]
+    if not open_:
+        return False
+    begin, time = leg(scene, stage)
+    flight, length = _since(scene, stage, begin), tree_of(time.value)
+    right = scene.desk.relation(open_[0]).only[0].right
+    put = swept(rebuilt(right, lambda each: length if each == flight else each))
+    value = part_of(tidied(scene, scene.value(place_tree(body, stage))), axis)
+    relation = chain(quantity, (put, None), (tree_of(value), "rearrange"))
+    number = scene.judge.write((Move("put"),), (open_[0], *time.refs), relation)
+    if number is not None:
+        scene.desk.know(quantity, value, (number,))
+    return number is not None
+
+
 def _nearest(scene: Scene, body: str, since: int, stage: int, axis: Axis | None = None) -> int:
     """The last event before another at which a line says where a body is; else its own last one."""
     near = stage - 1
@@ -386,6 +424,12 @@ def time_of(scene: Scene, number: int) -> Source:
     legs = _legs(scene, number)
     if len(legs) == 1:
         return legs[number]
+    for each in sorted(legs)[-2:0:-1]:
+        # A time that stands is not added up once more.
+        early = standing(scene, time_tree(each))
+        if early is not None:
+            legs = {each: early} | {end: own for end, own in legs.items() if end > each}
+            break
     value = tidy(sum(each.value for each in legs.values()))
     terms = [tree_of(legs[each].value) for each in sorted(legs)]
     line = scene.desk.write(

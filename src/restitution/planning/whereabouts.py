@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Ref
-from restitution.expression.tree import Binary, Expression, Quantity, has_quantity
+from restitution.explaining.derivation import Line, Link, Ref, Relation
+from restitution.expression.tree import AtTime, Binary, Expression, Name, Quantity, has_quantity
 from restitution.planning.desk import NotPlannedError, Source, together
 from restitution.planning.place_trees import AXES, Axis, coordinate_tree, place_tree
 from restitution.planning.resolving import along_axis
@@ -117,6 +118,26 @@ def rests(scene: Scene, body: str, stage: int) -> bool:
     """Whether a body is at rest until an event."""
     own, _ = scene.put(scene.velocity(body, last_move(scene, body, stage)))
     return all(scene.model.in_data(each) == 0 for each in own)
+
+
+def hide_place_of_rest(scene: Scene, body: str, since: int, number: int) -> None:
+    """Takes the place of who rests off paper, where a line above says that it stays there."""
+    own = scene.desk.line(number)
+
+    def is_of_this_rest(line: Line) -> bool:
+        if not isinstance(line.relation, Relation) or line.move.record != "straight-line":
+            return False
+        if line.shown != "line" or not scene.desk.holds(line.number):
+            return False
+        match line.relation.only[0]:
+            case Link(Quantity("position", (Name(name),), int(stage))) if name == body:
+                return last_move(scene, body, stage) == since < stage
+            case Link(Quantity("position", (Name(name),), AtTime())) if name == body:
+                return line.move.event == (since or None)
+        return False
+
+    if rests(scene, body, since + 1) and any(map(is_of_this_rest, scene.desk.lines[: number - 1])):
+        scene.desk.lines[number - 1] = replace(own, shown="silent")
 
 
 def keeps_still(scene: Scene, body: str, since: int, axis: Axis) -> bool:

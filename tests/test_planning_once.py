@@ -1,0 +1,82 @@
+"""What stands in a working is not worked out a second time: places, times, distances, tangents."""
+
+from __future__ import annotations
+
+from test_planning_closing import planned, said
+
+from restitution.explaining.awarding import awarded
+from restitution.explaining.derivation import Derivation
+from restitution.workings import explain, to_text
+
+PAIR = "sphere A: mass 3, velocity 4i - j\nsphere B: mass 2, velocity i + j\n"
+ROAD = (
+    "wall W: along j, through (12, 0)\nsphere A: mass 1, at (0, 0), velocity 4i\n"
+    "sphere B: mass 3, at (8, 0), at rest\nA hits B: along i, e = 1/3\nB hits W: e = 1/2\n"
+)
+
+
+def shown(derivation: Derivation, beginning: str) -> list[str]:
+    """The lines that stand on paper and begin so."""
+    lines = (line for line in derivation.lines if line.move.id != "let")
+    told = zip(lines, said(derivation), strict=True)
+    return [text for line, text in told if line.shown != "silent" and text.startswith(beginning)]
+
+
+def test_a_distance_at_another_time_has_no_second_root() -> None:
+    _, derivation = planned(
+        f"{PAIR}A hits B: along i, e = 1/3\nfind distance(A, B, at t) in terms of t\n"
+        "given distance(A, B, at T) = 7\nfind T"
+    )
+    assert shown(derivation, "distance(") == [
+        "distance(A, B, at t) = t sqrt(1^2 + (1 + 1)^2) = sqrt(5) t [rearrange]"
+    ]
+    assert "sqrt(5) T = 7" in said(derivation)
+
+
+def test_a_distance_at_another_time_is_no_method() -> None:
+    _, derivation = planned(
+        f"{PAIR}A hits B: along i, e = 1/3\nfind distance(A, B, at 3), distance(A, B, at t)"
+    )
+    assert len(shown(derivation, "distance(")) == 2
+    marks = [
+        "".join(mark.kind for mark in line.marks)
+        for line in awarded(derivation).lines
+        if line.move.record == "distance"
+    ]
+    assert marks == ["MA", "A"]
+
+
+def test_the_place_of_who_rests_stands_once() -> None:
+    _, derivation = planned(
+        f"{ROAD}find distance(A, B), distance(A, B, at 6)\nB hits A: along i, e = 1\nfind time(3)"
+    )
+    assert len(shown(derivation, "position(A, ")) == 1
+
+
+def test_a_time_that_stands_is_not_added_up_again() -> None:
+    _, derivation = planned(
+        f"{ROAD}find time(2)\nB hits A: along i, e = 1\nfind time(3)",
+    )
+    assert any("= 5 + 6 = 11" in each for each in said(derivation))
+
+
+def test_where_two_meet_is_a_coordinate_with_its_time() -> None:
+    solution, derivation = planned(
+        "wall W: along j, through (2d, 0)\nsphere A: mass 2m, at (-d, 0), velocity u i\n"
+        "sphere B: mass m, at (0, 0), at rest\nA hits B: along i, e = 1/2\n"
+        "B hits W: e = 1/4\nA hits B: along i\nfind position(A)"
+    )
+    assert len([each for each in said(derivation) if "time(3) - time(2))" in each]) == 3
+    assert any("d + u/2 (4d/(3u)) = 5d/3" in each for each in said(derivation))
+    assert "Position, from its coordinates:" in to_text(explain(solution))
+
+
+def test_the_tangent_of_a_named_angle_is_put_equal_to_what_is_given() -> None:
+    _, derivation = planned(
+        "sphere A: mass 3m, velocity u at theta\nsphere B: mass m, at rest\nA hits B: along i\n"
+        "let phi = direction(A)\nlet psi = phi - theta\n"
+        "given e = 1\nfind tan(psi) in terms of theta\n"
+        "given psi = arctan(1/3), tan(theta) > 3/5\nfind theta"
+    )
+    assert len([each for each in derivation.lines if each.move.record == "sum-of-angles"]) == 1
+    assert not any("sin(theta) =" in each for each in said(derivation))
