@@ -94,3 +94,53 @@ def test_that_nothing_moves_is_no_value_of_a_speed() -> None:
     with pytest.raises(ContradictionError) as caught:
         _ = solve(parse(text))["alpha"].exact
     assert "u must be positive" not in caught.value.message
+
+
+def test_walls_in_an_order_that_cannot_be() -> None:
+    """After a step and its wall P climbs: it does not come back to the floor."""
+    text = (
+        "wall F: along i, through (0, 0)\nwall W: along j, through (6, 0)\n"
+        "sphere P: at (-3, 2), velocity 3i - 2j\nP hits F: e = 1/2\nP hits W: e = 1/3\n"
+        "find position(P)"
+    )
+    shown = working(text + "\nP hits F: e = 1/2\nfind speed(P)")
+    assert "𝐯₂ = (−1, 1) m s⁻¹ A1 So P moves away from F: what is described" in shown
+
+
+def test_walls_in_an_order_that_cannot_be_without_places() -> None:
+    text = (
+        "wall F: along i\nwall W: along j\nsphere P: velocity u at theta from -j\n"
+        "P hits F: e = f\nP hits W: e = 1/3\npart a\nfind speed(P)\npart b\nP hits F\nfind speed(P)"
+    )
+    shown = working(text)
+    assert "So P is moving away from F, or along it: what is described cannot happen." in shown
+    assert shown.index("speed of P =") < shown.index("So P")
+
+
+@pytest.mark.parametrize(("second", "speed"), [("2m", "w₁ = 4u/5"), ("m", "w₁ = 6u/5")])
+def test_who_does_not_catch_up(second: str, speed: str) -> None:
+    text = (
+        f"sphere A: mass m, velocity 2u i\nsphere B: mass {second}, at rest\n"
+        "sphere C: mass m, velocity 5u/4 i\nA hits B: along i, e = 1/5\n"
+        "B hits C: along i, e = 1/3\nfind speed(C)"
+    )
+    shown = working(text)
+    assert speed in shown
+    assert shown.endswith(
+        "So B and C are separating along the line of centres: what is described cannot happen."
+    )
+
+
+def test_data_that_fix_one_component_whatever_the_letter_is() -> None:
+    """With masses as 1 to 1/e the first leaves with the velocity of the second before."""
+    text = (
+        "sphere A: mass 3, velocity p i + 2j\nsphere B: mass 9, velocity -i + q j\n"
+        "A hits B: along i, e = 1/3\ngiven velocity(A) = 2i + 2j, velocity(B) = 3i - j\nfind p, q"
+    )
+    shown = working(text)
+    assert "Eliminating p from (1) and (2): v = −1 m s⁻¹" in shown
+    assert shown.endswith(
+        "But it is given that the velocity of A immediately after the collision is "
+        "(2𝐢 + 2𝐣) m s⁻¹. "
+        "So the data contradict each other."
+    )

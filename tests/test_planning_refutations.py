@@ -173,3 +173,33 @@ def test_an_instance_has_to_refute() -> None:
     assert [e.reason for e in complaints(solution, replace(derivation, notes=(without,)))] == [
         "leads-nowhere"
     ] * len(derivation.lines)
+
+
+def working(text: str) -> str:
+    """The working of a question, of which the follower accepts every line."""
+    return " ".join(to_text(explain(planned(text)[0])).split())
+
+
+@pytest.mark.parametrize(
+    ("claim", "reason"),
+    [
+        ("velocity(A) perpendicular to velocity(A, 0)", "as 𝐯_A · 𝐮_A = 4."),
+        ("velocity(B, 0) parallel to velocity(A)", "as −2𝐢 is no multiple of −2𝐢 + 3𝐣."),
+    ],
+)
+def test_a_velocity_of_the_data_beside_another(claim: str, reason: str) -> None:
+    text = (
+        "sphere A: mass 1, velocity 5/2 i + 3j\nsphere B: mass 1, velocity -2i\n"
+        "A hits B: along i, e = 1"
+    )
+    assert reason in working(f"{text}\nshow {claim}")
+
+
+def test_a_velocity_told_by_its_direction_is_resolved_beside_another() -> None:
+    text = (
+        "sphere A: mass m, velocity 2u at 30°\nsphere B: mass m, velocity u at 180°\n"
+        "A hits B: along i, e = 1\nshow velocity(A) parallel to velocity(A, 0)"
+    )
+    shown = working(text)
+    assert "𝐮_A = √3 u𝐢 + u𝐣 B1" in shown
+    assert "𝐯_A is not parallel to 𝐮_A, as −u𝐢 + u𝐣 is no multiple of √3 u𝐢 + u𝐣." in shown

@@ -607,6 +607,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "note.impossible": "What is described cannot happen, as {reason}.",
     "note.out-of-range": "But {reasons:and}. So what is described cannot happen.",
     "note.no-root": "This cannot be, as {reasons:and}. So what is described cannot happen.",
+    "note.unreached": "So {reason}: what is described cannot happen.",
     "note.impossible-above": "What is described cannot happen, as shown above.",
     "note.impossible-there": "What is described cannot happen, as part ({label}) shows.",
     "note.clash": "{reason:capital}.",

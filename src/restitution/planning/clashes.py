@@ -94,22 +94,7 @@ def _refuted(
     own = next(each for each in solved.parts.values() if each.part.label == part.label)
     if len(own.branches) != 1:
         return None
-    kept = [each.relation for each in facts_of(without) if each.id.startswith("given ")]
-    desk.withheld = frozenset(
-        each.id
-        for each in facts_of(problem)
-        if each.id.startswith("given ") and each.relation not in kept
-    )
-    story = model(
-        without,
-        own.part,
-        own.branches[0],
-        own.roles,
-        protected_letters(own.part),
-        question=problem,
-    )
-    desk.item = name
-    scene = Scene(problem, part, own, story, desk, find_frame=frame_at)
+    scene = scene_without(problem, part, without, own, desk, name)
     claim = Relation((links_of(problem, relation, events),))
     note = desk.new_note(name, "contradiction", clause_of(problem, given, relation))
     late = tuple(sorted(desk.withheld))
@@ -125,11 +110,30 @@ def _refuted(
             continue
         whole = replace(note, premises=together(late, refs))
         if refs and scene.judge.excludes(whole):
-            return _with_what_is_needed(scene, whole)
+            return with_what_is_needed(scene, whole)
         solver.back(standing)
     desk.withheld = frozenset()
     # A new scene, in which the fact is given again; what the letters are does not rest on it.
     return _without_a_root(replace(scene), note, late)
+
+
+def scene_without(
+    problem: Problem, part: Part, without: Problem, own: PartSolution, desk: Desk, name: str
+) -> Scene:
+    """The scene of an item in a part that is solved without some of its steps.
+
+    The facts among these are withheld from the desk. The part has one solution.
+    """
+    kept = [each.relation for each in facts_of(without) if each.id.startswith("given ")]
+    desk.withheld = frozenset(
+        each.id
+        for each in facts_of(problem)
+        if each.id.startswith("given ") and each.relation not in kept
+    )
+    desk.item = name
+    letters = protected_letters(own.part)
+    story = model(without, own.part, own.branches[0], own.roles, letters, question=problem)
+    return Scene(problem, part, own, story, desk, find_frame=frame_at)
 
 
 def _without_a_root(scene: Scene, note: Note, facts: Collection[str]) -> Note | None:
@@ -153,7 +157,7 @@ def _without_a_root(scene: Scene, note: Note, facts: Collection[str]) -> Note | 
                 for bounds in ((), background(scene, names)):
                     whole = replace(note, kind="impossible", premises=(last, *bounds))
                     if scene.judge.excludes(whole):
-                        return _with_what_is_needed(scene, whole)
+                        return with_what_is_needed(scene, whole)
                 solver.back(mark)
         except UNPLANNED:
             pass
@@ -180,7 +184,7 @@ def _of_one_ratio(scene: Scene, line: int, angle: sp.Symbol) -> int:
     return line
 
 
-def _with_what_is_needed(scene: Scene, note: Note) -> Note:
+def with_what_is_needed(scene: Scene, note: Note) -> Note:
     """A note without the premises that it can do without."""
     for each in note.premises:
         less = replace(note, premises=tuple(ref for ref in note.premises if ref != each))

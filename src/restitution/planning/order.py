@@ -725,8 +725,8 @@ class Solver:
         scene = self.scene
         _frame, lines, symbols = self.waiting.pop(symbol)
         residuals = [residual(scene, each) for each in lines]
-        value = tidy(_two_by_two(tuple(residuals), tuple(symbols))[symbol])
-        (other,) = (each for each in symbols if each != symbol)
+        other = self._beside(symbol, symbols, residuals)
+        value = tidy(_two_by_two(tuple(residuals), (symbol, other))[symbol])
         letter, tree = Letter(symbol.name), Letter(other.name)
         known = scene.desk.known(tree)
         now, _ = (value, ()) if known is None else scene.put(known.value)
@@ -752,6 +752,22 @@ class Solver:
         enough = scene.judge.enough(move, lines, relation, background(scene, names))
         line = scene.desk.write(move, enough or lines, relation)
         scene.desk.know(letter, value, (line,))
+
+    def _beside(
+        self, symbol: sp.Symbol, symbols: Iterable[sp.Symbol], residuals: Sequence[sp.Expr]
+    ) -> sp.Symbol:
+        """The unknown that is eliminated from both laws for a component.
+
+        It is the other component, or a letter where that stands in both laws with its value.
+        """
+        (other,) = (each for each in symbols if each != symbol)
+        if any(other in each.free_symbols for each in residuals):
+            return other
+        both = set.intersection(*(set(self.scene.unknown(each)) for each in residuals))
+        others = [each for each in both if each != symbol]
+        if len(others) != 1:
+            raise NotPlannedError(f"{symbol} is not expressed")
+        return others[0]
 
     def _is_settled(self, *values: sp.Expr) -> bool:
         """Whether values in letters have come to numbers, since these have been found."""

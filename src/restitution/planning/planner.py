@@ -70,6 +70,7 @@ from restitution.planning.unfinished import (
     require_followed,
     write_unfinished,
 )
+from restitution.planning.unreached import write_unreached
 from restitution.problem import (
     Extremum,
     Item,
@@ -191,7 +192,7 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
     if not part.items:
         return desk
     desk.part, desk.apart = part.part.label, len(part.branches) > 1
-    for write in (write_clash, write_out_of_range):
+    for write in (write_clash, write_out_of_range, write_unreached):
         if (refuted := write(solution, part, desk, _names(part))) is not None:
             return refuted
     if not part.branches or all(isinstance(item.error, MissingError) for item in part.items):

@@ -21,8 +21,10 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Name,
     Negate,
     Number,
+    Polar,
     Quantity,
     has_quantity,
     letters,
@@ -49,6 +51,12 @@ _SIGNS: Mapping[str, Callable[[float, float], bool]] = {
     ">=": lambda a, b: a >= b,
 }
 _NEAR = 1e-9
+
+
+def _body(velocity: Quantity) -> str:
+    (body,) = velocity.arguments
+    assert isinstance(body, Name)
+    return body.name
 
 
 def write_refutation(
@@ -108,11 +116,18 @@ class _Refutation:
                     lines.append(worth)
                     rest.remove(tree)
             for each in dict.fromkeys(q for tree in rest for q in claims.worths.quantities(tree)):
-                if not claims.worths.is_data(each):
+                if not claims.worths.is_data(each) or self._is_told_by_an_angle(each):
                     lines.append(
                         claims.worths.angle_by_letter(each) or claims.worths.quantity(each)
                     )
         self.note(tuple(dict.fromkeys(lines or self._found(trees))), trees)
+
+    def _is_told_by_an_angle(self, velocity: Quantity) -> bool:
+        """Whether a velocity of the data is told by its size and direction, and is claimed one."""
+        fact = self.scene.facts.get(f"velocity {_body(velocity)}")
+        if fact is None or not isinstance(self.item.relation, Aligned):
+            return False
+        return isinstance(fact.relation.only[-1].right, Polar)
 
     def _write_subject(self, subject: Range | Extremum) -> None:
         """The range, or the greatest or least value, that is the true one."""

@@ -113,12 +113,14 @@ def _velocity_at_the_start(scene: Scene, quantity: Quantity, body: str) -> Formu
     """The velocity of the data, with the letters put in that have been found."""
     source = scene.initial(body)
     value, refs = scene.put(source.value)
-    if not refs:
+    fact = scene.facts.get(f"velocity {body}")
+    if not refs and not (fact is not None and isinstance(fact.relation.only[0].right, Polar)):
         raise NotPlannedError("a velocity that is given")
     whole = Vector(*(tidy(each) for each in value))
     own = Quantity(quantity.kind, quantity.arguments, 0)
-    is_given = f"velocity {body}" in scene.facts
-    move = Move("put") if is_given else Move("define", "assemble", None, (body,))
+    move = Move("define", "assemble", None, (body,))
+    if fact is not None:
+        move = Move("put") if refs else Move("rearrange")
     return Formula(move, itself, own, tree_of(whole), whole, together(source.refs, refs))
 
 

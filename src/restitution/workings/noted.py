@@ -128,6 +128,8 @@ class Notes:
 
     def _impossible(self, note: Note, items: Sentence) -> Sentence:
         """The value of a coefficient, and the bound that it breaks; what any other letter is."""
+        if note.claim is not None:
+            return say("note.unreached", reason=note.reason)
         value, *bounds = note.premises
         relation = self._relation(value)
         if self._is_out_of_range(note):

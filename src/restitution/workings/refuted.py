@@ -185,7 +185,9 @@ def _apart(
     naming: Naming,
 ) -> Sentence:
     """That two directions do not stand to each other as claimed, and what they are."""
-    known = {e.left: e.right for e in (_link_of(derivation, line) for line in note.lines)}
+    given = [fact.relation.only for fact in derivation.facts if fact.id.startswith("velocity ")]
+    known = {each.left: each.right for (each,) in given}
+    known |= {e.left: e.right for e in (_link_of(derivation, line) for line in note.lines)}
     worth = [known.get(tree, tree) for tree in trees]
     try:
         a, b = (in_letters(e, positive=True) for e in worth)

@@ -1,0 +1,183 @@
+"""Events that cannot happen: the velocities before them, by which the bodies do not approach.
+
+The story is told up to such an event, which then has a solution. In that the velocities of its two
+bodies are written, and a note that they do not come nearer to each other along their line.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+import sympy as sp
+
+from restitution.errors import ImpossibleError, RestitutionError
+from restitution.explaining.derivation import Link, Note, Ref, Relation, Sign
+from restitution.explaining.trees import settled
+from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity, walk
+from restitution.planning.checking import require_true
+from restitution.planning.claims import Claims
+from restitution.planning.clashes import scene_without, with_what_is_needed
+from restitution.planning.desk import UNPLANNED, Desk, together
+from restitution.planning.forms import ZERO
+from restitution.planning.order import Solver
+from restitution.planning.premises import background
+from restitution.planning.scene import Scene
+from restitution.planning.unfinished import require_followed
+from restitution.problem import Event, Find, Impact, Part, Problem, Step, Value
+from restitution.shapes import Circle
+from restitution.solving import solve
+from restitution.solving.solution import PartSolution, Solution
+from restitution.vector import Vector
+
+
+def write_unreached(
+    solution: Solution, part: PartSolution, desk: Desk, names: list[str]
+) -> Desk | None:
+    """The desk with the velocities before an event that cannot be, and a note for each item.
+
+    None where no item has such a reason, and where no lines tell that the bodies do not approach.
+    """
+    errors = [each.error for each in part.items]
+    if part.branches or not all(isinstance(each, ImpossibleError) for each in errors):
+        return None
+    reason = next(each.because or each.message for each in errors if each is not None)
+    before = _up_to_it(solution.problem, part.part)
+    if before is None:
+        return None
+    without, own, step, number = before
+    if not {step.first, step.second} <= set(re.findall(r"\w+", reason)):
+        return None  # it is of something else
+    draft = desk.fork()
+    try:
+        note = _receding(solution.problem, part.part, without, own, draft, step, number, names[0])
+    except (*UNPLANNED, RestitutionError):
+        return None
+    if note is None:
+        return None
+    for name in names:
+        draft.note(
+            name, note.kind, reason.partition(":")[0], premises=note.premises, claim=note.claim
+        )
+    draft.withheld = frozenset()
+    return draft
+
+
+def _up_to_it(problem: Problem, part: Part) -> tuple[Problem, PartSolution, Impact, int] | None:
+    """The problem up to the first event that cannot be, solved; with that event and its number.
+
+    None where that is the first of all: the data say why.
+    """
+    story = [(s, number) for s, number, _ in problem.timeline(part) if isinstance(s, Event)]
+    for step, number in reversed(story[1:]):
+        without = _before(problem, step)
+        try:
+            own = next(
+                each for each in solve(without).parts.values() if each.part.label == part.label
+            )
+        except (RestitutionError, StopIteration):
+            return None
+        if len(own.branches) == 1 and isinstance(step, Impact):
+            return without, own, step, number
+    return None
+
+
+def _before(problem: Problem, event: Event) -> Problem:
+    """A problem without an event and all that comes after it, which asks how a body comes to it."""
+    body = event.first if isinstance(event, Impact) else event.body
+    asked = Find((Value(Quantity("velocity", (Name(body),))),))
+    parts: list[Part] = []
+    ended = False
+    for part in problem.parts:
+        steps: list[Step] = []
+        for step in () if ended else part.steps:
+            if step is event:
+                ended = True
+                steps.append(asked)
+                break
+            steps.append(step)
+        parts.append(replace(part, steps=tuple(steps)))
+    return replace(problem, parts=tuple(parts))
+
+
+def _receding(
+    problem: Problem,
+    part: Part,
+    without: Problem,
+    own: PartSolution,
+    desk: Desk,
+    step: Impact,
+    number: int,
+    name: str,
+) -> Note | None:
+    """The lines by which two bodies do not approach, and a note with the claim that they do."""
+    scene = scene_without(problem, part, without, own, desk, name)
+    fact = scene.facts.get(f"axis {number}")
+    if fact is None:
+        return None
+    line = fact.relation.only[0].right
+    sign = _sense(scene, step, number, line)
+    if sign is None:
+        return None
+    velocities = [
+        velocity
+        for each in (step.first, step.second)
+        if each in scene.model.story.spheres
+        for velocity in (settled(Quantity("velocity", (Name(each),), number - 1), desk.events),)
+        if isinstance(velocity, Quantity)
+    ]
+    pool: list[Ref] = []
+    with Claims(scene, Solver(scene)) as claims:
+        for each in velocities:
+            known = claims.worths.is_data(each)
+            pool += claims.worths.data_of(each) if known else [claims.worths.quantity(each)]
+    require_true(scene.model, desk.lines, desk.lines, desk.facts)
+    require_followed(scene, desk.lines)
+    own_letters = {
+        node.name
+        for ref in pool
+        if isinstance(ref, int)
+        for tree in (desk.last_link(ref).right,)
+        for node in walk(tree)
+        if isinstance(node, Letter)
+    }
+    relative = velocities[0] if len(velocities) == 1 else Binary("-", *velocities)
+    claim = Relation(((Link(Quantity("dot", (relative, line)), sign, ZERO),),))
+    premises = together(pool, background(scene, own_letters))
+    note = replace(desk.new_note(name, "impossible"), premises=premises, claim=claim)
+    return with_what_is_needed(scene, note) if scene.judge.excludes(note) else None
+
+
+def _sense(scene: Scene, step: Impact, number: int, line: Expression) -> Sign | None:
+    """The sign of the velocity towards each other along a line, as the bodies are placed on it.
+
+    Bodies that have met on the same line are on the same sides as then. The second of two spheres
+    is on the side to which the first moves, a wall where the place of the sphere tells. None where
+    that is open.
+    """
+    model, story = scene.model, scene.model.story
+    along = scene.value(line)
+    pair = {step.first, step.second}
+    met = [
+        each
+        for each in story.happenings
+        if isinstance(each.step, Impact) and {each.step.first, each.step.second} == pair
+    ]
+    wall = story.walls.get(step.second)
+    if not isinstance(along, Vector) or (wall is not None and isinstance(wall.shape, Circle)):
+        return None
+    if met:
+        (own, before) = model.frames[met[-1].number].n, met[-1].before
+        if own.cross(along) != 0:
+            return None
+        others = before.get(step.second, Vector(sp.Integer(0), sp.Integer(0)))
+        towards = (before[step.first] - others).dot(along)
+    elif wall is None:
+        towards = scene.velocity(step.first, number - 1).dot(along)
+    else:
+        there = story.place(step.first, number - 1)
+        if there is None or not isinstance(wall.shape.point, Expression):
+            return None
+        towards = (scene.value(wall.shape.point) - there[0]).dot(along)
+    sign = model.sign(model.in_data(scene.put(towards)[0]))
+    return ">" if sign > 0 else "<" if sign < 0 else None
