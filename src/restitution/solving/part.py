@@ -18,6 +18,7 @@ from restitution.problem import Extremum, Part, Problem, Range, Show
 from restitution.render.layout import display
 from restitution.render.text import to_text
 from restitution.solving.admission import reason_outside
+from restitution.solving.algebra import Root
 from restitution.solving.answers import value_layout
 from restitution.solving.conditions import Equation
 from restitution.solving.equations import (
@@ -189,6 +190,11 @@ def work_out(setting: Setting) -> Outcome:
             # Letters replaced by what the facts between letters say are back-substituted.
             combined = put_back(values, angles, assignment)
             trials.append(setting.try_out(combined, letters_, story, wanted))
+        if not any(trial.samples for trial in trials):
+            # The equation may hold by a letter that is no unknown, which is zero then.
+            for zero in _letters_of_zero(setting, letters_, equations):
+                combined = put_back(values, angles, zero)
+                trials.append(setting.try_out(combined, letters_, story, wanted))
         # What is asked of the story later, such as an impulse, names unknowns of its own.
         kept = replace(
             letters_, hidden_roles=dict(letters_.hidden_roles), phrases=dict(letters_.phrases)
@@ -198,6 +204,20 @@ def work_out(setting: Setting) -> Outcome:
         raise failed or _clash(setting)
     trials = _without_touching(_distinct(trials))
     return Outcome(setting, tuple(trials), *last, frozenset(deciding), tuple(decisions))
+
+
+def _letters_of_zero(
+    setting: Setting, letters_: Letters, equations: Sequence[sp.Expr]
+) -> Iterator[Root]:
+    """The letters of either sign that are a factor of the only equation, each as zero."""
+    open_ = [each for each in equations if each != 0]
+    if len(open_) != 1:
+        return
+    for factor in sp.Mul.make_args(sp.factor_terms(open_[0])):
+        name = str(factor)
+        role = setting.roles.get(name)
+        if factor.is_Symbol and role == REAL and name not in letters_.values:
+            yield Root({name: sp.Integer(0)}, {}, ())
 
 
 def _distinct(trials: list[Trial]) -> list[Trial]:
