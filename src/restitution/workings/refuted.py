@@ -185,8 +185,8 @@ def _apart(
     naming: Naming,
 ) -> Sentence:
     """That two directions do not stand to each other as claimed, and what they are."""
-    given = [fact.relation.only for fact in derivation.facts if fact.id.startswith("velocity ")]
-    known = {each.left: each.right for (each,) in given}
+    given = (fact.relation.only for fact in derivation.facts if fact.kind == "data")
+    known = {links[0].left: links[0].right for links in given}
     known |= {e.left: e.right for e in (_link_of(derivation, line) for line in note.lines)}
     worth = [known.get(tree, tree) for tree in trees]
     try:
