@@ -125,3 +125,15 @@ def test_a_letter_of_a_mass_and_of_a_speed() -> None:
         "A hits B: along i, e = 1/2\nfind energy_lost"
     )
     assert "2mu − km × ku = 2mv + kmw" in shown
+
+
+@pytest.mark.parametrize(
+    ("velocity", "speed"),
+    [("5i", "√(1.824² + 4²) ≈ 4.40 m s⁻¹"), ("5.5i", "√(1.872² + 4.4²) ≈ 4.78 m s⁻¹")],
+)
+def test_a_long_number_stands_under_no_root_among_decimals(velocity: str, speed: str) -> None:
+    shown = working(
+        f"sphere A: mass 0.2, velocity {velocity}\nsphere B: mass 0.3, velocity 2j\n"
+        "A hits B: along 3i + 4j, e = 0.4\nfind speed(A)"
+    )
+    assert f"speed of A = {speed}" in shown

@@ -56,6 +56,8 @@ from restitution.workings.steps import REQUIRED, Row
 _GOES_ON = frozenset({"rearrange", "put", "identity", "value", "cancel"})
 # So many lines after a letter was introduced a reader still knows what it stands for.
 _REMEMBERED = 3
+# Whole numbers from here on are too long to stand under a root.
+_LONG = 1000
 _TANGENTS = frozenset({"tan", "tan-direction"})
 _ORDERS = frozenset({"<", "<=", ">", ">="})
 # What two values are that are known to differ.
@@ -264,6 +266,9 @@ class Rows:
             for n in range(len(sides) - 2, 0, -1):
                 if any(sides[n] is each for each in idle):
                     del sides[n], signs[n - 1]
+            rounded_next = self._measures.decimals and signs[-1] == "≈" and len(sides) > 3
+            if rounded_next and _has_long_root(trees[-1]):
+                del sides[-2], signs[-2]
         elif last and self._ends.of(line) is not None:
             self._bounded(trees, sides)
         return Row(tuple(sides), tuple(signs))
@@ -541,6 +546,16 @@ class Rows:
         if _is_value(trees[0]) and is_plain(sides[-1]) and signs[-1] in ("=", "≈"):
             sides[-1] = with_unit(sides[-1], self._measures.unit(trees[0]))
         return lay.Relation(tuple(sides), tuple(signs))
+
+
+def _has_long_root(tree: Expression) -> bool:
+    """Whether a number of four figures or more stands under a root, which nobody reads."""
+    return any(
+        isinstance(node, Apply)
+        and node.function == "sqrt"
+        and any(isinstance(e, Number) and e.value >= _LONG for e in walk(node.argument))
+        for node in walk(tree)
+    )
 
 
 def _has_function(tree: Expression) -> bool:
