@@ -137,3 +137,20 @@ def test_a_long_number_stands_under_no_root_among_decimals(velocity: str, speed:
         "A hits B: along 3i + 4j, e = 0.4\nfind speed(A)"
     )
     assert f"speed of A = {speed}" in shown
+
+
+def test_nothing_is_parallel_to_a_circle() -> None:
+    shown = working(
+        "wall C: circle centre (0, 0) radius a\n"
+        "sphere P: mass m, at (a, 0), velocity u at theta from -i\nP hits C: e = 1/2\nfind speed(P)"
+    )
+    assert "Along the tangent to C the velocity does not change" in shown
+    assert "arallel to C" not in shown
+
+
+def test_a_blow_is_no_impact_that_changes_nothing() -> None:
+    shown = working(
+        "wall W: along i, through (0, 0)\nsphere P: mass 0.4, at (0, 5), at rest\n"
+        "P receives 1.2i - 1.6j\nP hits W: e = 0.5\nfind time(2)"
+    )
+    assert "Time = distance ÷ speed in that direction: t₂ = 5/4" in shown

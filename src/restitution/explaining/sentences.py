@@ -62,6 +62,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "something new."
     ),
     "unchanged-wall.title": "Parallel to {wall} the velocity does not change",
+    "unchanged-wall.circle": "Along the tangent to {wall} the velocity does not change",
     "unchanged-wall.component": "the component stays {value}.",
     "unchanged-wall.component-in": "the component in the direction of {axis} stays {value}.",
     "unchanged-wall.why": (
@@ -150,10 +151,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "units.both-circle": (
         "Let {along} be the unit vector along the radius, towards {wall}, and {across} the one "
-        "perpendicular to it."
+        "along the tangent."
     ),
     "units.along-circle": "Let {along} be the unit vector along the radius, towards {wall}.",
-    "units.across-circle": "Let {across} be the unit vector parallel to {wall}.",
+    "units.across-circle": "Let {across} be the unit vector along the tangent to {wall}.",
     "units.along-normal": "Let {along} be a unit vector perpendicular to {wall}.",
     "units.along-wall": "Let {along} be the unit vector perpendicular to {wall}, towards it.",
     "units.across-wall": "Let {across} be the unit vector parallel to {wall}.",
@@ -737,6 +738,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.component-towards": "component of {of} towards {wall}",
     "derived.component-away": "component of {of} away from {wall}",
     "derived.component-parallel": "component of {of} parallel to {wall}",
+    "derived.component-tangent": "component of {of} along the tangent to {wall}",
     "derived.component-unit": "component of {of} along {axis}",
     "derived.component-along-vector": "component of {of} in the direction of {axis}",
     "derived.component-across-sense": (

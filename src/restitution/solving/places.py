@@ -106,7 +106,7 @@ def time_to_wall(state: State, number: int, name: str, wall: Wall) -> Scalar | N
         where = state.neat(where)
     if isinstance(shape, Segment):
         share = state.rational((where - through).dot(along))
-        reason = f"{name} passes the end of {wall.name}"
+        reason = f"{name} does not meet {wall.name} between its ends"
         state.conditions += [
             Condition(each, ">", reason, "place", end_of=wall.name)
             for each in (share, along.dot(along) - share)

@@ -30,6 +30,7 @@ from restitution.oracle import (
 )
 from restitution.oracle.roles import REAL, Role
 from restitution.problem import (
+    Aligned,
     Compare,
     Extremum,
     Impact,
@@ -55,6 +56,7 @@ from restitution.solving.neat import neat
 from restitution.solving.part import Desk, Outcome
 from restitution.solving.solution import Branch, ItemResult
 from restitution.solving.unknowns import SYMBOLIC, Letters
+from restitution.vector import Vector
 
 # What is longer than this is not factorised to see which letters matter.
 LONG = 400
@@ -137,6 +139,10 @@ def _verdict(outcome: Outcome, branch: Branch, step: Show, now: int) -> tuple[Ve
         if verdict.answer == "refuted" and (existence := _existence(branch, step, now)):
             # Where an angle has no value, a claim about it says nothing.
             verdict = oracle.with_facts(existence).decide(claim)
+        if verdict.answer == "refuted" and (sizes := _sizes(branch, step, now)):
+            # What is at rest has no direction: a case in which both sides have one says more.
+            other = oracle.with_facts(sizes).decide(claim)
+            verdict = other if other.answer == "refuted" else verdict
     except BeyondError:
         return UNDECIDED, claim
     if verdict and not (isinstance(letters_, Letters) and letters_.certain):
@@ -157,6 +163,21 @@ def _existence(branch: Branch, step: Show, now: int) -> list[Formula]:
                     if size.free_symbols:
                         facts.append(Relation(size, ">"))
     return facts
+
+
+def _sizes(branch: Branch, step: Show, now: int) -> list[Formula]:
+    """That neither vector of a claim about directions is zero."""
+    claim = step.relation
+    if not isinstance(claim, Aligned):
+        return []
+    evaluator = branch.story.evaluator(now)
+    values = (evaluator.value(side) for side in (claim.left, claim.right))
+    sizes = (
+        sp.sympify(each.x**2 + each.y**2, strict=True)
+        for each in values
+        if isinstance(each, Vector)
+    )
+    return [Relation(size, ">") for size in sizes if size.free_symbols]
 
 
 def _oracle(outcome: Outcome, branch: Branch) -> Oracle:

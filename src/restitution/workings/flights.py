@@ -50,8 +50,7 @@ def _is_of_the_whole_way(naming: Naming, line: Line, left: Expression) -> bool:
     if not (isinstance(left, Quantity) and left.kind == "time" and "start" in line.premises):
         return False
     body, number = line.move.bodies[0], line.move.event or 0
-    events = (each for each in naming.events.values() if each.number < number)
-    return any(body in each.bodies and each.kind != "arrival" for each in events)
+    return any(body in each.bodies and each.number < number for each in naming.impacts)
 
 
 def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:

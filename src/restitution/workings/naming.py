@@ -90,7 +90,7 @@ class Naming:
             self._plain_when,
             self.layout,
             self.used,
-            frozenset(self._circles),
+            frozenset(self.circles),
             roles(self.problem),
         )
         self._often = Counter(
@@ -479,12 +479,12 @@ class Naming:
         event = self.events.get(stage) if isinstance(stage, int) else None
         if event is None or not event.wall:
             return say("derived.centres")
-        if event.bodies[1] in self._circles:
+        if event.bodies[1] in self.circles:
             return say("derived.radius", body=event.bodies[0])
         return say("derived.normal", wall=event.bodies[1])
 
     @property
-    def _circles(self) -> set[str]:
+    def circles(self) -> set[str]:
         """The walls that are circular."""
         return {wall.name for wall in self.problem.walls if isinstance(wall.shape, Circle)}
 
@@ -526,7 +526,7 @@ class Naming:
                 length = self.layout(radius)
                 if is_plain(length):
                     length = with_unit(length, self.unit(Quantity("distance", ())))
-                if other not in self._circles:
+                if other not in self.circles:
                     return say("touch.apart", one=one, other=other, distance=length)
                 both = self._both_radii(one, other, radius)
                 if both is None:
@@ -600,9 +600,11 @@ class Naming:
             return say("derived.component-across-vector", axis=self.layout(axis), of=of)
         if event.wall and kind == "along":
             wall = event.bodies[1]
-            if wall not in self._circles and not self.bold.leads_into(event):
+            if wall not in self.circles and not self.bold.leads_into(event):
                 return say("derived.component-across-vector", axis=wall, of=of)
             return say("derived.component-towards", of=of, wall=wall)
+        if event.wall and event.bodies[1] in self.circles:
+            return say("derived.component-tangent", of=of, wall=event.bodies[1])
         if event.wall:
             return say("derived.component-parallel", of=of, wall=event.bodies[1])
         if kind == "along":

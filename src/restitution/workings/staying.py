@@ -121,13 +121,16 @@ class Staying:
             body = line.move.bodies[0] if line.move.bodies else event.bodies[0]
             whole = lay.Relation(tuple(sides), ("=",) * (len(sides) - 1))
             values.append((body, whole if len(sides) > 1 else sides[0]))
-        title: Sentence = (
-            say("unchanged-wall.title", wall=event.bodies[1])
-            if event.wall
-            else say("unchanged.title")
-        )
         axis = self._sense(lines[0], event)
-        return title, self._sentence(event, values, axis)
+        return self._title(event), self._sentence(event, values, axis)
+
+    def _title(self, event: Event) -> Sentence:
+        if not event.wall:
+            return say("unchanged.title")
+        wall = event.bodies[1]
+        if wall in self._naming.circles:
+            return say("unchanged-wall.circle", wall=wall)
+        return say("unchanged-wall.title", wall=wall)
 
     @staticmethod
     def _sentence(
