@@ -463,3 +463,22 @@ show e u <= speed(P) <= u
 """)
     assert "speed(P, 1) <= u" not in lines
     assert lines[-1] == "e u <= speed(P, 1) <= u"
+
+
+@pytest.mark.parametrize("before", [30, 75])
+def test_energy_lost_at_a_wall_takes_the_speed_that_stands(before: int) -> None:
+    text = printed(
+        f"wall W: along i\nsphere P: mass m, velocity u at {before}° to W\nP hits W\n"
+        f"given angle(velocity(P), W) = {before - 15}°\nfind e, speed(P), energy_lost"
+    )
+    assert "Kinetic energy: kinetic energy lost = ½mu² − ½m(" in text
+    assert "Substituting for e" not in text
+
+
+def test_an_energy_lost_by_given_speeds_is_not_by_components() -> None:
+    text = printed(
+        "wall W: along i\nsphere P: mass m, velocity 5u at alpha to W\nP hits W\n"
+        "given speed(P) = 4u\nfind energy_lost"
+    )
+    assert "the speed of P is 4u: kinetic energy lost = ½m(5u)² − ½m(4u)²" in text
+    assert "component" not in text

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -32,6 +33,7 @@ from restitution.planning.forms import (
     tree_of,
 )
 from restitution.planning.formulas import Formula, itself, write_formula
+from restitution.planning.frames import Frame
 from restitution.planning.impacts import in_direction
 from restitution.planning.polynomials import expanded
 from restitution.planning.scene import Scene
@@ -208,10 +210,14 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
     ) or _lost_by_changes(scene, quantity, event)
     if known is not None:
         return known
-    by_speeds = _lost_by_given_speeds(scene, quantity, event)
+    by_speeds = _lost_by_speeds(scene, quantity, event, _given_speed)
     if by_speeds is not None:
         return by_speeds
     frame = scene.frame(event)
+    if len(scene.spheres(event)) == 1 and _is_open(scene, scene.spheres(event)[0], frame):
+        by_speeds = _lost_by_speeds(scene, quantity, event, _plain_speed)
+        if by_speeds is not None:
+            return by_speeds
     terms: list[Expression] = []
     values: list[Any] = []
     refs: list[Any] = [*frame.names_axis("along")]
@@ -271,14 +277,19 @@ def energy_change(scene: Scene, asked: Expression) -> Formula | None:
     return Formula(move, itself, asked, right, tidy(expanded(value)), refs)
 
 
-def _lost_by_given_speeds(scene: Scene, quantity: Quantity, event: int) -> Formula | None:
-    """Where every speed is given, before and after: ½mu² − ½mv²; None otherwise."""
+def _lost_by_speeds(
+    scene: Scene,
+    quantity: Quantity,
+    event: int,
+    known: Callable[[Scene, str, int], Source | None],
+) -> Formula | None:
+    """Where every speed is known, before and after: ½mu² − ½mv²; None otherwise."""
     terms: list[Expression] = []
     values: list[Any] = []
     refs: list[Any] = []
     for body in scene.spheres(event):
         mass = scene.mass(body)
-        early, late = (_given_speed(scene, body, k) for k in (event - 1, event))
+        early, late = (known(scene, body, k) for k in (event - 1, event))
         if early is None or late is None:
             return None
         halves = [_half(tree_of(mass.value), square(tree_of(e.value))) for e in (early, late)]
@@ -288,6 +299,21 @@ def _lost_by_given_speeds(scene: Scene, quantity: Quantity, event: int) -> Formu
     move = Move("define", "energy-lost", event, scene.spheres(event))
     value = tidy(expanded(sum(values)))
     return Formula(move, itself, quantity, total(terms), value, together(refs))
+
+
+def _is_open(scene: Scene, body: str, frame: Frame) -> bool:
+    """Whether the component that changed stands in a letter that has been worked out since."""
+    own = scene.desk.known(frame.component("along", body, frame.number))
+    return own is not None and bool(scene.put(own.value)[1])
+
+
+def _plain_speed(scene: Scene, body: str, stage: int) -> Source | None:
+    """A speed that is given, or a line with nothing open in it."""
+    given = _given_speed(scene, body, stage)
+    if given is not None:
+        return given
+    known = known_speed(scene, body, scene.last_event(body, stage))
+    return None if known is None or scene.unknown(known.value) else known
 
 
 def _given_speed(scene: Scene, body: str, stage: int) -> Source | None:

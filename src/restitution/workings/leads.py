@@ -147,7 +147,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 case Quantity("along") if nothing:
                     return (say("given.fact", fact=sentence),)
             return (say("given.proportion", fact=sentence),)
-        if line.move.record in ("energy-lost", "energy-change"):
+        if line.move.record in ("energy-lost", "energy-change") and not self._by_speeds(line):
             event = self._naming.events.get(line.move.event or 0)
             spheres = line.move.record == "energy-lost" and event is not None and not event.wall
             name = "given.by-those-that-change" if spheres else "given.by-what-changes"
@@ -231,12 +231,13 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         """The value of a letter that a definition puts in, which stands behind the line."""
         return (self._behind[line.number],) if line.number in self._behind else ()
 
-    def _of_energies(self, line: Line) -> bool:
-        """Whether a line rests on kinetic energies that stand above."""
+    def _by_speeds(self, line: Line) -> bool:
+        """Whether a line rests on speeds or kinetic energies that are given or stand above."""
         lines = map(self._derivation.line, (ref for ref in line.premises if isinstance(ref, int)))
-        relations = (each.relation for each in lines if each is not None)
+        facts = map(self._derivation.fact, (ref for ref in line.premises if isinstance(ref, str)))
+        relations = (each.relation for each in (*lines, *facts) if each is not None)
         return any(
-            isinstance(node, Quantity) and node.kind == "energy"
+            isinstance(node, Quantity) and node.kind in ("energy", "speed")
             for each in relations
             if isinstance(each, Relation)
             for node in walk(each.options[0][0].left)
@@ -267,7 +268,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 name = "derived-place.title"
             case "energy-lost", _ if not any(isinstance(ref, int) for ref in line.premises):
                 name = "derived-energy.title"  # by speeds of the data
-            case "energy-lost", _ if self._of_energies(line):
+            case "energy-lost", _ if self._by_speeds(line):
                 name = "derived-energy.title"
             case "tan-deflection", Apply("cot"):
                 name = "turned.products-over"
