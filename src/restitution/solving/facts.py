@@ -9,7 +9,8 @@ import sympy as sp
 
 from restitution.errors import ImpossibleError, MissingError, StatementError
 from restitution.expression.evaluate import Angle, Scalar, Value
-from restitution.expression.tree import Expression, Name, Place
+from restitution.expression.tree import Expression, Name, Place, Quantity
+from restitution.expression.writing import write_expression
 from restitution.problem import (
     Aligned,
     AtRest,
@@ -96,10 +97,25 @@ def _compare(relation: Compare, story: Story, now: int, place: Place | None) -> 
     for n, op in enumerate(relation.operators):
         left, right = values[n : n + 2]
         if op == "=":
+            _look_for_a_size(relation.operands[n : n + 2], (left, right))
             requirements_.extend(equal(story, left, right, place))
             continue
         requirements_.append(_ordered(story, left, op, right, relation.operands[n : n + 2], now))
     return requirements_
+
+
+def _look_for_a_size(trees: Sequence[Expression], values: Sequence[Value]) -> None:
+    """Raises StatementError where a line of centres would equal what is no unit vector."""
+    for tree, other, value in zip(trees, reversed(trees), reversed(values), strict=True):
+        if not (isinstance(tree, Quantity) and tree.kind == "line_of_centres"):
+            continue
+        size = None if not isinstance(value, Vector) else value.x**2 + value.y**2
+        if isinstance(size, sp.Expr) and size.is_number and sp.simplify(size - 1) != 0:
+            text = write_expression(other)
+            raise StatementError(
+                f"line_of_centres is a unit vector, and {text} is not: write "
+                f"'line_of_centres parallel to {text}'"
+            )
 
 
 def equal(story: Story, left: Value, right: Value, place: Place | None) -> list[Requirement]:
