@@ -110,7 +110,7 @@ def find_extremum(
         layout,
     )
     if reached and not place.is_infinite:
-        answer = with_condition(answer, layout, defined(outcome, trial, (place,)))
+        answer = with_condition(answer, layout, defined(outcome, trial, (place, value)))
     proof = _proved(replace(outcome, trials=(trial,)), values[id(trial)], candidate, reached, sign)
     return ItemResult(item, line, item.text, "extremum", (answer,), proof=proof)
 

@@ -350,6 +350,12 @@ def _show_set_or_extremum(results: Results, step: Show, now: int, line: int | No
     result = results.item_result(subject, now, step.in_terms_of)
     if result.error is not None:
         raise result.error
+    if isinstance(subject, Range) and step.in_terms_of is None:
+        claimed_in = set[str]().union(*map(letters, step.relation.operands))
+        in_them = tuple(sorted(claimed_in - letters(subject.expression)))
+        if in_them and not _is_in(result, claimed_in):
+            # A claim whose ends are in some letters is for each of their values, and no others.
+            return _show_set_or_extremum(results, replace(step, in_terms_of=in_them), now, line)
     roles = results.desk.settle(step.in_terms_of, subject).roles
     letters_ = Letters(roles)
     evaluator = Evaluator(SYMBOLIC, letters_.letter)
@@ -364,6 +370,15 @@ def _show_set_or_extremum(results: Results, step: Show, now: int, line: int | No
     if more:  # its form depends on the data: one without max and min is not that of all
         ok = None if claimed.has(sp.Max, sp.Min) else False
     return _compared(step, line, result, ok)
+
+
+def _is_in(result: ItemResult, names: set[str]) -> bool:
+    """Whether a range has no other letters in it."""
+    return all(
+        {symbol.name for symbol in answer.value.free_symbols} <= names
+        for answer in result.answers
+        if isinstance(answer.value, sp.Set)
+    )
 
 
 def _compared(step: Show, line: int | None, result: ItemResult, ok: bool | None) -> ItemResult:

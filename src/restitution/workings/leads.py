@@ -621,8 +621,14 @@ def _under(tree: Expression) -> tuple[Expression, ...]:
 def _is_by_an_angle(speed: Expression) -> bool:
     """Whether a speed is a component over a sine or cosine of an angle in degrees."""
     match speed:
-        case Binary("/", _, Apply("sin" | "cos", Degrees())):
-            return True
+        case Binary("/", _, below):
+            factors = [below.left, below.right] if isinstance(below, Binary) else [below]
+            return any(
+                isinstance(e, Apply)
+                and e.function in ("sin", "cos")
+                and isinstance(e.argument, Degrees)
+                for e in factors
+            )
     return False
 
 

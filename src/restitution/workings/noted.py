@@ -13,8 +13,10 @@ from restitution.expression.tree import Expression, Letter, walk
 from restitution.problem import Extremum, Show
 from restitution.render import layout as lay
 from restitution.solving.coefficients import COEFFICIENTS
+from restitution.solving.letters import roles
 from restitution.workings.ends import Ends
 from restitution.workings.naming import Naming
+from restitution.workings.no_root import reason_of_no_root
 from restitution.workings.refuted import claim_of, refutation
 
 # These notes are of one item each.
@@ -178,6 +180,9 @@ class Notes:
 
     def _without_a_root(self, relation: Relation, bounds: Sequence[Ref]) -> Sentence:
         """What is known of the letters of an equation that none of their values satisfy."""
+        own = reason_of_no_root(relation, self._naming)
+        if own is not None:
+            return say("note.no-root", reasons=(own,))
         about = self._known(bounds)
         for node in (each for tree in trees_of(relation) for each in walk(tree)):
             if isinstance(node, Letter) and node not in about:
@@ -185,6 +190,8 @@ class Notes:
         return say("note.no-root", reasons=tuple(about.values()))
 
     def _positive(self, letter: Expression) -> Sentence:
+        if isinstance(letter, Letter) and roles(self._naming.problem)[letter.name].kind == "angle":
+            return say("derived.acute", angle=self._naming.layout(letter))
         return say("derived.positive", letter=self._naming.layout(letter))
 
     def _known(self, bounds: Sequence[Ref]) -> dict[Expression, Sentence | lay.Layout]:

@@ -1,0 +1,65 @@
+"""Reasons and conditions of answers say what is true of every value of the letters."""
+
+from __future__ import annotations
+
+import pytest
+
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
+
+
+def working(text: str) -> str:
+    return " ".join(to_text(explain(solve(parse(text))), 80).split())
+
+
+def test_a_square_of_a_cosine_is_at_most_one() -> None:
+    shown = working(
+        "sphere A: mass 3m, velocity u at alpha\nsphere B: mass m, velocity u at 180° - alpha\n"
+        "A hits B: along i, e = 1/2\ngiven velocity(A) perpendicular to velocity(B)\n"
+        "find tan(alpha)"
+    )
+    assert "cos²α = 16/11 ≈ 1.45 A1 This cannot be, as cos²α is at most 1." in shown
+
+
+def test_a_quadratic_without_roots_has_a_negative_discriminant() -> None:
+    shown = working(
+        "wall AB: along i\nwall BC: along 120°\nsphere P: velocity u at alpha to AB\nP hits AB\n"
+        "P hits BC\ngiven velocity(P) parallel to velocity(P, 0), e = 1/2\nfind tan(alpha)"
+    )
+    assert "the discriminant of this quadratic in tan α, −23, is negative" in shown
+
+
+def test_a_greatest_value_exists_where_its_form_does() -> None:
+    text = (
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\nA hits B: along i\n"
+        "find maximum of tan(deflection(A)) over alpha"
+    )
+    assert working(text).endswith("This holds for e < 1 only.")
+
+
+@pytest.mark.parametrize(("claim", "holds"), [("0 < k < e", True), ("0 < k < e^2", False)])
+def test_the_ends_of_a_claimed_range_name_its_data(claim: str, holds: bool) -> None:
+    text = (
+        "sphere A: mass k m, velocity u at alpha\nsphere B: mass m, at rest\nA hits B: along i\n"
+        f"given velocity(A) perpendicular to velocity(A, 0)\nshow range of k: {claim}"
+    )
+    ((_, result),) = solve(parse(text)).items()
+    assert result.holds is holds
+
+
+def test_a_speed_by_an_angle_in_degrees_has_two_components() -> None:
+    shown = working(
+        "wall W: along i\nsphere P: velocity 12 at theta to W\nP hits W: e = 0.7\n"
+        "given angle(velocity(P), W) = 25°\nfind theta, speed(P)"
+    )
+    assert "one component only" not in shown
+    assert "Speed of P, by a component and the angle of the velocity" in shown
+
+
+def test_a_case_against_directions_has_directions() -> None:
+    shown = working(
+        "sphere A: mass m, velocity 4u i\nsphere B: mass k m, velocity -u i\n"
+        "A hits B: along i, e = 1/5\nshow velocity(A) in the direction of velocity(B)"
+    )
+    assert "= 0 " not in shown[shown.index("in general") :]
