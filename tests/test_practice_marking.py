@@ -424,3 +424,25 @@ def test_a_law_may_have_values_of_his_own_in_it() -> None:
     assert not [each for each in lost if each.endswith("restitution")]
     alone = kinds_lost(statement, [*lines, "e = -0.552"], letters)
     assert "A1 restitution" in alone
+
+
+def test_what_an_answer_has_cost_follows_through_to_the_next() -> None:
+    statement = (
+        "sphere A: mass 2, velocity 3i + 2j\nsphere B: mass 4, velocity -i + j\n"
+        "A hits B: along i, e = 1/2\nfind speed(A), angle(velocity(A), i)\n"
+    )
+    first = [
+        "6 + 4 = 2v + 4w",
+        "w - v = 2",
+        "6v = 2, v = 1/3",
+        "speed of A = √(1/9 + 4) = √37/3",
+    ]
+    end = "tan θ = 2/(1/3) = 6, θ = 80.5°"
+    letters = {**BOTH, "θ": "angle(velocity(A), i)"}
+    lost = kinds_lost(statement, [*first, end], letters)
+    assert [each for each in lost if each.startswith("A1ft")] == []
+    assert len(lost) == 2  # the equation, and the first answer
+    # A law that loses its method is not followed through.
+    first = ["6 - 4 = 2v + 4w", "w - v = 8", "6v = -30, v = -5", "speed of A = √(25 + 4) = √29"]
+    lost = kinds_lost(statement, [*first, "tan θ = -2/5, θ = 158°"], letters)
+    assert [each for each in lost if each.startswith("A1ft")]

@@ -228,7 +228,7 @@ class _Examiner:
         lost: PointMark | None = None
         for line, use in self._uses(point):
             altered = use.altered is not None
-            through = line.verdict == "follows" and point.follows and not self._begins_here(line)
+            through = line.verdict == "follows" and self._follows_through(point, line)
             if line.verdict in ("true", "remark") or through:
                 if not altered and (lost is None or line.verdict != "follows"):
                     return self._earned(point, line, "")
@@ -302,7 +302,7 @@ class _Examiner:
                 if not line.grounded:
                     last = PointMark(point, "lost", line.line.number, _UNGROUNDED)
             elif line.verdict == "follows" and match != "true":
-                through = point.follows and not self._begins_here(line)
+                through = self._follows_through(point, line)
                 state: State = "earned" if through else "lost"
                 last = PointMark(point, state, line.line.number, "follows from an earlier slip")
             elif line.verdict == "false":
@@ -341,12 +341,36 @@ class _Examiner:
         line = self._line(mark.line)
         return line is not None and self.values.gives_multiple_only(point, line)
 
-    def _begins_here(self, line: JudgedLine) -> bool:
-        """Whether a value follows from a mistake in the working of this part.
+    def _follows_through(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a point is earned by what follows from a mistake.
 
-        What follows through is a value from an earlier part, which is only quoted.
+        Its value comes from an earlier part, where it is only quoted here; or the mistake has lost
+        an earlier A or B, and no method of a law.
         """
-        return any(not self._is_quoted(each) for each in self._roots(line))
+        if not point.follows:
+            return False
+        begun = [each for each in self._roots(line) if not self._is_quoted(each)]
+        return not begun or self._has_cost(begun)
+
+    def _has_cost(self, roots: Sequence[JudgedLine]) -> bool:
+        """Whether mistakes have lost an A or a B of a point above, and no method of a law."""
+        numbers = {each.line.number for each in roots}
+        lost = [
+            each
+            for each in self.states.values()
+            if each.state == "lost" and self._rests_on(each.line, numbers)
+        ]
+        laws = (each for each in lost if each.point.letter == "M")
+        if any(each.point.principle in _LAWS for each in laws):
+            return False
+        return any(each.point.letter in "AB" for each in lost)
+
+    def _rests_on(self, number: int | None, roots: set[int]) -> bool:
+        """Whether a line is one of some false lines, or follows from one of them."""
+        line = self._line(number)
+        if line is None:
+            return False
+        return number in roots or any(each.line.number in roots for each in self._roots(line))
 
     def _is_quoted(self, line: JudgedLine) -> bool:
         """Whether a line gives a letter, in its first line, a value and no more."""

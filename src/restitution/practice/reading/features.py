@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 from restitution.expression.tree import Expression, Negate, Unit
 from restitution.practice.reading.vocabulary import (
+    AT_THE_START,
     BODY_WORDS,
     DIRECTIONS,
     EVENT_WORDS,
@@ -40,7 +41,8 @@ _MASS_CENTRE = frozenset(("centre", "center", "mass", "com"))
 class Features:
     """Features of a phrase; ``names`` stand in the order of the words.
 
-    ``timed`` tells that its words say whether it is before or after the event.
+    ``timed`` tells that its words say whether it is before or after the event, ``start`` that
+    they speak of the very beginning.
     """
 
     heads: frozenset[str] = frozenset()
@@ -55,6 +57,7 @@ class Features:
     both: bool = False
     mass_centre: bool = False
     timed: bool = False
+    start: bool = False
     between: bool = False
 
 
@@ -88,7 +91,7 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
         elif low in DIRECTIONS:
             features = _with_direction(features, DIRECTIONS[low])
         elif low in STAGES:
-            features = replace(features, stage=STAGES[low])
+            features = replace(features, stage=STAGES[low], start=low in AT_THE_START)
         elif low in ORDINALS and _counts_events(words, place):
             features = replace(features, event=ORDINALS[low])
         elif low in ("wall", "cushion", "barrier"):
@@ -101,7 +104,7 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
             features = replace(features, heads=features.heads | {"velocity"})
         elif low == "between":
             features = replace(features, between=True)
-        elif low == "relative":
+        elif low in ("relative", "rel"):
             features = replace(features, heads=features.heads | {"relative"})
         elif low in ("rebounds", "hits", "collides") and not features.stage:
             features = replace(features, stage="after")

@@ -30,7 +30,8 @@ _BEHIND_AXIS = frozenset(
     ("component", "components", "comp", "comps", "direction", "dir", "dirn", "axis", "cpt")
 )
 _STARTS = frozenset(
-    ("total", "overall", "combined", "resultant", "relative", "horizontal", "vertical", "line")
+    ("total", "overall", "combined", "resultant", "relative", "rel", "horizontal", "vertical")
+    + ("line",)
 )
 _WAYS = frozenset(("parallel", "along", "perpendicular", "perp", "in"))
 _NEAR_A_NAME = frozenset(

@@ -507,6 +507,8 @@ class _Reader:
                 yield value if gain else Negate(value)
             return
         stage = before if self.features.stage == "before" else after
+        if self.features.start and before:
+            yield Quantity("energy", () if body is None else (Name(body),), 0)
         if self.features.direction or self.features.axis is not None:
             yield self.energy_of_components(event, body)
         elif body is not None:

@@ -17,6 +17,7 @@ from restitution.practice.reading.characters import Plain
 from restitution.practice.reading.runs import is_mathematical, piece
 from restitution.practice.reading.tokens import Token, Usage
 from restitution.practice.reading.vocabulary import (
+    ABBREVIATED,
     ANNOUNCING,
     CONNECTIVES,
     DECLARES,
@@ -83,6 +84,9 @@ _FROM_AN_AXIS = re.compile(
     r"\b(?:below|above|under)\s+(?:the\s+)?(?:[+-]\s?)?"
     r"(?:[ij]\b(?:\s*-?\s*(?:axis|dir(?:ectio)?n?))?|[xy]\s*-?\s*axis|(?:horizontal|vertical)\b)"
 )
+_SHORT_FORM = re.compile(
+    rf"\b({'|'.join(sorted(ABBREVIATED))})\.(?=\s*(?:[a-z=:]|[A-Z]\b))", re.IGNORECASE
+)
 _ORDINAL = re.compile(r"(\d)(?:st|nd|rd|th)\b", re.IGNORECASE)
 
 _SIGNS = {
@@ -119,6 +123,7 @@ def blanked(text: str) -> str:
     text = _OF_BODY.sub(lambda match: f"{match[1]} {match[2]}".ljust(len(match[0])), text)
     text = _CENTRES.sub(lambda match: "loc".ljust(len(match[0])), text)
     text = _THAT_IS.sub(lambda match: "so".ljust(len(match[0])), text)
+    text = _SHORT_FORM.sub(r"\1 ", text)
     text = _POSSESSIVE.sub(lambda match: match[1].ljust(len(match[0])), text)
     text = _FROM_AN_AXIS.sub(lambda match: " " * len(match[0]), text)
     text = _DOTTED.sub(lambda match: (match[1] + match[2]).ljust(len(match[0])), text)

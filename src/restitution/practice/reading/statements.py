@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     letters,
+    walk,
 )
 from restitution.practice.reading.angles import angular, is_angle, without_marks
 from restitution.practice.reading.characters import Plain
@@ -625,7 +626,18 @@ class _Reader:
         if label.name == _LAW or (label.name == _LAW_OF_RESTITUTION and letters(first)):
             return
         if evaluates and not isinstance(first, Letter) and not is_function(first):
-            self.link((Side(Letter(label.name)),), "=", read[0], sides[0], label)
+            self.link(self._worth_of(label, first), "=", read[0], sides[0], label)
+
+    def _worth_of(self, label: Token, first: Expression) -> tuple[Side, ...]:
+        """What a label before a chain is: a speed before a sum of squares may be its square."""
+        name = Letter(label.name)
+        square = any(
+            isinstance(each, Binary) and each.op == "^" for each in walk(first) if each is not first
+        )
+        summed = isinstance(first, Binary) and first.op == "+"
+        if summed and square and HEADS.get(label.name.split()[0]) in ("speed", "magnitude"):
+            return Side(name), Side(Binary("^", name, Number(Fraction(2))))
+        return (Side(name),)
 
     def _calculations(self) -> list[list[Token]]:
         """The first sides of relations further on that work out numbers, and have no label.

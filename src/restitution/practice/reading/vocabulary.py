@@ -15,7 +15,7 @@ HEADS: Mapping[str, str] = {
     **dict.fromkeys(("angle", "angles", "ang"), "angle"),
     **dict.fromkeys(("ratio", "fraction", "proportion", "percentage", "percent"), "ratio"),
     **dict.fromkeys(("momentum", "momenta", "mom", "mtm"), "momentum"),
-    **dict.fromkeys(("approach", "app", "appr", "approaching"), "approach"),
+    **dict.fromkeys(("approach", "app", "appr", "approaching", "closing"), "approach"),
     **dict.fromkeys(("separation", "sep", "separating", "seperation"), "separation"),
     **dict.fromkeys(("loss", "lost", "losses"), "loss"),
     **dict.fromkeys(("gain", "gained"), "gain"),
@@ -66,6 +66,10 @@ STAGES: Mapping[str, str] = {
     "end": "after",
 }
 
+AT_THE_START = frozenset(
+    ("start", "initial", "initially", "original", "originally")
+)  # before all events as well as before the last
+
 ORDINALS: Mapping[str, int] = {
     "first": 1,
     "second": 2,
@@ -98,13 +102,18 @@ BODY_WORDS = frozenset(
     ("sphere", "spheres", "ball", "balls", "particle", "particles", "body", "wall", "walls")
     + ("cushion", "disc", "puck", "snooker", "both", "barrier", "side")
 )
+# Short forms with a point behind them: ``sep. speed``, ``rel. vel. before``.
+ABBREVIATED = frozenset(
+    ("sep", "app", "appr", "rel", "vel", "perp", "par", "para", "comp", "cpt", "horiz", "vert")
+    + ("mom", "imp", "mag", "defl", "ang", "dist", "coeff", "bef", "aft", "spd", "prp")
+)
 # Words that may stand within a phrase and add nothing to it.
 FILLERS = frozenset(
     ("of", "the", "in", "to", "from", "for", "on", "with", "its", "by", "between", "at", "and")
     + ("just", "immediately", "line", "direction", "total", "overall", "system", "whole", "plane")
     + ("surface", "moment", "makes", "made", "relative", "combined", "through", "s", "axis", "dir")
     + ("dirn", "moves", "moving", "actual", "resultant", "sum", "which", "it", "that", "their")
-    + ("motion", "given", "exerted", "received", "common", "full", "into", "wrt", "joining")
+    + ("motion", "given", "exerted", "received", "common", "full", "into", "wrt", "joining", "rel")
 )
 PHRASE_WORDS = (
     frozenset(HEADS)
