@@ -14,9 +14,9 @@ from restitution.expression.tree import Binary, Degrees, Expression, Name, Negat
 from restitution.planning.circles import circle_of
 from restitution.planning.desk import Source, chain, together
 from restitution.planning.forms import product, total, tree_of, vector
-from restitution.planning.impacts import plain_direction, whole_direction
 from restitution.planning.place_trees import AXES, coordinate_tree, place_tree
 from restitution.planning.scene import Scene
+from restitution.planning.unit_vectors import plain_direction, whole_direction
 from restitution.planning.whereabouts import contact_of
 from restitution.problem import Arrival, Impact
 from restitution.vector import Vector

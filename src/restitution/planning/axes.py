@@ -24,10 +24,10 @@ from restitution.planning.desk import NotPlannedError, Source, together
 from restitution.planning.either_side import frame_on_one_side, write_sides
 from restitution.planning.forms import tree_of, vector
 from restitution.planning.frames import Frame, frame_of
-from restitution.planning.impacts import plain_direction, whole_direction
 from restitution.planning.premises import background
 from restitution.planning.radii import frame_by_places, is_by_places
 from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.unit_vectors import plain_direction, whole_direction
 from restitution.planning.vectors import velocity_given
 from restitution.vector import Vector
 

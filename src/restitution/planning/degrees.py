@@ -51,16 +51,11 @@ def by_degrees(
         function = "sin" if straight == (kind == "along") else "cos"
         share = share_by_degrees(ratio, function) or _share_in_numbers(link.right, size, ratio)
         if share is not None and not _names_an_angle(scene, frame):
-            share = _as_a_number(share, ratio)
+            share = tree_of(abs(ratio)) if initial.x and initial.y else None
     if share is None:
         return None
     own = product(tree_of(size), share)
     return negative(own) if scene.model.sign(value) < 0 else own
-
-
-def _as_a_number(share: Expression, ratio: sp.Expr) -> Expression:
-    """A sine or cosine of degrees as its value; of 45° a reader sees it by the direction."""
-    return share if Degrees(Fraction(45)) in angles_in(share) else tree_of(abs(ratio))
 
 
 def _names_an_angle(scene: Scene, frame: Frame) -> bool:

@@ -40,7 +40,7 @@ from restitution.expression.tree import (
 from restitution.planning.desk import Desk, NotPlannedError, chain, together
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
-from restitution.planning.impacts import plain_direction
+from restitution.planning.unit_vectors import plain_direction
 from restitution.problem import trees
 from restitution.solving.solution import ItemResult, PartSolution, Solution
 from restitution.vector import Vector

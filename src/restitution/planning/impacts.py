@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Meaning, Move, MoveId, Ref
+from restitution.explaining.derivation import Link, Meaning, Move, MoveId, Ref, Relation, Showing
+from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Expression,
     Letter,
@@ -21,6 +23,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning.assembling import put_together
 from restitution.planning.circles import chord_from, from_centre
 from restitution.planning.degrees import by_degrees, share_by_degrees
 from restitution.planning.desk import NotPlannedError, Source, chain, together
@@ -37,8 +40,10 @@ from restitution.planning.forms import (
     total,
     tree_of,
 )
+from restitution.planning.formulas import write_formula
 from restitution.planning.frames import Frame
 from restitution.planning.scene import Scene
+from restitution.planning.unit_vectors import whole_direction
 from restitution.planning.vectors import velocity_given
 from restitution.problem import Find, Impact, Value
 from restitution.vector import Vector
@@ -76,11 +81,15 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
         if not any(initial.value):
             return Source(sp.Integer(0), initial.refs)  # at rest: in every direction
         value = neat(initial.value.dot(direction))
-        by_places = frame.write is not None
-        if frame.is_slanted and (by_places or not is_polar(scene, body)):
-            form = by_degrees(scene, kind, body, frame, value)
-            return by_scalar_product(scene, tree, initial, frame, direction, form)
         form = by_degrees(scene, kind, body, frame, value)
+        form = form or _by_the_angle_of_the_line(scene, kind, body, frame)
+        in_a_line = frame.write is not None or not is_polar(scene, body)
+        # Who moves along the line of centres, by its angle, has its speed as its component.
+        in_a_line |= frame.wall is None and not any(
+            _parallel(scene, initial.value, each) for each in (frame.n, frame.t)
+        )
+        if frame.is_slanted and in_a_line:
+            return by_scalar_product(scene, tree, initial, frame, direction, form)
         return _put(scene, Source(value, initial.refs, frame.refs, form))
     vector = scene.desk.known(Quantity("velocity", (Name(body),), last))
     if last not in scene.model.frames:
@@ -183,21 +192,58 @@ def by_scalar_product(
 
     ``form`` is how the component is written, where it is no scalar product.
     """
-    value, more = scene.put(source.value.dot(direction))
-    if more:
-        source = Source(scene.put(source.value)[0], together(source.refs, more))
-    value = tidy(value)
-    first = _scalar_product(source.value, direction)
-    written = form or first
-    last = written if reordered(written, tree_of(value)) else tree_of(value)
-    number = scene.desk.write(
-        Move("define", "component", frame.number, _body(quantity)),
-        together(source.refs, frame.refs),
-        chain(quantity, (written, None), (last, "rearrange")),
-        # What is at rest has no component in any direction: nobody writes that down.
-        "line" if any(source.value) else "silent",
-    )
+    (body,) = _body(quantity)
+    exact = neat(source.value.dot(direction))
+    value, more = scene.put(exact)
+    value, refs = tidy(value), together(source.refs, more, frame.refs)
+    move = Move("define", "component", frame.number, (body,))
+    last = tree_of(value)
+    if form is None and more and not scene.last_event(body, frame.number - 1):
+        form = _with_a_ratio(exact)
+    by: MoveId = "rearrange" if form is None or letters(form) == letters(last) else "define"
+    written = form or _scalar_product(scene.put(source.value)[0], direction)
+    if any(ratio.args[0].is_Add for ratio in value.atoms(sp.sin, sp.cos)):
+        number = scene.desk.write(move, refs, chain(quantity, (written, None)))
+        refs, move, written = (number,), Move("identity", "sum-of-angles"), last
+    if reordered(written, last):
+        links: tuple[Link, ...] = (Link(quantity, "=", written),)
+    elif _is_over_a_root(written):
+        links = (Link(quantity, "=", written), Link(written, "=", last, by))
+    else:
+        links = chain(quantity, (written, None), (last, by)).only
+    # What is at rest has no component in any direction: nobody writes that down.
+    shown: Showing = "line" if any(source.value) else "silent"
+    number = scene.desk.write(move, refs, Relation((links,)), shown)
     return scene.desk.know(quantity, value, (number,))
+
+
+def _by_the_angle_of_the_line(
+    scene: Scene, kind: str, body: str, frame: Frame
+) -> Expression | None:
+    """A component by the letter of the angle of a line of centres, of which a ratio is given."""
+    fact = scene.facts.get(f"axis {frame.number}")
+    if fact is None or not frame.is_slanted or frame.direction(kind).x.free_symbols:
+        return None
+    match fact.relation.only:
+        case (Link(_, "=" | "parallel to", Letter() as angle),):
+            turn = in_letters(angle)
+        case _:
+            return None
+    along = Vector(sp.cos(turn), sp.sin(turn))
+    direction = along if kind == "along" else along.turned_left()
+    return _with_a_ratio(neat(scene.initial(body).value.dot(direction)))
+
+
+def _with_a_ratio(value: sp.Expr) -> Expression | None:
+    """A component as a speed times a sine or a cosine; None of any other."""
+    ratios = value.atoms(sp.sin, sp.cos)
+    return tree_of(value) if len(ratios) == 1 and not value.has(sp.Add) else None
+
+
+def _is_over_a_root(tree: Expression) -> bool:
+    """Whether a product is over the root that is the length of a direction: ``u/√2``."""
+    own = tree.operand if isinstance(tree, Negate) else tree
+    return isinstance(own, Binary) and own.op == "/" and isinstance(own.right, Apply)
 
 
 def _scalar_product(vector: Vector, direction: Vector) -> Expression:
@@ -216,48 +262,6 @@ def _body(component: Quantity) -> tuple[str, ...]:
         and argument.arguments
         and isinstance(argument.arguments[0], Name)
     )
-
-
-def whole_direction(direction: Vector) -> tuple[Vector, sp.Expr]:
-    """A unit vector as a vector of whole numbers, where there is one, and its length."""
-    x, y = direction
-    if x == 0 or y == 0 or not sp.sympify(y / x, strict=True).is_Rational:
-        return direction, sp.Integer(1)
-    ratio = sp.Rational(y / x)
-    size = sp.sqrt(ratio.p**2 + ratio.q**2)
-    sign = 1 if x.is_positive else -1
-    return Vector(sign * sp.Integer(ratio.q), sign * sp.Integer(ratio.p)), size
-
-
-def plain_direction(direction: Vector) -> Vector:
-    """The shortest vector in a direction: of whole numbers, or with one root, if there is one."""
-    x, y = (tidy(sp.expand(each)) for each in direction)
-    if y != 0 and sp.sympify(x / y, strict=True).is_Rational:
-        ratio = sp.Rational(x / y)
-        sign = 1 if y > 0 else -1
-        return Vector(sp.Integer(sign * ratio.p), sp.Integer(sign * ratio.q))
-    if y != 0 and (surd := sp.sympify(tidy(x / y), strict=True)).is_number:
-        part, root = surd.as_coeff_Mul()
-        if root.is_Pow and root.exp == sp.Rational(1, 2) and root.base.is_Integer:
-            return _with_a_root(part, root, 1 if y > 0 else -1)
-    common = _content((x, y))
-    return Vector(tidy(x / common), tidy(y / common))
-
-
-def _with_a_root(part: sp.Rational, root: sp.Expr, sign: int) -> Vector:
-    """A vector with the ratio of a rational number times a root, in its shorter form."""
-    p, q = sp.Integer(part.p), sp.Integer(part.q)
-    common = sp.gcd(p * root.base, q)
-    forms = [(p * root, q), (p * root.base / common, q * root / common)]
-    x, y = min(forms, key=lambda each: float(abs(each[0]) + abs(each[1])))
-    return Vector(sign * x, sign * y)
-
-
-def _content(parts: Iterable[sp.Expr]) -> sp.Expr:
-    """The rational number that all terms of some numbers are multiples of."""
-    terms = [t for each in parts for t in sp.Add.make_args(sp.expand(each)) if t != 0]
-    factors = [abs(term.as_coeff_Mul()[0]) for term in terms]
-    return sp.gcd_list(factors) if factors else sp.Integer(1)
 
 
 def settled(scene: Scene, tree: Expression) -> Source | None:
@@ -351,7 +355,7 @@ def _by_ratio(
 def _product_of_units(a: Vector, b: Vector, value: sp.Expr) -> Expression:
     """The scalar product of two unit vectors: as products, where neither is along an axis."""
     (one, size), (other, length) = whole_direction(a), whole_direction(b)
-    if size == 1 or length == 1:
+    if not all((*one, *other)):
         return tree_of(value)
     minus = bool(value.is_negative)
     terms = (
@@ -388,8 +392,13 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
     if own.direction("along").x == 0:
         terms.reverse()  # along **i** first
     terms.sort(key=lambda term: isinstance(term, Negate))
-    refs = together(*(each.whole for each in put), own.unit_free, frame.unit_free)
     quantity = frame.component(kind, body, stage)
+    if own.is_slanted and frame.is_slanted and _are_two_terms([each.value for each in put]):
+        # Instead of four products of the unit vectors of two slanting lines.
+        whole = put_together(body, stage, own, (put[0], put[1]))
+        vector = Source(whole.value, (write_formula(scene, whole),))
+        return by_scalar_product(scene, quantity, vector, frame, direction)
+    refs = together(*(each.whole for each in put), own.unit_free, frame.unit_free)
     move = Move("define", "component", frame.number, (body,))
     first, last = swept(total(terms)), tree_of(value)
     if any(ratio.args[0].is_Add for ratio in value.atoms(sp.sin, sp.cos)):
@@ -397,6 +406,11 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
         refs, move, first = (number,), Move("identity", "sum-of-angles"), last
     number = scene.desk.write(move, refs, chain(quantity, (first, None), (last, "rearrange")))
     return scene.desk.know(quantity, value, (number,))
+
+
+def _are_two_terms(values: list[sp.Expr]) -> bool:
+    """Whether two components are other than 0, and no sums."""
+    return all(values) and not any(value.has(sp.Add) for value in values)
 
 
 def _share_of_degrees(share: sp.Expr, function: str) -> Expression | None:

@@ -24,10 +24,10 @@ from restitution.planning.axes import write_wall
 from restitution.planning.desk import Source, chain, together
 from restitution.planning.forms import product, square, total, tree_of
 from restitution.planning.formulas import Formula, write_formula
-from restitution.planning.impacts import whole_direction
 from restitution.planning.polynomials import expanded
 from restitution.planning.quantities import formula
 from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.unit_vectors import whole_direction
 from restitution.planning.velocity_formulas import body_and_stage, velocity_source
 from restitution.vector import Vector
 

@@ -32,10 +32,11 @@ from restitution.planning.forms import (
     tree_of,
 )
 from restitution.planning.frames import Frame
-from restitution.planning.impacts import plain_direction, residual
+from restitution.planning.impacts import residual
 from restitution.planning.named_angles import letters_taken
 from restitution.planning.premises import background
 from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.unit_vectors import plain_direction
 from restitution.solving.numbers import number_of
 from restitution.vector import Vector
 

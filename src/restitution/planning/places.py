@@ -37,7 +37,6 @@ from restitution.planning.forms import (
     tree_of,
     vector,
 )
-from restitution.planning.impacts import whole_direction
 from restitution.planning.place_trees import (
     AXES,
     Axis,
@@ -50,6 +49,7 @@ from restitution.planning.resolving import unit_of
 from restitution.planning.rims import Way, time_of_touching, time_on_a_chord
 from restitution.planning.scene import Scene
 from restitution.planning.straight_walls import equation_of_line
+from restitution.planning.unit_vectors import whole_direction
 from restitution.planning.whereabouts import (
     axis_for,
     axis_of_approach,

@@ -8,9 +8,9 @@ from restitution.expression.tree import Binary, Quantity, walk
 from restitution.planning.aims import struck, write_centres
 from restitution.planning.forms import swept, tree_of, vector
 from restitution.planning.frames import Frame
-from restitution.planning.impacts import whole_direction
 from restitution.planning.places import spot
 from restitution.planning.scene import Scene
+from restitution.planning.unit_vectors import whole_direction
 from restitution.vector import Vector
 
 

@@ -12,7 +12,7 @@ from restitution.explaining.derivation import Link
 from restitution.expression.tree import Expression
 from restitution.planning.desk import link
 from restitution.planning.forms import product, swept, total, tree_of
-from restitution.planning.impacts import plain_direction
+from restitution.planning.unit_vectors import plain_direction
 from restitution.vector import Vector
 
 

@@ -22,8 +22,9 @@ from restitution.expression.tree import (
 from restitution.planning.desk import NotPlannedError, Source, link, together
 from restitution.planning.forms import ONE, ZERO, product, total, tree_of
 from restitution.planning.frames import Frame
-from restitution.planning.impacts import in_direction, is_polar, whole_direction
+from restitution.planning.impacts import in_direction, is_polar
 from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.unit_vectors import whole_direction
 from restitution.planning.velocity_formulas import body_and_stage, frame_after, in_the_plane
 from restitution.planning.whereabouts import source_of
 from restitution.vector import Vector

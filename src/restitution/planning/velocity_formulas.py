@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     has_quantity,
     walk,
 )
+from restitution.planning.assembling import put_together
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import (
     product,
@@ -29,11 +30,10 @@ from restitution.planning.forms import (
     swept,
     total,
     tree_of,
-    vector,
 )
 from restitution.planning.formulas import Formula, itself, write_formula
 from restitution.planning.frames import Frame
-from restitution.planning.impacts import blown, in_direction, whole_direction
+from restitution.planning.impacts import blown, in_direction
 from restitution.planning.polynomials import expanded
 from restitution.planning.scene import Scene
 from restitution.planning.vectors import velocity_given
@@ -145,38 +145,7 @@ def velocity_formula(scene: Scene, quantity: Quantity) -> Formula:
         return _once_more(scene, quantity, body, stage, known)
     frame = frame_after(scene, body, stage)
     along, across = parts(scene, body, stage, frame)
-    value = frame.n * along.value + frame.t * across.value
-    refs = together(along.refs, across.refs, frame.unit_free if stage else ())
-    aligned = frame.across is not None or frame.n in (Vector(1, 0), Vector(0, 1))
-    if aligned:
-        right = vector(tree_of(value.x), tree_of(value.y))
-    else:
-        right = total(
-            product(tree_of(own.value), _unit_tree(direction))
-            for own, direction in ((along, frame.n), (across, frame.t))
-        )
-    move = Move("define", "assemble", stage or None, (body,))
-    return Formula(move, itself, quantity, right, Vector(*map(tidy, value)), refs)
-
-
-def _unit_tree(direction: Vector) -> Expression:
-    """A unit vector as a whole number of **i** and **j** over its length, or in letters over it."""
-    whole, length = _over_its_root(direction) or whole_direction(direction)
-    tree = vector(*map(tree_of, whole))
-    return tree if length == 1 else Binary("/", tree, tree_of(length))
-
-
-def _over_its_root(direction: Vector) -> tuple[Vector, sp.Expr] | None:
-    """A vector and the root of letters that both its parts have below; None without such a one."""
-    roots = [
-        {each for each in part.atoms(sp.Pow) if each.exp == -sp.S.Half and each.free_symbols}
-        for part in direction
-    ]
-    if len(roots[0]) != 1 or roots[0] != roots[1]:
-        return None
-    (root,) = roots[0]
-    whole = Vector(*(part / root for part in direction))
-    return None if any(part.atoms(sp.Pow) & roots[0] for part in whole) else (whole, 1 / root)
+    return replace(put_together(body, stage, frame, (along, across)), quantity=quantity)
 
 
 def squares(

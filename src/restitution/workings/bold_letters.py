@@ -28,6 +28,7 @@ from restitution.explaining.saying import Sentence, say
 from restitution.explaining.trials import on_either_side
 from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Degrees,
     Expression,
@@ -42,7 +43,7 @@ from restitution.expression.tree import (
 )
 from restitution.oracle import REAL, Oracle, Role, compared
 from restitution.planning.forms import tree_of
-from restitution.planning.impacts import whole_direction
+from restitution.planning.unit_vectors import whole_direction
 from restitution.render import layout as lay
 from restitution.vector import Vector
 from restitution.workings.in_force import inequalities
@@ -184,13 +185,13 @@ class BoldLetters:
         if self._directions.get(number) is None or None in map(self._free, _LETTERS):
             return False
         event = self._events[number]
-        if event.wall and not self._is_told_by_the_wall(event.bodies[0]):
+        if not event.wall or not self._is_told_by_the_wall(event.bodies[0]):
             return True
         # Components are written in one way in the whole working.
         return any(
             self._is_vector(body, other.number)
             for other in self._events.values()
-            if other.wall == event.wall and self._directions.get(other.number) is not None
+            if other.wall and self._directions.get(other.number) is not None
             for body in other.bodies
         )
 
@@ -285,8 +286,11 @@ class BoldLetters:
             letter = lay.Bold(self._free(kind) or "", subscript)
             self._units[number, kind] = letter
             axis = direction if kind == "along" else direction.turned_left()
-            value = self.layout(_tree_of_unit(axis))
-            equations.append(lay.Relation((letter, value), ("=",)))
+            sides = [letter, self.layout(_tree_of_unit(axis))]
+            put = _with_ratios(axis, self._ratios(number))
+            if put != axis:
+                sides.append(self.layout(_tree_of_unit(put)))
+            equations.append(lay.Relation(tuple(sides), ("=",) * (len(sides) - 1)))
         event = self._events[number]
         which = kinds[0] if len(kinds) == 1 else "both"
         slots: dict[str, lay.Layout | str] = dict(zip(kinds, equations, strict=True))
@@ -302,6 +306,31 @@ class BoldLetters:
             name = _FROM_THE_FIRST[which]
             slots |= {"first": event.bodies[0], "second": event.bodies[1]}
         self._pending.append(say(name, **slots))
+
+    def _ratios(self, number: int) -> dict[sp.Expr, sp.Expr]:
+        """The sines and cosines that have a number above the components at an event."""
+        lines = self.derivation.lines
+        resolved = [e.move.record == "component" and e.move.event == number for e in lines]
+        above = lines[: resolved.index(True)] if True in resolved else ()
+        ratios: dict[sp.Expr, sp.Expr] = {}
+        for relation in (
+            *(e.relation for e in self.derivation.facts),
+            *(e.relation for e in above),
+        ):
+            match relation:
+                case Relation(((Link(Apply("sin" | "cos", Letter()) as ratio, "="), *_),)):
+                    value = _value(relation.only[-1].right, {}, {})
+                    if value.is_number:
+                        ratios[sp.sympify(in_letters(ratio), strict=True)] = value
+        return ratios
+
+
+def _with_ratios(direction: Vector, ratios: Mapping[sp.Expr, sp.Expr]) -> Vector:
+    """A direction with the numbers of its sines and cosines, where all are known."""
+    put = Vector(
+        *(tidy(sp.sympify(each, strict=True).xreplace(dict(ratios))) for each in direction)
+    )
+    return put if all(each.is_number for each in put) else direction
 
 
 def _values_of_letters(derivation: Derivation) -> dict[str, sp.Expr]:

@@ -59,6 +59,8 @@ _REMEMBERED = 3
 # Whole numbers from here on are too long to stand under a root.
 _LONG = 1000
 _TANGENTS = frozenset({"tan", "tan-direction"})
+# What is divided by the length of a direction: a reader sees its root below the line.
+_BY_A_LENGTH = frozenset({"scalar-angle", "component"})
 _ORDERS = frozenset({"<", "<=", ">", ">="})
 # What two values are that are known to differ.
 _STRICT: Mapping[str, Sign] = {"<": "<", "<=": "<", ">": ">", ">=": ">"}
@@ -245,7 +247,7 @@ class Rows:
         if angle is not None:
             sides[:0], signs[:0] = [self._naming.layout(Apply("tan", angle))], ["="]
         match links[0].right:
-            case Binary("/") | Negate(Binary("/")) if line.move.record == "scalar-angle":
+            case Binary("/") | Negate(Binary("/")) if line.move.record in _BY_A_LENGTH:
                 sides[1] = self._unrationalised(links[0].right)
         for n in range(len(sides) - 1, 1, -1):
             if sides[n] == sides[n - 1] and signs[n - 1] == "=":
@@ -291,7 +293,9 @@ class Rows:
         own = ratio.operand if isinstance(ratio, Negate) else ratio
         whole = self._naming.layout(ratio)
         match own:
-            case Binary("/", Number() as above, below) if not letters(below):
+            case Binary(
+                "/", Number() | Letter() | Binary("*") as above, Apply("sqrt") as below
+            ) if not letters(below):
                 quotient = lay.Fraction(self._naming.layout(above), self._naming.layout(below))
                 return quotient if own is ratio else lay.negative(quotient)
         return whole

@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     Name,
     Polar,
     Quantity,
+    has_quantity,
 )
 
 # What is a component, a vector put together, or a product of vectors, by their values.
@@ -133,6 +134,8 @@ def _is_resolved(step: Step, line: Link) -> bool:
     resolved = rules.put_into(value)
     if resolved == value:
         return False
+    if not has_quantity(line.right):
+        right = rules.put_into(right)
     if isinstance(resolved, Plane) and isinstance(right, Quotient) and right.vanishes:
         right = Plane(right, right)  # at rest
     if isinstance(resolved, Plane) and isinstance(right, Plane):
