@@ -305,7 +305,7 @@ def test_units_stand_with_numbers_and_not_with_letters(name: str, lines: list[st
         ("wall-by-angles", ["(the speed of P)"]),
         (
             "struck-ball",
-            ["Components after the impact:", "component of 𝐯_B along the line of centres ="],
+            ["Components after the impact:", "𝐯_B · 𝐧 ="],
         ),
     ],
 )

@@ -301,9 +301,9 @@ def test_a_wall_between_points_has_unit_vectors() -> None:
 
 
 def test_a_direction_across_is_told_where_it_is_used() -> None:
-    assert "those perpendicular to" not in working(OFFSET)
+    assert "perpendicular to it" not in working(OFFSET)
     sideways = OFFSET.replace("find speed(B)", "find speed(A)")
-    assert "those perpendicular to the line of centres in the direction of" in working(sideways)
+    assert "𝐭 = −½𝐢 + (√3/2)𝐣 the one perpendicular to it" in working(sideways)
 
 
 # --- reasons behind lines ------------------------------------------------------------------------

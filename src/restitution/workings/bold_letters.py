@@ -2,7 +2,7 @@
 
 A velocity is **v** with the name of its body, and **u** before anything happens. Where a working
 speaks of several velocities of one body, each has the number of its impact. Along a slanting line
-that is told by **i** and **j** there are unit vectors, **n** along the line of centres or towards
+of which the direction is known there are unit vectors, **n** along the line of centres or towards
 the wall and **t** at right angles to it, so that a component is a scalar product with its sense.
 """
 

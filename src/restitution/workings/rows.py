@@ -293,8 +293,8 @@ class Rows:
         own = ratio.operand if isinstance(ratio, Negate) else ratio
         whole = self._naming.layout(ratio)
         match own:
-            case Binary(
-                "/", Number() | Letter() | Binary("*") as above, Apply("sqrt") as below
+            case Binary("/", Number() as above, below) | Binary(
+                "/", Letter() | Binary("*") as above, Apply("sqrt") as below
             ) if not letters(below):
                 quotient = lay.Fraction(self._naming.layout(above), self._naming.layout(below))
                 return quotient if own is ratio else lay.negative(quotient)

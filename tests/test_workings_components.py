@@ -1,0 +1,116 @@
+"""Components before an impact: each with its product, along unit vectors that have a name."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from restitution.explaining.follower import follow
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solving import solve
+from restitution.solving.letters import roles
+from restitution.workings import explain, to_text
+
+BY_ANGLES = """
+sphere A: mass 2m, velocity 3u at 90°
+sphere B: mass m, velocity u i
+A hits B: along i - j, e = 1/2
+find velocity(A)
+"""
+
+ALONG_A_LETTER = """
+sphere A: mass 3m, velocity 2u i
+sphere B: mass m, at rest
+A hits B: along theta
+given sin(theta) = 5/13, e = 1/2
+find velocity(A)
+"""
+
+FROM_THE_LINE = """
+sphere A: mass m, velocity 3u at alpha from i + 2j
+sphere B: mass 2m, at rest
+A hits B: along i + 2j, e = 1/2
+given sin(alpha) = 3/5
+find speed(A)
+"""
+
+TWO_LETTERS = """
+sphere A: mass 2m, velocity 2u at alpha
+sphere B: mass m, at rest
+A hits B: along theta, e = 1/2
+find impulse
+"""
+
+ALONG_THE_LINE = """
+sphere A: mass 2m, velocity 2u at 45°
+sphere B: mass m, at rest
+A hits B: along i + j, e = 1/2
+find speed(B)
+"""
+
+TWO_SLANTS = """
+sphere A: mass 2m, velocity u i
+sphere B, C: mass m, at rest
+A hits B: along 30°, e = 1/2
+A hits C: along -30°, e = 1/2
+find velocity(A)
+"""
+
+TWO_SLANTS_LEFT_AT_REST = """
+sphere A, B, C: mass m
+sphere A: velocity u i
+sphere B, C: at rest
+A hits B: along 30°, e = 1
+A hits C: along -30°, e = 1/2
+find velocity(A)
+"""
+
+
+@cache
+def working(text: str) -> str:
+    """A printed working, every line of which the follower accepts, with single spaces."""
+    solution = solve(parse(text))
+    oracle = Oracle(roles(solution.problem))
+    assert follow(plan(solution), oracle) == ()
+    return " ".join(to_text(explain(solution), 80).split())
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        (BY_ANGLES, ("𝐮_A · 𝐧 = −3u/√2 = −3√2 u/2", "𝐮_A · 𝐭 = 3u/√2 = 3√2 u/2")),
+        (BY_ANGLES, ("𝐮_B · 𝐧 = u/√2 = √2 u/2", "m(√2 u/2)")),
+        (
+            ALONG_A_LETTER,
+            (
+                "𝐧 = cos θ 𝐢 + sin θ 𝐣 = (12𝐢 + 5𝐣)/13",
+                "𝐭 = −sin θ 𝐢 + cos θ 𝐣 = (−5𝐢 + 12𝐣)/13",
+                "𝐮_A · 𝐧 = 2u cos θ = 24u/13",
+                "𝐮_A · 𝐭 = −2u sin θ = −10u/13",
+            ),
+        ),
+        (FROM_THE_LINE, ("𝐮_A · 𝐧 = 3u cos α = 12u/5", "𝐮_A · 𝐭 = 3u sin α = 9u/5")),
+        (TWO_LETTERS, ("𝐮_A · 𝐧 = 2u cos(α − θ)",)),
+    ],
+)
+def test_a_component_stands_with_its_product(text: str, lines: tuple[str, ...]) -> None:
+    for line in lines:
+        assert line in working(text)
+
+
+def test_who_moves_along_the_line_of_centres_is_not_resolved() -> None:
+    assert "·" not in working(ALONG_THE_LINE)
+
+
+def test_a_velocity_is_put_together_before_it_is_resolved_along_another_slant() -> None:
+    text = working(TWO_SLANTS)
+    assert text.index("𝐯_A1 = (√3 u/4)((√3/2)𝐢 + ½𝐣)") < text.index("𝐯_A1 · 𝐧₂ = (√3/2) × (5u/8)")
+
+
+def test_a_velocity_along_one_slant_is_resolved_by_the_product_of_two_unit_vectors() -> None:
+    text = working(TWO_SLANTS_LEFT_AT_REST)
+    assert "as 𝐯_A1 = −(u/2)𝐭₁" in text
+    assert "𝐯_A1 · 𝐧₂ = (u/2)(½(√3/2) + ½(√3/2)) = √3 u/4" in text
