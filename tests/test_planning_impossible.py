@@ -144,3 +144,25 @@ def test_data_that_fix_one_component_whatever_the_letter_is() -> None:
         "(2𝐢 + 2𝐣) m s⁻¹. "
         "So the data contradict each other."
     )
+
+
+def test_a_bound_that_no_coefficient_reaches() -> None:
+    """A is turned through a right angle at most where 4(3e − 1) is 9/4 or less."""
+    text = (
+        "sphere A: mass m, velocity 5u at beta\nsphere B: mass 3m, at rest\nA hits B: along i\n"
+        "given cos(beta) = 4/5, deflection(A) > 90°\nfind range of e"
+    )
+    shown = working(text)
+    assert "4u(1 − 3e)u + 3u × 3u < 0" in shown
+    assert "e > 13/12" in shown
+    assert shown.endswith("But e ≤ 1. So what is described cannot happen.")
+
+
+def test_a_square_that_would_be_negative() -> None:
+    """Across the line of centres A keeps 3u, which is more than 2u."""
+    text = (
+        "sphere A: mass m, velocity 4u i + 3u j\nsphere B: mass m, velocity -4u i\n"
+        "A hits B: along i\ngiven speed(A) = 2u\nfind e"
+    )
+    shown = working(text)
+    assert "(2u)² = v² + (3u)² M1 v² = −5u² A1 This cannot be, as a square is not" in shown

@@ -609,6 +609,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "note.out-of-range": "But {reasons:and}. So what is described cannot happen.",
     "note.no-root": "This cannot be, as {reasons:and}. So what is described cannot happen.",
     "note.unreached": "So {reason}: what is described cannot happen.",
+    "note.no-solution": "This has no solution. So what is described cannot happen.",
     "no-root.square": "a square is not negative",
     "no-root.unit": "{square} is at most 1",
     "no-root.discriminant": (

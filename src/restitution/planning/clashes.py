@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from dataclasses import replace
+from functools import partial
+from itertools import product
 
 import sympy as sp
 
@@ -17,7 +19,8 @@ from restitution.errors import ContradictionError, RestitutionError
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Note, Ref, Relation, equation
 from restitution.explaining.facts import facts_of, links_of
-from restitution.expression.tree import Name, Quantity, has_quantity, walk
+from restitution.explaining.trees import trees_of
+from restitution.expression.tree import Letter, Name, Quantity, has_quantity, letters, walk
 from restitution.planning.axes import frame_at
 from restitution.planning.checking import require_true
 from restitution.planning.claims import Claims
@@ -28,10 +31,12 @@ from restitution.planning.givens import write_given
 from restitution.planning.impacts import after, residual
 from restitution.planning.items import goals
 from restitution.planning.order import Solver
+from restitution.planning.polynomials import factored, numerator
 from restitution.planning.premises import background
+from restitution.planning.ratios import inside_functions
 from restitution.planning.scene import Scene
 from restitution.planning.unfinished import require_followed
-from restitution.problem import Aligned, AtRest, Compare, Given, Part, Problem, Step
+from restitution.problem import Aligned, AtRest, Compare, Given, Part, Problem, Step, Value
 from restitution.problem import Relation as Said
 from restitution.solving import solve
 from restitution.solving.clash import clause_of
@@ -50,17 +55,35 @@ def write_clash(
     if not all(isinstance(each.error, ContradictionError) for each in part.items):
         return None
     for given, relation, events in reversed(list(_facts(solution.problem, part.part))):
-        draft = desk.fork()
-        try:
-            note = _refuted(solution.problem, part.part, draft, given, relation, events, names[0])
-        except (*UNPLANNED, RestitutionError):
-            continue
+        note = None
+        for worked_out in (True, False):
+            fork = desk.fork()
+            own = partial(_refuted, solution.problem, part.part, fork, given, relation, events)
+            try:
+                other = own(names[0], worked_out)
+            except (*UNPLANNED, RestitutionError):
+                break
+            if other is not None:
+                draft, note = fork, other
+            if note is None or not _is_in_letters_asked(part, draft, note):
+                break
         if note is not None:
             for name in names:
                 draft.note(name, note.kind, note.reason, premises=note.premises)
             draft.withheld = frozenset()
             return draft
     return None
+
+
+def _is_in_letters_asked(part: PartSolution, desk: Desk, note: Note) -> bool:
+    """Whether the last line of a contradiction still has a letter of which the value is asked."""
+    asked = {
+        each.item.expression.name
+        for each in part.items
+        if isinstance(each.item, Value) and isinstance(each.item.expression, Letter)
+    }
+    lines = note.lines if note.kind == "contradiction" else ()
+    return any(asked & letters(tree) for e in lines for tree in trees_of(desk.relation(e)))
 
 
 def _facts(problem: Problem, part: Part) -> Iterator[tuple[Given, Said, int]]:
@@ -75,7 +98,9 @@ def _facts(problem: Problem, part: Part) -> Iterator[tuple[Given, Said, int]]:
             match each:
                 case AtRest() | Aligned():
                     yield step, each, events
-                case Compare(operators=("=",)) if any(map(has_quantity, each.operands)):
+                case Compare(operators=("=" | "<" | "<=" | ">" | ">=",)) if any(
+                    map(has_quantity, each.operands)
+                ):
                     yield step, each, events
 
 
@@ -87,8 +112,12 @@ def _refuted(
     relation: Said,
     events: int,
     name: str,
+    worked_out: bool = True,
 ) -> Note | None:
-    """The lines that a fact contradicts, and that it cannot hold with them."""
+    """The lines that a fact contradicts, and that it cannot hold with them.
+
+    Unless what it speaks of is to be ``worked_out``, the fact becomes an equation.
+    """
     without = _without(problem, given, relation)
     solved = solve(without)
     own = next(each for each in solved.parts.values() if each.part.label == part.label)
@@ -99,7 +128,7 @@ def _refuted(
     note = desk.new_note(name, "contradiction", clause_of(problem, given, relation))
     late = tuple(sorted(desk.withheld))
     solver = Solver(scene)
-    for write in (_across, _worths):
+    for write in (_across, _worths) if worked_out else ():
         standing, start = solver.mark(), len(desk.lines)
         try:
             refs = together(write(scene, solver, claim))
@@ -112,9 +141,40 @@ def _refuted(
         if refs and scene.judge.excludes(whole):
             return with_what_is_needed(scene, whole)
         solver.back(standing)
-    desk.withheld = frozenset()
     # A new scene, in which the fact is given again; what the letters are does not rest on it.
-    return _without_a_root(replace(scene), note, late)
+    if isinstance(relation, Compare) and relation.operators != ("=",):
+        return _without_a_value(replace(scene), note, late)
+    withheld = desk.withheld
+    for hidden in (frozenset[str](), withheld):
+        desk.withheld = hidden
+        other = _without_a_root(replace(scene), note, late)
+        if other is not None:
+            return other
+    return None
+
+
+def _without_a_value(scene: Scene, note: Note, facts: Collection[str]) -> Note | None:
+    """The bound of a letter that an inequality becomes, which no value of the letter satisfies."""
+    solver = Solver(scene)
+    scene.desk.withheld = frozenset()
+    for fact in (scene.facts[each] for each in facts):
+        standing, start = solver.mark(), len(scene.desk.lines)
+        try:
+            with Claims(scene, solver) as claims:
+                line = claims.conditions.condition(fact, None)
+            require_followed(scene, scene.desk.lines[start:])
+        except UNPLANNED:
+            line = None
+        if line is not None:
+            trees = trees_of(scene.desk.relation(line))
+            names = {name for tree in trees for name in letters(tree)}
+            whole = replace(
+                note, kind="impossible", premises=(line, *background(scene, names)), claim=None
+            )
+            if scene.judge.excludes(whole):
+                return with_what_is_needed(scene, whole)
+        solver.back(standing)
+    return None
 
 
 def scene_without(
@@ -131,28 +191,35 @@ def scene_without(
         if each.id.startswith("given ") and each.relation not in kept
     )
     desk.item = name
-    letters = protected_letters(own.part)
-    story = model(without, own.part, own.branches[0], own.roles, letters, question=problem)
+    protected = protected_letters(own.part)
+    story = model(without, own.part, own.branches[0], own.roles, protected, question=problem)
     return Scene(problem, part, own, story, desk, find_frame=frame_at)
 
 
 def _without_a_root(scene: Scene, note: Note, facts: Collection[str]) -> Note | None:
     """The equation that facts become, which no values of its letters satisfy."""
-    solver = Solver(scene)
-    for given in scene.given:
-        if given.fact.id not in facts:
-            continue
+    solver, withheld = Solver(scene), scene.desk.withheld
+    scene.desk.withheld = frozenset()
+    late = [each for each in replace(scene).given if each.fact.id in facts]
+    # A component may have no value by the fact alone.
+    for given, by_laws in product(late, (False, True)):
         standing, start = solver.mark(), len(scene.desk.lines)
+        scene.desk.withheld = withheld
         try:
-            for side in (given.link.left, given.link.right):
+            for side in (given.link.left, given.link.right) if by_laws else ():
                 for goal in goals(scene, side):
                     solver.determine([goal])
+            scene.desk.withheld = frozenset()
             line = write_given(scene, given)
-            names = [each.name for each in residual(scene, line).free_symbols]
-            symbols = [scene.model.unknowns.letter(name) for name in sorted(names)]
+            own = {each.symbol for each in scene.model.components.values()}
+            symbols = sorted(
+                residual(scene, line).free_symbols, key=lambda s: (s not in own, str(s))
+            )
+            names = [each.name for each in symbols]
             for symbol in symbols:
                 mark = solver.mark()
                 last = _of_one_ratio(scene, multiplied_out(scene, line, symbol), symbol)
+                last = _of_a_square(scene, last, symbol)
                 require_followed(scene, scene.desk.lines[start:])
                 for bounds in ((), background(scene, names)):
                     whole = replace(note, kind="impossible", premises=(last, *bounds))
@@ -179,6 +246,24 @@ def _of_one_ratio(scene: Scene, line: int, angle: sp.Symbol) -> int:
         relation = equation(tree_of(kept**2), tree_of(tidy(value)))
         move = Move("identity", "pythagoras")
         refs = scene.judge.enough(move, (line,), relation, background(scene, {angle.name}))
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
+    return line
+
+
+def _of_a_square(scene: Scene, line: int, symbol: sp.Symbol) -> int:
+    """The square of a letter, where the line is solved for that; or the line."""
+    above = numerator(residual(scene, line))
+    if symbol in inside_functions(above):
+        return line
+    poly = sp.Poly(above, symbol)
+    if poly.degree() != 2 or poly.nth(1) != 0:
+        return line
+    value = tidy(factored(-poly.nth(0) / poly.nth(2)))
+    relation = equation(tree_of(symbol**2), tree_of(value))
+    names = {each.name for each in above.free_symbols}
+    for move in (Move("rearrange"), Move("cancel")):
+        refs = scene.judge.enough(move, (line,), relation, background(scene, names))
         if refs is not None:
             return scene.desk.write(move, refs, relation)
     return line

@@ -70,20 +70,23 @@ def isolated(scene: Scene, x: sp.Expr, symbol: sp.Symbol) -> tuple[Expression, s
 
 
 def without_signs(scene: Scene, gap: sp.Expr, sign: Sign) -> tuple[Sign, sp.Expr] | None:
-    """``gap sign 0`` without the factors whose signs are certain; None if nothing is left.
+    """``gap sign 0`` without the factors whose signs are certain; None if it always holds.
 
     A factor below a line is not zero, so what holds of its reciprocal is strict, and holds of it.
     """
     above, below = sp.fraction(factored(one_fraction(gap)))
     kept: list[sp.Expr] = []
+    sums: list[tuple[sp.Expr, bool]] = []
     turned = False
     for each in sp.Mul.make_args(above):
         base, power = each.as_base_exp()
         own = certain(scene, each)
         if own is None:
             kept.append(base if power.is_Integer and power % 2 else each)
-        elif own < 0:
-            turned = not turned
+        else:
+            turned ^= own < 0
+            if base.is_Add and power.is_odd:
+                sums.append((base, own < 0))
     for each in sp.Mul.make_args(below):
         base, power = each.as_base_exp()
         if power.is_Integer and power % 2 == 0:
@@ -97,6 +100,10 @@ def without_signs(scene: Scene, gap: sp.Expr, sign: Sign) -> tuple[Sign, sp.Expr
             sign = _STRICT_OF[sign]
         elif own < 0:
             turned = not turned
+    if not kept and turned == (sign[0] == ">"):
+        # It never holds: what is left are the sums, which have the other sign.
+        kept = [each for each, _ in sums]
+        turned ^= sum(negative for _, negative in sums) % 2 == 1
     if not kept:
         return None
     if len(kept) > 1:

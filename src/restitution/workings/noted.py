@@ -184,9 +184,14 @@ class Notes:
         if own is not None:
             return say("note.no-root", reasons=(own,))
         about = self._known(bounds)
+        known = roles(self._naming.problem)
         for node in (each for tree in trees_of(relation) for each in walk(tree)):
-            if isinstance(node, Letter) and node not in about:
+            if not isinstance(node, Letter) or node in about:
+                continue
+            if node.name in known and known[node.name].kind == "positive":
                 about[node] = self._positive(node)
+        if not about:
+            return say("note.no-solution")
         return say("note.no-root", reasons=tuple(about.values()))
 
     def _positive(self, letter: Expression) -> Sentence:
