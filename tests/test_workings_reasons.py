@@ -45,7 +45,8 @@ SAYS = {
     "a bound that is not seen at once is told by the difference to it": (
         REST.format(angle="30°", m="k m", e="") + "given speed(A) = speed(B)\nfind range of k",
         [
-            "3(1 + e)² = 4 + (2 − 6e)k + (1 + 3e²)k²",
+            "3(1 + e)² = 3(1 − ek)² + (1 + k)²",
+            "= 4 + (2 − 6e)k + (1 + 3e²)k²",
             "(k + 1)((1 + 3e²)k + 1 − 6e − 3e²) = 0",
             "k = (3e² + 6e − 1)/(1 + 3e²)",
             "2 − k = 3(1 − e)²/(1 + 3e²)",
@@ -72,10 +73,10 @@ SAYS = {
         REST.format(angle="45°", m="m", e="") + "given deflection(A) <= 30°\nfind range of e",
         ["(1 + e)/(3 − e) ≤ √3/3", "(3 + √3)e ≤ 3√3 − 3", "e ≤ 2√3 − 3"],
     ),
-    "the scalar product with who moves along the line has one term": (
+    "at right angles to who moves along the line there is no component": (
         REST.format(angle="45°", m="2m", e="")
         + "given velocity(A) perpendicular to velocity(B)\nfind e",
-        ["As B moves along the line of\ncentres, the scalar product is that of the components"],
+        ["B moves along the line of centres,\nso A moves perpendicular to it:\n    v = 0"],
     ),
     # v = −(1 + 9e)u/4 and w = (3e − 1)u/4.
     "what always holds has its reason": (
@@ -206,7 +207,7 @@ SAYS = {
             "sphere B: mass m, velocity u at beta from -i\nA hits B: along i\n"
             "given sin(beta) = 3/5, velocity(A) perpendicular to i, speed(B) = u\nfind k, e"
         ),
-        ["as w = −4u/5 would give e < 0 by (2)"],
+        ["as w = −4u/5 would give e < 0 by (3)"],
     ),
     # tan β = 3 tan α: both angles come to 0.
     "what comes to its end with an angle is said": (
@@ -279,7 +280,7 @@ SAYS = {
     "tangents stay tangents where an equation is multiplied out": (
         REST.format(angle="alpha", m="k m", e="")
         + "given deflection(A) = alpha\nfind k in terms of e, alpha",
-        ["tan²α + 1 + (tan²α − e)k = (1 + e)k", "k = 1/(2(1 + e) cos²α − 1)"],
+        ["1 − tan²α + (1 − tan²α)k = 2 − 2ek", "k = (tan²α + 1)/(1 − tan²α + 2e)"],
     ),
     # e = 3/(2 cos α) − 1, so v = 5 cos α − 5.
     "what is squared is in its shortest form first": (
@@ -307,6 +308,33 @@ SAYS = {
         REST.format(angle="alpha", m="k m", e="")
         + "given deflection(A) = 90°\nshow tan(alpha) <= sqrt(k - 1)",
         ["tan²α ≤ (k − 1)/(1 + k)", "tan α ≤ √(k − 1), as 1 + k > 1 (as required)"],
+    ),
+    "a bound in degrees comes of one that stands": (
+        REST.format(angle="alpha", m="k m", e="")
+        + "given deflection(A) = 90°\nshow tan(alpha)^2 <= (k - 1)/(k + 1)\nshow alpha < 45°",
+        ["(as required)", "tan²α ≤ (k − 1)/(k + 1) < 1\n", "tan α < 1\n", "α < 45°"],
+    ),
+    "of a range over a mass both ends have a reason": (
+        REST.format(angle="45°", m="k m", e=", e = 1/3") + "unknown k\nfind range of deflection(A)",
+        ["increases with k, k > 0 and tan δ tends", "grows"],
+    ),
+    # sin²α = (u² − v²)/((1 − e²)u²) is between 0 and 1.
+    "the condition of an acute angle stands by the square of its sine": (
+        (
+            "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+            "given speed(P) = w\nfind sin(alpha) in terms of u, w, e"
+        ),
+        ["As 0 < sin²α = (u² − w²)/(u²(1 − e²)) < 1, this holds for eu < w < u and"],
+    ),
+    # tan δ = 3d√(4a² − d²)/(4a² + 3d²) is at least 1/√3.
+    "an inequality is squared, and cleared, in steps": (
+        OFFSET + "given deflection(A) >= 30°\nfind range of d",
+        [
+            "tan δ > 0, as d > 0",
+            "≥ ⅓, as neither side is negative",
+            "27d²(4a² − d²) ≥ (4a² + 3d²)²\n",
+            "as (√33 − 3)² = 6(7 − √33) and (3 + √33)² = 6(7 + √33)",
+        ],
     ),
     "an extremum that is only approached is a bound": (
         (

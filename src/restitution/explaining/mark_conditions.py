@@ -429,7 +429,11 @@ def _new_inequality(work: Work, line: Line) -> bool:
         return False
     if isinstance(line.relation, Relation) and _tells_a_quadrant(line.relation):
         return False
-    return _unequal(line) and not any(map(_unequal, work.cited(line)))
+    return _unequal(line) and not any(
+        _unequal(each)
+        and not (isinstance(each.relation, Relation) and _tells_a_quadrant(each.relation))
+        for each in work.cited(line)
+    )
 
 
 def _tells_a_quadrant(relation: Relation) -> bool:

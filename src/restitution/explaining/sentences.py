@@ -834,6 +834,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.slope": "the derivative of {quantity} with respect to {letter} is {slope}",
     "derived.its": "{quantity} ",
     "derived.tends-to": "{first}tends to {value} as {letter} → {end}",
+    "derived.squared": "neither side is negative",
     "derived.tends": "{first}tends to {value} as {letter} grows",
     "derived.decreases": "{quantity} decreases as {letter} increases",
     "derived.number": "({number})",

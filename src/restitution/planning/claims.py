@@ -26,7 +26,6 @@ from restitution.explaining.trials import names_in
 from restitution.expression.tree import (
     Apply,
     Binary,
-    Degrees,
     Expression,
     Letter,
     Number,
@@ -37,6 +36,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angle_inequalities import write_of_angles
 from restitution.planning.conditions import Conditions
+from restitution.planning.degrees_by_ratios import bound_by_a_ratio, bound_that_stands
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.directions_bounded import write_of_direction, write_of_wide_angle
 from restitution.planning.forms import ONE, ZERO, tree_of
@@ -92,7 +92,7 @@ class Claims:
 
     def write(self, relation: Relation) -> int:
         """Writes the lines of an inequality that holds; the last says it."""
-        standing = self._of_letter(relation)
+        standing = self._of_letter(relation) or bound_that_stands(self, relation)
         if standing is not None:
             return standing
         trees = [side for link in relation.only for side in (link.left, link.right)]
@@ -816,7 +816,7 @@ class Claims:
                 names |= names_in(own)
         names |= names_in(relation)
         pool = [*refs, *self.judge.known(n for n in names if n in roles(self.scene.problem))]
-        line = self._by_its_ratio(relation, pool)
+        line = bound_by_a_ratio(self, relation, pool)
         if line is not None:
             return line
         rooted = self._rooted(refs, relation, pool)
@@ -848,62 +848,6 @@ class Claims:
         if line is None:
             self.worths.back(mark)
         return line
-
-    def _by_its_ratio(self, relation: Relation, pool: Sequence[Ref]) -> int | None:
-        """A bound in degrees of an acute angle of the data, by that of a ratio of it.
-
-        That is the one that is bounded already, or else the tangent.
-        """
-        match relation.options:
-            case ((Link(Letter(name) as letter, sign, Degrees(degrees)),),) if 0 < degrees < 90:
-                ratio = self._bounded_ratio(letter, pool)
-            case _:
-                return None
-        if self.judge.bounds(name) != (f"acute: {name}",):
-            return None
-        angle = sp.rad(sp.Rational(degrees.numerator, degrees.denominator))
-        most = tidy(_RATIOS[ratio.function](angle))
-        if ratio.function == "cos":
-            sign = FLIPPED[sign]
-        mark = self.worths.mark()
-        bound = next(self._bounding(ratio, sign, most), None)
-        if bound is None:
-            relation_of_ratio = Relation(((Link(ratio, sign, tree_of(most)),),))
-            bound = self.judge.write((Move("compare"), Move("sign")), pool, relation_of_ratio)
-        if bound is not None:
-            known = self.judge.known([name])
-            line = self.judge.write((Move("compare"),), [bound, *known], relation)
-            if line is not None:
-                return line
-        self.worths.back(mark)
-        return None
-
-    def _bounded_ratio(self, letter: Letter, pool: Sequence[Ref]) -> Apply:
-        """The ratio of an angle that a premise bounds, or its square; else the tangent."""
-        for ref in pool:
-            own = self.scene.desk.line(ref).relation if isinstance(ref, int) else None
-            match own:
-                case Relation(((Link(Apply() as ratio, sign, _),),)):
-                    pass
-                case Relation(((Link(Binary("^", Apply() as ratio, power), sign, _),),)):
-                    if power != Number(Fraction(2)):
-                        continue
-                case _:
-                    continue
-            if ratio.argument == letter and sign in FLIPPED and ratio.function in _RATIOS:
-                return ratio
-        return Apply("tan", letter)
-
-    def _bounding(self, subject: Expression, sign: Sign, most: sp.Expr) -> Iterator[int]:
-        """The lines in force that bound an expression so by a number."""
-        for line in self.scene.desk.lines:
-            if not isinstance(line.relation, Relation) or len(line.relation.options) != 1:
-                continue
-            link = line.relation.only[-1]
-            if (link.left, link.sign) != (subject, sign) or not self.scene.desk.holds(line.number):
-                continue
-            if self.worths.value(link.right) == most:
-                yield line.number
 
     def coefficients(self, names: Iterable[str]) -> list[str]:
         """The coefficients of restitution among some letters."""
@@ -979,9 +923,6 @@ def _renamed(link: Link, meaning: Meaning) -> Link:
 def _is_subject(tree: Expression) -> bool:
     """Whether a side is a letter, a ratio of an angle, or a power of one of them."""
     return not isinstance(tree, Binary) or tree.op == "^"
-
-
-_RATIOS = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan}
 
 
 _PROOFS = (write_of_direction, write_of_angles, write_turn, write_of_wide_angle, write_by_cosine)

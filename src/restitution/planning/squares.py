@@ -216,15 +216,27 @@ def solve_in_squares(
     squared = square(wanted)
     standard = Link(tree_of(expanded(lead * x)), own, ZERO)
     between = (Link(tree_of(low), own, squared), Link(squared, own, tree_of(high)))
-    number = worths.judge.write(_SOLVING, [line, *known], Relation(((standard,),)))
+    cleared = _multiplied_by_denominators(worths, line, known) or line
+    number = worths.judge.write(_SOLVING, [cleared, *known], Relation(((standard,),)))
     if number is None:
-        return line
+        return cleared
     last = worths.judge.write((Move("compare"),), [number, *known], Relation((between,)))
     ends = [as_square(each) for each in (low, high)]
     if last is None or None in ends:
         return number if last is None else last
     squares = Link(ends[0], own, squared), Link(squared, own, ends[1])  # type: ignore[arg-type]
     return worths.judge.write((Move("rearrange"),), [last], Relation((squares,))) or last
+
+
+def _multiplied_by_denominators(worths: Worths, line: int, known: Sequence[Ref]) -> int | None:
+    """An inequality of quotients without them, and not yet multiplied out."""
+    own = worths.scene.desk.last_link(line)
+    sides = [sp.fraction(factored(worths.value(each))) for each in (own.left, own.right)]
+    (above, below), (other, under) = sides
+    if not (below * under).free_symbols:
+        return None
+    link = Link(tree_of(above * under), own.sign, tree_of(other * below))
+    return worths.judge.write(_SOLVING[:2], [line, *known], Relation(((link,),)))
 
 
 def _may_be_low(worths: Worths, symbol: sp.Symbol, low: sp.Expr) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import sympy as sp
 
@@ -10,8 +10,9 @@ from restitution.components.letters import protected_letters
 from restitution.components.models import Model
 from restitution.components.telling import model
 from restitution.exact import tidy
-from restitution.explaining.derivation import Derivation, Meaning
+from restitution.explaining.derivation import Derivation, Link, Meaning, Relation
 from restitution.explaining.saying import Sentence, say
+from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Apply, Letter, has_quantity, letters
 from restitution.oracle import All, BeyondError, Formula, Oracle
 from restitution.oracle import Relation as Claim
@@ -27,7 +28,7 @@ from restitution.solving.validity import always_exist
 def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sentence]:
     """The conditions of answers, by the numbers of the lines below which they are said."""
     sentences: dict[int, Sentence] = {}
-    subjects = _subjects(derivation)
+    subjects, squares = _subjects(derivation), _squares_of_ratios(derivation)
     for label, part in solution.parts.items():
         names = [each for each, own in derivation.asked.items() if own == label]
         for name, item in zip(names, part.items, strict=True):
@@ -45,7 +46,7 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
                 continue
             pairs = [(ends[-1], answers[0])] if alike else zip(ends, answers, strict=True)
             for line, answer in pairs:
-                sentence = _sentence(solution, part, item, answer, subjects)
+                sentence = _sentence(solution, part, item, answer, subjects, squares)
                 if sentence is not None:
                     sentences[line] = sentence
     return sentences
@@ -145,12 +146,31 @@ def _subjects(derivation: Derivation) -> set[str]:
     }
 
 
+def _squares_of_ratios(derivation: Derivation) -> dict[str, Layout]:
+    """``0 < sin²α = (u² − v²)/((1 − e²)u²) < 1``, of angles whose sine or cosine is a root."""
+    squares: dict[str, Layout] = {}
+    zero, one = lay.Number("0"), lay.Number("1")
+    for line in derivation.lines:
+        match line.relation:
+            case Relation(((Link(Apply("sin" | "cos" as ratio, Letter(name)), "=", right),),)):
+                value = in_letters(right, positive=True)
+            case _:
+                continue
+        roots = (each for each in value.atoms(sp.Pow) if not each.exp.is_Integer)
+        if any(each.free_symbols for each in roots):
+            whole = (sp.sin if ratio == "sin" else sp.cos)(sp.Symbol(name)) ** 2
+            sides = (zero, lay.from_sympy(whole), lay.from_sympy(value**2), one)
+            squares[name] = lay.Relation(sides, ("<", "=", "<"))
+    return squares
+
+
 def _sentence(
     solution: Solution,
     part: PartSolution,
     item: ItemResult,
     answer: Answer,
     subjects: Collection[str],
+    squares: Mapping[str, Layout],
 ) -> Sentence | None:
     condition = answer.condition_layout
     if condition is None:
@@ -172,6 +192,9 @@ def _sentence(
     tied = {each.name for each in own.final}
     if any(tied.intersection(_names_in(text)) for text in answer.condition):
         reasons = ()  # the condition is one of the coefficient itself
+    for name, square in squares.items():
+        acute = say("derived.acute", angle=lay.from_sympy(sp.Symbol(name)))
+        reasons = tuple(square if each == acute else each for each in reasons)
     if reasons and condition not in reasons:
         return say("answer.only-as", reasons=reasons, condition=condition)
     return say("answer.only", condition=condition)

@@ -9,7 +9,8 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.explaining.derivation import Derivation, Fact, Line, Link, Relation
-from restitution.expression.evaluate import evaluate
+from restitution.explaining.trees import trees_of
+from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -27,7 +28,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle.roles import Role
-from restitution.planning.forms import factors
+from restitution.planning.forms import factors, tree_of
 
 _ZERO, _ONE, _TWO = (Number(Fraction(n)) for n in (0, 1, 2))
 _ORDER = ("<", "<=", ">", ">=")
@@ -45,9 +46,31 @@ def grounds_of(derivation: Derivation, roles: Mapping[str, Role], line: Line) ->
         case "rearrange":
             yield from _divisors(roles, line)
             yield from _divided_by(derivation, roles, line)
+            yield from _squares_of_sums(derivation, line)
         case "compare":
             yield from _double_angle(derivation, line)
             yield from _half_plane(derivation, line)
+
+
+def _squares_of_sums(derivation: Derivation, line: Line) -> Iterator[Relation]:
+    """``(√33 − 3)² = 42 − 6√33``, where a number under a root is seen to be a square."""
+    cited = [own for ref in line.premises if (own := _relation(derivation, ref)) is not None]
+    above = {node for each in cited for tree in trees_of(each) for node in walk(tree)}
+    seen: list[Expression] = []
+    for node in (node for tree in trees_of(line.relation) for node in walk(tree)):
+        match node:
+            case Binary("^", base, power) if power == _TWO and node not in above:
+                seen += [each for each in walk(base) if _is_sum_with_a_root(each)]
+    for each in dict.fromkeys(seen):
+        worth = tree_of(sp.expand(in_letters(each) ** 2))
+        yield Relation(((Link(Binary("^", each, _TWO), "=", worth),),))
+
+
+def _is_sum_with_a_root(tree: Expression) -> bool:
+    """Whether an expression is a number with a root, added to another one."""
+    roots = (isinstance(each, Apply) and each.function == "sqrt" for each in walk(tree))
+    is_sum = isinstance(tree, Binary) and tree.op in ("+", "-")
+    return is_sum and not letters(tree) and not has_quantity(tree) and any(roots)
 
 
 def motion_of(fact: Fact | None) -> tuple[str, Expression] | None:

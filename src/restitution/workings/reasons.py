@@ -50,6 +50,7 @@ from restitution.workings.grounds import grounds_of, motion_of
 from restitution.workings.growing import growth, limit_at_an_end, way_of
 from restitution.workings.later_times import later_than
 from restitution.workings.naming import Naming
+from restitution.workings.plain_signs import are_squares, positive_letters
 from restitution.workings.right_angles import RightAngles
 from restitution.workings.seen import growth_said
 from restitution.workings.sources import Sources, bound_broken, root_of_a_square
@@ -118,7 +119,8 @@ class Reasons:
             *self._cleared(line),
             *self._dropped(line),
         )
-        reasons = reasons or tuple(self._positive_sum(line))
+        reasons = reasons or tuple(self._positive_sum(line)) or tuple(self._positive_ratio(line))
+        reasons = reasons or tuple(self._both_squared(line))
         if self._is_root(line):
             reasons = reasons or tuple(self._given_ranges(line))
         if line.move.id == "inverse":
@@ -412,6 +414,26 @@ class Reasons:
         for name in (n for n in names if n in self._roles and self._roles[n].kind == "restitution"):
             yield self._laid(Relation(((Link(Letter(name), ">=", ZERO),),)))
 
+    def _positive_ratio(self, line: Line) -> Iterator[lay.Layout]:
+        """That a letter is positive, of a ratio of an angle that is so by it."""
+        cited = [self._relation_of(ref) for ref in line.premises]
+        match line.relation:
+            case Relation(((Link(Apply(), ">", right),),)) if right == ZERO and len(cited) == 1:
+                pass
+            case _:
+                return
+        if line.move.id == "sign" and cited[0] is not None:
+            for letter in positive_letters(cited[0].options[0][-1].right, self._roles):
+                yield self._laid(Relation(((Link(letter, ">", ZERO),),)))
+
+    def _both_squared(self, line: Line) -> Iterator[Sentence]:
+        """That both sides of an inequality may be squared."""
+        assert isinstance(line.relation, Relation)
+        cited = [own for ref in line.premises if (own := self._relation_of(ref)) is not None]
+        squared = line.move.id == "compare" and len(cited) == 1
+        if squared and are_squares(line.relation, cited[0], self._roles):
+            yield say("derived.squared")
+
     def _given_ranges(self, line: Line) -> Iterator[lay.Layout]:
         """The ranges that the statement gives of the letters in a root, which tell its sign."""
         assert isinstance(line.relation, Relation)
@@ -469,13 +491,18 @@ class Reasons:
                 part = _part_with(whole, name)
                 turn = 0 if part is None else way_of(part, name, ends, line.relation)
                 whole, sense = (above[0].left, sense) if part is None or not turn else (part, turn)
-            letter = self._naming.layout(Letter(name))
+            letter_ = Letter(name)
+            letter = self._naming.layout(letter_)
             said, itself = growth_said(whole, name, sense, ends, self._roles, self._naming.layout)
             yield said
             far = _far_end(line.relation, above[0].left, name, sense, ends)
             limit: tuple[Expression | None, Expression | None] = far, None
             if name in positive and far is not None:
-                pass
+                if len(line.relation.only) > 1:  # the other end is where the letter is near 0
+                    least = (turned(e) if e.right == letter_ else e for e in ends)
+                    low = (e for e in least if e.left == letter_ and e.sign in _DOWN)
+                    low_end = next(low, Link(letter_, ">", ZERO))
+                    yield say("derived.fact", fact=self._laid(Relation(((low_end,),))))
             elif any(end.line == line.number and end.shown for end in self._derivation.items):
                 limit = limit_at_an_end(above[0].right, line.relation, name, ends) or (None, None)
             else:
