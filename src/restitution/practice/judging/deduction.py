@@ -99,6 +99,18 @@ def deduced_from(
     return ()
 
 
+def is_identity(entry: Entry, world: World) -> bool:
+    """Whether a claim holds whatever the letters of the statement are that stand in it."""
+    if not _is_equation(entry.claim) or not _is_arithmetic(entry, world, frozenset()):
+        return False
+    try:
+        plane = _Plane((entry,), world, frozenset())
+        apart, size = plane.sides(entry, plane.x)
+    except (_UnfitError, RestitutionError, ArithmeticError):
+        return False
+    return bool(np.all(np.isfinite(apart)) and np.all(np.abs(apart) <= _CLOSE * (size + 1e-3)))
+
+
 def _is_equation(claim: Claim) -> bool:
     return claim.sign == "=" and not claim.others
 

@@ -491,12 +491,18 @@ class _Sitting:
         return lines
 
     def _read_instead(self, lines: Sequence[JudgedLine]) -> Iterator[tuple[Fraction, Fraction]]:
-        """Numbers with the data that they may misread: in one place of two false lines each."""
+        """Numbers with the data that they may misread.
+
+        They stand in one place of two false lines each, or in several of one, or are quoted.
+        """
         untrue = [each.line for each in lines if each.verdict in ("false", "follows")]
         judge_ = self._judge(self.meanings.best, names=False)
         for value in dict.fromkeys(_numbers_in(untrue[0])):
             for datum in self.bench.data:
                 if not datum or datum == value:
+                    continue
+                if _is_true_throughout(untrue[0], value, datum, judge_):
+                    yield value, datum
                     continue
                 twice = (line for line in untrue if _is_true_reread(line, value, datum, judge_))
                 least = 1 if _is_quoted(untrue[0], value) else 2
@@ -585,6 +591,15 @@ def _is_true_reread(line: ScriptLine, value: Fraction, datum: Fraction, judge_: 
     )
     false = [k for k, link in enumerate(line.links) if not judge_.is_true(_alone(line, link))]
     return bool(false) and all(judge_.is_true(_alone(line, links[k])) for k in false)
+
+
+def _is_true_throughout(line: ScriptLine, value: Fraction, datum: Fraction, judge_: Judge) -> bool:
+    """Whether a line is true with a datum in place of a number that stands twice in it, or more."""
+    claims = [link.readings[0] for link in line.links]
+    places = [x for claim in claims for x in _numbers((claim.left, claim.right))]
+    if places.count(value) < 2:
+        return False
+    return judge_.is_true(Script((_reread(line, value, datum),)))
 
 
 def _alone(line: ScriptLine, link: Link) -> Script:

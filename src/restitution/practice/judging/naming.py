@@ -27,7 +27,6 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
-    Name,
     Negate,
     Number,
     Quantity,
@@ -36,11 +35,23 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import Mistake, Use
 from restitution.practice.judging.entries import Entry, is_numeric, same_relation
+from restitution.practice.judging.plain_mistakes import (
+    has_coefficient,
+    holds_in,
+    is_coefficient,
+    is_energetic,
+    is_of_energy,
+    is_speed_by_energies,
+    is_worth,
+    not_negative,
+    plainly,
+    sign_of_a_component,
+)
 from restitution.practice.judging.slips import Correction, corrections
 from restitution.practice.letters.candidates import Candidate, candidates
 from restitution.practice.reading.lines import text_of
 from restitution.practice.script import Claim
-from restitution.practice.worlds.agreement import agrees, difference, numbers_of
+from restitution.practice.worlds.agreement import difference, numbers_of
 from restitution.practice.worlds.arrays import Array
 from restitution.practice.worlds.student import altered_world
 from restitution.practice.worlds.telling import Telling
@@ -148,7 +159,9 @@ class Names:
         # One figure for another may make any equation true.
         sure = nearest is not None and nearest.change != "figure"
         claim = (nearest.claim, near) if nearest is not None and sure else None
-        plain = None if variants else _plainly(entry, judge, mended)
+        plain = None if variants else plainly(entry, judge.base, judge.entries, mended)
+        if not variants and not plain and slip == "sign":
+            plain = sign_of_a_component(entry, judge.base, mended, near)
         direct = all(_is_direct(each.event.number, judge.base) for each in variants)
         return Explained(variants, slip, at, near if idle else (), claim, plain, direct)
 
@@ -212,12 +225,17 @@ class Names:
         if self._is_of_impulse(entry):
             # 3 = 0.5(4 - 4e): the sign is lost in the change of momentum, not in a law.
             by_states = [each for each in by_states if "impulse" in _kinds(each)]
-        if _is_coefficient(entry):
+        if is_coefficient(entry):
             by_states = [each for each in by_states if _replaces(each, "restitution")]
-        if _is_of_energy(entry):
+        if is_of_energy(entry):
             # The values of two mistakes may be one: a line of energy has a mistake of energy.
             by_states = [each for each in by_states if _kinds(each) & _OF_ENERGY - {"speed"}]
         by_states = list(self._of_masses(entry, by_states))
+        if not any(map(has_coefficient, self.problem.events)) and is_speed_by_energies(
+            entry, judge.base
+        ):
+            # Of a coefficient that is still to be found nobody knows the number.
+            by_states = [each for each in by_states if not _replaces(each, "restitution")]
         if is_sum_of_angles(entry):
             by_states = [each for each in by_states if _kinds(each) & ANGLES]
         if by_states and _is_bare(entry) and any(each.change == "figure" for each in mended):
@@ -230,7 +248,7 @@ class Names:
         blocking = [each for each in mended if not self._is_familiar(each, entry, judge)]
         variants = list(self._results(entry, judge)) or list(self._worlds(entry, judge))
         variants = list(self._of_masses(entry, variants))
-        if _is_coefficient(entry):
+        if is_coefficient(entry):
             variants = [each for each in variants if _replaces(each, "restitution")]
         return tuple(dict.fromkeys(each for each in variants if _stands(each, blocking)))
 
@@ -296,9 +314,9 @@ class Names:
 
     def _worlds(self, entry: Entry, judge: JudgedSoFar) -> Iterator[VariantAt]:
         """By altered worlds: the claim holds where one law is altered, and all else is right."""
-        energetic = _is_energetic(entry)
+        energetic = is_energetic(entry)
         angular, impulsive = is_sum_of_angles(entry), self._is_of_impulse(entry)
-        fitting = _OF_ENERGY - {"speed"} if _is_of_energy(entry) else _OF_ENERGY
+        fitting = _OF_ENERGY - {"speed"} if is_of_energy(entry) else _OF_ENERGY
         for variant in self.variants:
             if not variant.laws or not variant.alteration.solvable:
                 continue
@@ -312,7 +330,7 @@ class Names:
             if not _plausible(variant, judge.base):
                 continue
             world = judge.altered(variant)
-            if world is not None and _holds(entry, world):
+            if world is not None and holds_in(entry, world):
                 yield variant
 
     def _is_familiar(self, correction: Correction, entry: Entry, judge: JudgedSoFar) -> bool:
@@ -341,7 +359,7 @@ class Names:
             if each != side and isinstance(each, Binary) and part in walk(each)
         ]
         worth = self._sizes(judge.base) if terms else ()
-        return any(_is_worth(each, entry, judge.base, worth) for each in terms)
+        return any(is_worth(each, entry, judge.base, worth) for each in terms)
 
     def _sizes(self, world: World) -> tuple[Array, ...]:
         """The sizes of the components and speeds of the story that differ between samples."""
@@ -407,15 +425,6 @@ def _spread(tree: Expression, world: World) -> Array | None:
     return size if size.min() > 0 and np.ptp(size) > _TINY * size.max() else None
 
 
-def _is_worth(tree: Expression, entry: Entry, world: World, sizes: Iterable[Array]) -> bool:
-    """Whether a term has the size of one of some quantities, to three figures."""
-    try:
-        size = np.abs(world.spread(world.scalar(tree, entry.meanings, scope=entry.scope)))
-    except RestitutionError:
-        return False
-    return any(bool(np.all(np.abs(size - each) <= 0.005 * each)) for each in sizes)
-
-
 def _in_datum(part: Expression, entry: Entry, data: Collection[Fraction]) -> bool:
     """Whether a number stands above or below the line of a fraction of the statement."""
     for side in (entry.claim.left, entry.claim.right):
@@ -448,75 +457,6 @@ def _contradicts(variant: VariantAt, stated: Stated) -> bool:
         for law in variant.laws
         for principle, event, bodies in stated
     )
-
-
-def _plainly(entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction]) -> str | None:
-    """A misconception in a line that is an instance of no law, altered or not."""
-    if entry.claim.sign != "=":
-        return None
-    if _is_other_component(entry, judge.base):
-        return "sine-cosine"
-    if _is_speed_by_energies(entry, judge.base):
-        return "energy-ratio-as-speed"
-    if _is_ratio_of_relative_speeds(entry, judge.base):
-        return "restitution-whole-speed"
-    changes = {each.change for each in mended}
-    squares = "square" in changes and changes <= {"square", "power", "figure", "factor"}
-    above = (each for each in judge.entries if each.claim.left == entry.claim.left)
-    if squares and _is_of_squares(entry) and not any(map(_is_energetic, above)):
-        return "square-not-taken"  # where no line above has squares that may be copied wrongly
-    return None
-
-
-def _is_other_component(entry: Entry, world: World) -> bool:
-    """Whether a component is given that at right angles to it, by a sine or a cosine."""
-    if not any(
-        isinstance(each, Apply) and each.function in ("sin", "cos")
-        for each in walk(entry.claim.right)
-    ):
-        return False  # a number may be one by a slip
-    left = entry.claim.left
-    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
-    meant = meant.operand if isinstance(meant, Negate) else meant
-    if not isinstance(meant, Quantity) or meant.kind not in ("along", "across"):
-        return False
-    other = "across" if meant.kind == "along" else "along"
-    size = Apply("abs", replace(meant, kind=other))
-    claim = replace(entry.claim, left=size, right=Apply("abs", entry.claim.right))
-    return _holds(replace(entry, claim=claim), world)
-
-
-def _is_speed_by_energies(entry: Entry, world: World) -> bool:
-    """Whether a speed is that before in the ratio of the energies: V = kU where V² = kU²."""
-    left = entry.claim.left
-    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
-    if not isinstance(meant, Quantity) or meant.kind != "speed":
-        return False
-    number = len(world.events) if meant.stage is None else meant.stage
-    for stage in range(number) if isinstance(number, int) else ():
-        square, before = Binary("^", meant, _TWO), replace(meant, stage=stage)
-        claim = replace(entry.claim, left=square, right=Binary("*", entry.claim.right, before))
-        if _holds(replace(entry, claim=claim), world):
-            return True
-    return False
-
-
-def _is_ratio_of_relative_speeds(entry: Entry, world: World) -> bool:
-    """Whether a coefficient of restitution is that of the sizes of the relative velocities."""
-    if not _is_coefficient(entry):
-        return False
-    for number, step in enumerate(world.events, 1):
-        if not isinstance(step, Impact) or step.second in world.walls:
-            continue
-        after, before = (
-            Apply("abs", Binary("-", *(Quantity("velocity", (Name(x),), stage) for x in pair)))
-            for pair in ((step.first, step.second),)
-            for stage in (number, number - 1)
-        )
-        claim = replace(entry.claim, left=Binary("/", after, before))
-        if _holds(replace(entry, claim=claim), world):
-            return True
-    return False
 
 
 def _near(
@@ -558,47 +498,7 @@ def _stands(variant: VariantAt, mended: Sequence[Correction]) -> bool:
 
 def _plausible(variant: VariantAt, world: World) -> bool:
     """Whether the signs that a variant puts in by hand are those of the components."""
-    return all(_not_negative(sense, world) for sense in variant.senses)
-
-
-def _is_energetic(entry: Entry) -> bool:
-    """Whether a claim speaks of energies, or of squares of speeds."""
-    return _is_of_energy(entry) or any(
-        isinstance(each, Binary) and each.op == "^" and not isinstance(each.left, Apply)
-        for side in (entry.claim.left, entry.claim.right)
-        for each in walk(side)
-    )
-
-
-def _is_of_squares(entry: Entry) -> bool:
-    """Whether the left side of a claim is an energy, a speed, or the square of one."""
-    left = entry.claim.left
-    left = left.left if isinstance(left, Binary) and left.op == "^" else left
-    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
-    return isinstance(meant, Quantity) and (meant.kind == "speed" or "energy" in meant.kind)
-
-
-def _is_of_energy(entry: Entry) -> bool:
-    """Whether a letter or a phrase of a claim means an energy, or a ratio of energies."""
-    for side in (entry.claim.left, entry.claim.right):
-        for each in walk(side):
-            meant = entry.meanings.get(each.name, each) if isinstance(each, Letter) else each
-            if any(isinstance(part, Quantity) and "energy" in part.kind for part in walk(meant)):
-                return True
-    return False
-
-
-def _is_coefficient(entry: Entry) -> bool:
-    """Whether a claim gives a coefficient of restitution a number: e = 3/4."""
-    left = entry.claim.left
-    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
-    named = isinstance(left, Letter) and left.name == "e" and meant == left
-    named = named or (isinstance(meant, Quantity) and meant.kind == "restitution")
-    numbers = {Letter, Quantity}.isdisjoint(map(type, walk(entry.claim.right)))
-    trigonometric = any(
-        isinstance(x, Apply) and x.function != "sqrt" for x in walk(entry.claim.right)
-    )
-    return named and numbers and not trigonometric
+    return all(not_negative(sense, world) for sense in variant.senses)
 
 
 def _replaces(variant: VariantAt, law: str) -> bool:
@@ -615,22 +515,6 @@ def is_sum_of_angles(entry: Entry) -> bool:
     return angle and sums and not any(isinstance(each, Apply | Letter) for each in walk(right))
 
 
-def _not_negative(tree: Expression, world: World) -> bool:
-    try:
-        return bool(np.all(world.scalar(tree) >= -1e-9))
-    except RestitutionError:
-        return False
-
-
-def _holds(entry: Entry, world: World) -> bool:
-    """Whether a claim holds in a world, exactly or to three figures."""
-    try:
-        grade = agrees(entry.claim, world, entry.meanings, entry.decimals, entry.scope)
-    except RestitutionError:
-        return False
-    return grade in ("exact", "rounded")
-
-
 def _is_result(entry: Entry, result: ResultAt, world: World) -> bool:
     """Whether a claim gives a quantity the value that an altered definition gives it."""
     if not _is_quantity(entry, result.quantity, world):
@@ -641,7 +525,7 @@ def _is_result(entry: Entry, result: ResultAt, world: World) -> bool:
         entry = replace(entry, claim=replace(entry.claim, right=Apply("abs", entry.claim.right)))
     if not _gives(entry, result.value, world):
         return False
-    return result.sense is None or _not_negative(result.sense, world)
+    return result.sense is None or not_negative(result.sense, world)
 
 
 def _is_quantity(entry: Entry, quantity: Expression, world: World) -> bool:
@@ -683,7 +567,7 @@ def _same_value(one: Expression, other: Expression, entry: Entry, world: World) 
 def _gives(entry: Entry, value: Expression, world: World) -> bool:
     """Whether the right side of a claim has the value of a tree."""
     claim = type(entry.claim)(value, "=", entry.claim.right)
-    return _holds(Entry(entry.number, claim, entry.meanings, entry.scope, entry.decimals), world)
+    return holds_in(Entry(entry.number, claim, entry.meanings, entry.scope, entry.decimals), world)
 
 
 # --- slips ------------------------------------------------------------------------------------
@@ -698,7 +582,7 @@ def _mending(entry: Entry, judge: JudgedSoFar) -> Iterator[Correction]:
         if correction.claim.left == correction.claim.right:
             continue  # w = w corrects nothing
         mended = Entry(entry.number, correction.claim, entry.meanings, entry.scope, entry.decimals)
-        if any(_is_near(mended, world) and _holds(mended, world) for world in worlds):
+        if any(_is_near(mended, world) and holds_in(mended, world) for world in worlds):
             yield correction
 
 

@@ -17,6 +17,7 @@ from restitution.expression.tree import (
     letters,
 )
 from restitution.practice.judgement import Mistake, Use
+from restitution.practice.judging.deduction import is_identity
 from restitution.practice.judging.entries import (
     Entry,
     Meanings,
@@ -228,6 +229,8 @@ class OwnValues(Holding):
         return self._known_uses[key]
 
     def _first_uses(self, entry: Entry) -> tuple[Use, ...]:
+        if is_identity(entry, self._base):
+            return (Use("arithmetic"),)
         students = () if entry.right or entry.wrong else self.students()
         for world in (self._base, *students):
             try:

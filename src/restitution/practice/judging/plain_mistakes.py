@@ -1,0 +1,218 @@
+"""Mistakes that a line shows by itself, where it is an instance of no law, right or altered.
+
+And what kind of claim a line is: of an energy, of squares, of a coefficient.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+
+from restitution.errors import RestitutionError
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    walk,
+)
+from restitution.practice.judgement import Use
+from restitution.practice.judging.entries import Entry
+from restitution.practice.judging.slips import Correction
+from restitution.practice.worlds.agreement import agrees
+from restitution.practice.worlds.arrays import Array
+from restitution.practice.worlds.world import World
+from restitution.problem import Impact
+
+_TWO = Number(Fraction(2))
+_SIGNED = frozenset({"momentum", "restitution"})
+
+
+def is_worth(tree: Expression, entry: Entry, world: World, sizes: Iterable[Array]) -> bool:
+    """Whether a term has the size of one of some quantities, to three figures."""
+    try:
+        size = np.abs(world.spread(world.scalar(tree, entry.meanings, scope=entry.scope)))
+    except RestitutionError:
+        return False
+    return any(bool(np.all(np.abs(size - each) <= 0.005 * each)) for each in sizes)
+
+
+def plainly(
+    entry: Entry, world: World, entries: Iterable[Entry], mended: Sequence[Correction]
+) -> str | None:
+    """A misconception in a line that is an instance of no law, altered or not."""
+    if entry.claim.sign != "=":
+        return None
+    if _is_other_component(entry, world):
+        return "sine-cosine"
+    if is_speed_by_energies(entry, world):
+        return "energy-ratio-as-speed"
+    if _is_ratio_of_relative_speeds(entry, world):
+        return "restitution-whole-speed"
+    changes = {each.change for each in mended}
+    squares = "square" in changes and changes <= {"square", "power", "figure", "factor"}
+    above = (each for each in entries if each.claim.left == entry.claim.left)
+    if squares and _is_of_squares(entry) and not any(map(is_energetic, above)):
+        return "square-not-taken"  # where no line above has squares that may be copied wrongly
+    return None
+
+
+def _is_other_component(entry: Entry, world: World) -> bool:
+    """Whether a component is given that at right angles to it, by a sine or a cosine."""
+    if not any(
+        isinstance(each, Apply) and each.function in ("sin", "cos")
+        for each in walk(entry.claim.right)
+    ):
+        return False  # a number may be one by a slip
+    left = entry.claim.left
+    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+    meant = meant.operand if isinstance(meant, Negate) else meant
+    if not isinstance(meant, Quantity) or meant.kind not in ("along", "across"):
+        return False
+    other = "across" if meant.kind == "along" else "along"
+    size = Apply("abs", replace(meant, kind=other))
+    claim = replace(entry.claim, left=size, right=Apply("abs", entry.claim.right))
+    return holds_in(replace(entry, claim=claim), world)
+
+
+def is_speed_by_energies(entry: Entry, world: World) -> bool:
+    """Whether a speed is that before in the ratio of the energies: V = kU where V² = kU²."""
+    left = entry.claim.left
+    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+    if not isinstance(meant, Quantity) or meant.kind != "speed":
+        return False
+    number = len(world.events) if meant.stage is None else meant.stage
+    for stage in range(number) if isinstance(number, int) else ():
+        square, before = Binary("^", meant, _TWO), replace(meant, stage=stage)
+        claim = replace(entry.claim, left=square, right=Binary("*", entry.claim.right, before))
+        if holds_in(replace(entry, claim=claim), world):
+            return True
+    return False
+
+
+def has_coefficient(event: object) -> bool:
+    """Whether an event has a coefficient of restitution that the question tells."""
+    return isinstance(event, Impact) and event.e is not None
+
+
+def sign_of_a_component(
+    entry: Entry, world: World, mended: Sequence[Correction], near: Sequence[Use]
+) -> str | None:
+    """The mistake in a sign of a law where the term is a component that points the other way."""
+    use = near[0] if near else None
+    if use is None or use.event is None or use.principle not in _SIGNED:
+        return None
+    turned = [
+        each.part
+        for each in mended
+        if each.change == "sign" and each.part not in (entry.claim.left, entry.claim.right)
+    ]
+    step = world.events[use.event - 1]
+    if not isinstance(step, Impact) or step.second in world.walls:
+        return None
+    line = Quantity("line_of_centres", (), use.event)
+    for stage in (use.event - 1, use.event):
+        along = [
+            Quantity("along", (Quantity("velocity", (Name(each),), stage), line))
+            for each in (step.first, step.second)
+        ]
+        if not not_negative(Negate(Binary("*", *along)), world):
+            continue  # they move the same way
+        for body, component in zip((step.first, step.second), along, strict=True):
+            term: Expression = component
+            if use.principle == "momentum":
+                term = Binary("*", Quantity("mass", (Name(body),)), component)
+            sizes = (_spread_of(term, world),)
+            if any(is_worth(part, entry, world, sizes) for part in turned):
+                return f"{use.principle}-sign"
+    return None
+
+
+def _spread_of(tree: Expression, world: World) -> Array:
+    """The size of a quantity in every sample; not a number where it has no value."""
+    try:
+        return np.abs(world.spread(world.scalar(tree)))
+    except RestitutionError:
+        return np.full(1, np.nan)
+
+
+def _is_ratio_of_relative_speeds(entry: Entry, world: World) -> bool:
+    """Whether a coefficient of restitution is that of the sizes of the relative velocities."""
+    if not is_coefficient(entry):
+        return False
+    for number, step in enumerate(world.events, 1):
+        if not isinstance(step, Impact) or step.second in world.walls:
+            continue
+        after, before = (
+            Apply("abs", Binary("-", *(Quantity("velocity", (Name(x),), stage) for x in pair)))
+            for pair in ((step.first, step.second),)
+            for stage in (number, number - 1)
+        )
+        claim = replace(entry.claim, left=Binary("/", after, before))
+        if holds_in(replace(entry, claim=claim), world):
+            return True
+    return False
+
+
+def is_energetic(entry: Entry) -> bool:
+    """Whether a claim speaks of energies, or of squares of speeds."""
+    return is_of_energy(entry) or any(
+        isinstance(each, Binary) and each.op == "^" and not isinstance(each.left, Apply)
+        for side in (entry.claim.left, entry.claim.right)
+        for each in walk(side)
+    )
+
+
+def _is_of_squares(entry: Entry) -> bool:
+    """Whether the left side of a claim is an energy, a speed, or the square of one."""
+    left = entry.claim.left
+    left = left.left if isinstance(left, Binary) and left.op == "^" else left
+    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+    return isinstance(meant, Quantity) and (meant.kind == "speed" or "energy" in meant.kind)
+
+
+def is_of_energy(entry: Entry) -> bool:
+    """Whether a letter or a phrase of a claim means an energy, or a ratio of energies."""
+    for side in (entry.claim.left, entry.claim.right):
+        for each in walk(side):
+            meant = entry.meanings.get(each.name, each) if isinstance(each, Letter) else each
+            if any(isinstance(part, Quantity) and "energy" in part.kind for part in walk(meant)):
+                return True
+    return False
+
+
+def is_coefficient(entry: Entry) -> bool:
+    """Whether a claim gives a coefficient of restitution a number: e = 3/4."""
+    left = entry.claim.left
+    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+    named = isinstance(left, Letter) and left.name == "e" and meant == left
+    named = named or (isinstance(meant, Quantity) and meant.kind == "restitution")
+    numbers = {Letter, Quantity}.isdisjoint(map(type, walk(entry.claim.right)))
+    trigonometric = any(
+        isinstance(x, Apply) and x.function != "sqrt" for x in walk(entry.claim.right)
+    )
+    return named and numbers and not trigonometric
+
+
+def not_negative(tree: Expression, world: World) -> bool:
+    """Whether a quantity is negative in no sample."""
+    try:
+        return bool(np.all(world.scalar(tree) >= -1e-9))
+    except RestitutionError:
+        return False
+
+
+def holds_in(entry: Entry, world: World) -> bool:
+    """Whether a claim holds in a world, exactly or to three figures."""
+    try:
+        grade = agrees(entry.claim, world, entry.meanings, entry.decimals, entry.scope)
+    except RestitutionError:
+        return False
+    return grade in ("exact", "rounded")
