@@ -8,6 +8,7 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, Float, Integer, Mul, Rational, S
 
+from restitution.exact.degrees import function_of
 from restitution.exact.directions import direction_in_surds, direction_of, vector_of
 from restitution.exact.numbers import is_nested, tidy_number, tidy_parts
 from restitution.exact.plain_angles import has_plain_angles
@@ -163,7 +164,7 @@ def _of_plain_angles(tangent: Expr) -> Rational | None:
     put = {}
     for x in parts:
         cosine, sine = components(int(x.args[0] / sympy.pi / unit))
-        put[x] = {sympy.cos: cosine, sympy.sin: sine, sympy.tan: sine / cosine}[x.func]
+        put[x] = {sympy.cos: cosine, sympy.sin: sine, sympy.tan: sine / cosine}[function_of(x)]
     cosine, sine = components(nearest)
     gap = sympy.together(tangent.xreplace(put) * cosine - sine).as_numer_denom()[0]
     if not gap.is_polynomial(c, s):

@@ -13,6 +13,7 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, Mul, Pow, Rational, Symbol
 
+from restitution.exact.degrees import function_of, with_ratio
 from restitution.exact.factors import factored
 from restitution.exact.numbers import rebuilt, tidy_number
 from restitution.exact.plain_angles import merged
@@ -217,9 +218,9 @@ def _tidy_letters(expression: Expr) -> Expr:
     core = _core(masked, tuple(angles.values()))
     back: dict[Symbol, Expr] = {symbol: each for each, symbol in masks.items()}
     for angle in angles.values():
-        back[angle.sine] = sympy.sin(angle.argument)
-        back[angle.cosine] = sympy.cos(angle.argument)
-        back[angle.tangent] = sympy.tan(angle.argument)
+        back[angle.sine] = with_ratio(sympy.sin, angle.argument)
+        back[angle.cosine] = with_ratio(sympy.cos, angle.argument)
+        back[angle.tangent] = with_ratio(sympy.tan, angle.argument)
     return _restore(core, back)
 
 
@@ -249,7 +250,7 @@ def _mask(value: Expr, angles: dict[Expr, MaskedAngle], masks: dict[Expr, Symbol
                 sympy.cot: 1 / angle.tangent,
                 sympy.sec: 1 / angle.cosine,
                 sympy.csc: 1 / angle.sine,
-            }[value.func]
+            }[function_of(value)]
     if isinstance(value, Add | Mul):
         return value.func(*[_mask(each, angles, masks) for each in value.args])
     if isinstance(value, Pow) and isinstance(value.exp, Rational):

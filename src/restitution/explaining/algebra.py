@@ -20,6 +20,9 @@ import sympy as sp
 from sympy.polys.domains import QQ
 from sympy.polys.rings import PolyElement
 
+from restitution.exact.degrees import cosine as cosine_of
+from restitution.exact.degrees import sine as sine_of
+from restitution.exact.degrees import turns_of
 from restitution.explaining.quotients import (
     CONSTANT,
     MOST_GENERATORS,
@@ -835,9 +838,13 @@ class World:
             case ("letter", name):
                 return roles.get(name, REAL).symbol(name)
             case ("cos", turn):
-                return sp.cos(self._radians(turn, roles))
+                angle = self._radians(turn, roles)
+                turns = turns_of(angle)
+                return sp.cos(angle) if turns is None else cosine_of(turns)
             case ("sin", turn):
-                return sp.sin(self._radians(turn, roles))
+                angle = self._radians(turn, roles)
+                turns = turns_of(angle)
+                return sp.sin(angle) if turns is None else sine_of(turns)
             case ("root", inside):
                 return sp.sqrt(self._expression(inside, roles))
             case ("size", inside):

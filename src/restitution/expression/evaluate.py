@@ -18,6 +18,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.errors import StatementError
+from restitution.exact.degrees import cosine, sine, turns_of
 from restitution.expression.enclosed import PI, Enclosed
 from restitution.expression.tree import (
     Apply,
@@ -155,6 +156,9 @@ def cos_sin(x: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
 
 def _cos_sin_of_term(term: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    turns = turns_of(term)
+    if turns is not None:
+        return cosine(turns), sine(turns)
     if term.is_Add:
         total = sp.cos(term), sp.sin(term)
         if any(each.has(sp.cos, sp.sin) for each in total):

@@ -30,6 +30,7 @@ from mpmath.libmp import (
 )
 from mpmath.libmp.libmpi import mpi_pi
 
+from restitution.exact.degrees import function_of
 from restitution.expression.enclosed import (
     Enclosed,
     Interval,
@@ -312,7 +313,7 @@ class _Compiler:
             return "root", (self.place(x.base), int(x.exp.p), int(x.exp.q))
         if isinstance(x, sp.CRootOf):
             return "constant", (x,)
-        name = _FUNCTIONS.get(type(x))
+        name = _FUNCTIONS.get(function_of(x))
         if name is None:
             raise BeyondError(str(x))
         return name, tuple(self.place(argument) for argument in x.args)

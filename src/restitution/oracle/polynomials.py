@@ -23,6 +23,7 @@ import sympy as sp
 from sympy.polys.domains import QQ
 from sympy.polys.rings import PolyElement, PolyRing
 
+from restitution.exact.degrees import function_of
 from restitution.oracle.points import BeyondError, constant_interval, ends_of
 from restitution.oracle.roles import REAL, Role
 
@@ -426,7 +427,7 @@ class Polynomials:
                 sp.cot: (c, s),
                 sp.sec: (one, c),
                 sp.csc: (one, s),
-            }[type(x)]
+            }[function_of(x)]
         kind = (
             "abs" if isinstance(x, sp.Abs) else "extreme" if isinstance(x, sp.Max | sp.Min) else ""
         )

@@ -16,6 +16,7 @@ from itertools import combinations
 import sympy as sp
 
 from restitution.components.models import Model
+from restitution.exact.degrees import function_of
 from restitution.expression.enclosed import UndefinedError
 from restitution.solving.numbers import at, number_of
 
@@ -94,7 +95,7 @@ def _dual(x: sp.Expr, point: Point) -> _Dual:
         base, slopes = parts[0]
         exponent = parts[1][0]
         return base**exponent, _weighted([(exponent * base ** (exponent - 1), slopes)])
-    own = _FUNCTIONS.get(type(x))
+    own = _FUNCTIONS.get(function_of(x))
     if own is None or len(parts) != 1:
         raise ValueError(x)
     value, slopes = parts[0]

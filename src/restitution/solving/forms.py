@@ -10,6 +10,7 @@ from typing import Any
 import sympy as sp
 
 from restitution import exact
+from restitution.exact.degrees import function_of
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.expression.evaluate import Angle, root
 from restitution.oracle import Oracle, Relation, Some
@@ -130,7 +131,7 @@ def _angles_as_letters(x: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
         # SymPy turns the sine of 50° into the cosine of 40°: one letter for both.
         other = sp.pi / 2 - argument
         if other in letters:
-            complement = {sp.sin: sp.cos, sp.cos: sp.sin}.get(node.func)
+            complement = {sp.sin: sp.cos, sp.cos: sp.sin}.get(function_of(node))
             if complement is None:
                 put[node] = 1 / sp.tan(letters[other])
             else:
@@ -138,7 +139,7 @@ def _angles_as_letters(x: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
             continue
         if argument not in letters:
             letters[argument] = sp.Dummy("alpha", len(letters), positive=True)
-        put[node] = node.func(letters[argument])
+        put[node] = function_of(node)(letters[argument])
     return x.xreplace(put), {letter: argument for argument, letter in letters.items()}
 
 

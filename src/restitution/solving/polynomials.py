@@ -27,6 +27,7 @@ from sympy.polys.polyerrors import NotInvertible, PolynomialError
 from sympy.polys.rings import PolyRing
 
 from restitution.errors import UnsupportedError
+from restitution.exact.degrees import sine_beside
 from restitution.work import remembered, spend
 
 Element = Any
@@ -92,8 +93,9 @@ class Field:
             # Of two of them one may be a polynomial in the other.
             self.exact = self.exact and len(unnamed) == 1 and not surds
         for x in self.atoms:
-            if x.func is sp.cos and sp.sin(x.args[0]) in self._gens:
-                square = 1 - self._gens[sp.sin(x.args[0])] ** 2
+            partner = sine_beside(x)
+            if partner in self._gens:
+                square = 1 - self._gens[partner] ** 2
                 self.circles.append(Relation(self.atoms.index(x), 2, square))
         for root in sorted(kinds.roots, key=lambda x: (sp.count_ops(x), sp.default_sort_key(x))):
             above, below = self.fraction(root.base)

@@ -1,0 +1,117 @@
+"""Cosine and sine of multiples of π that stay as they are: cos 42° and no nested roots.
+
+SymPy writes those of 36°, 42° and of other multiples of 3° by roots within roots. Nobody reads
+these, and to bring them into their usual form takes seconds: only multiples of 15° have surds.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import sympy
+from sympy import Expr, Rational
+
+_STEPS = 12
+_RIGHT = Fraction(1, 2)
+
+# They bear the names of SymPy's, by which it prints and computes them.
+
+
+class cos(sympy.cos):  # type: ignore[misc]  # noqa: N801
+    """A cosine that is never written by roots."""
+
+    @classmethod
+    def eval(cls, arg: Expr) -> None:
+        """Nothing else than it is."""
+
+    def _eval_expand_trig(self, **_: Any) -> Expr:
+        return self
+
+
+class sin(sympy.sin):  # type: ignore[misc]  # noqa: N801
+    """A sine that is never written by roots."""
+
+    @classmethod
+    def eval(cls, arg: Expr) -> None:
+        """Nothing else than it is."""
+
+    def _eval_expand_trig(self, **_: Any) -> Expr:
+        return self
+
+
+class tan(sympy.tan):  # type: ignore[misc]  # noqa: N801
+    """A tangent that is never written by roots."""
+
+    @classmethod
+    def eval(cls, arg: Expr) -> None:
+        """Nothing else than it is."""
+
+    def _eval_expand_trig(self, **_: Any) -> Expr:
+        return self
+
+
+def cosine(turns: Fraction) -> Expr:
+    """The cosine of a multiple of π by that of an acute angle, or the sine of one below 45°."""
+    turns %= 2
+    turns = min(turns, 2 - turns)
+    sign = 1
+    if turns > _RIGHT:
+        turns, sign = 1 - turns, -1
+    if 2 * turns > _RIGHT:
+        return sign * _ratio(sympy.sin, _RIGHT - turns)
+    return sign * _ratio(sympy.cos, turns)
+
+
+def sine(turns: Fraction) -> Expr:
+    """The sine of a multiple of π, in the same forms."""
+    return cosine(turns - _RIGHT)
+
+
+def tangent(angle: Expr) -> Expr:
+    """The tangent of an angle; a multiple of π stays as it is."""
+    own = sympy.tan(angle)
+    turns = turns_of(angle)
+    if turns is None or not turns or _STEPS % turns.denominator == 0 or own.has(sympy.tan):
+        return own
+    return tan(angle)
+
+
+def with_ratio(function: type, angle: Expr) -> Expr:
+    """A sine, cosine or tangent of an angle; that of a multiple of π stays as it is."""
+    if function is sympy.tan:
+        return tangent(angle)
+    turns = turns_of(angle)
+    if turns is None:
+        return function(angle)
+    return cosine(turns) if function is sympy.cos else sine(turns)
+
+
+def function_of(x: Expr) -> type:
+    """The function of an expression as SymPy knows it."""
+    function: type = {cos: sympy.cos, sin: sympy.sin, tan: sympy.tan}.get(x.func, x.func)
+    return function
+
+
+def sine_beside(x: Expr) -> Expr | None:
+    """The sine of the angle of a cosine; None of another expression."""
+    if not isinstance(x, sympy.cos):
+        return None
+    return (sin if isinstance(x, cos) else sympy.sin)(x.args[0])
+
+
+def turns_of(angle: Expr) -> Fraction | None:
+    """An angle as a multiple of π; None where it is no rational one."""
+    turns = angle / sympy.pi
+    return Fraction(int(turns.p), int(turns.q)) if turns.is_Rational else None
+
+
+def _ratio(function: type[sympy.sin | sympy.cos], turns: Fraction) -> Expr:
+    angle = Rational(turns.numerator, turns.denominator) * sympy.pi
+    own = function(angle)
+    if isinstance(own, sympy.sin | sympy.cos) or _STEPS % turns.denominator == 0:
+        return own
+    return cos(angle) if function is sympy.cos else sin(angle)
+
+
+__all__ = ["cosine", "function_of", "sine", "sine_beside", "tangent", "turns_of", "with_ratio"]
