@@ -52,20 +52,20 @@ class tan(sympy.tan):  # type: ignore[misc]  # noqa: N801
 
 
 def cosine(turns: Fraction) -> Expr:
-    """The cosine of a multiple of π by that of an acute angle, or the sine of one below 45°."""
+    """The cosine of a multiple of π by that of an acute angle."""
     turns %= 2
     turns = min(turns, 2 - turns)
-    sign = 1
     if turns > _RIGHT:
-        turns, sign = 1 - turns, -1
-    if 2 * turns > _RIGHT:
-        return sign * _ratio(sympy.sin, _RIGHT - turns)
-    return sign * _ratio(sympy.cos, turns)
+        return -_ratio(sympy.cos, 1 - turns)
+    return _ratio(sympy.cos, turns)
 
 
 def sine(turns: Fraction) -> Expr:
-    """The sine of a multiple of π, in the same forms."""
-    return cosine(turns - _RIGHT)
+    """The sine of a multiple of π by that of an acute angle."""
+    turns %= 2
+    if turns > 1:
+        return -sine(turns - 1)
+    return _ratio(sympy.sin, min(turns, 1 - turns))
 
 
 def tangent(angle: Expr) -> Expr:

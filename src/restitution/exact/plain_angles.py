@@ -166,7 +166,7 @@ def _classes(cosines: _Cosines) -> list[Expr]:
         a += number * sympy.cos(further)
         b -= number * sympy.sin(further)
         classes[rest] = a, b
-        single.setdefault(rest, []).append(tidy_number(number) * degrees.cosine(turns))
+        single.setdefault(rest, []).append(tidy_number(number) * _plain(turns))
     terms: list[Expr] = []
     for rest, pair in classes.items():
         one = _term(rest, *map(tidy_number, pair))
@@ -194,4 +194,15 @@ def _term(rest: Fraction, a: Expr, b: Expr) -> Expr | None:
         return None
     part, ratio = (a, cosine) if cosine != 0 else (b, sine)
     size = tidy_number(sympy.expand(part * sympy.radsimp(1 / ratio)))
-    return size * degrees.cosine(rest - turn)
+    return size * _plain(rest - turn)
+
+
+def _plain(turns: Fraction) -> Expr:
+    """A cosine by that of an acute angle, or by the sine of an angle below 45°."""
+    acute = min(turns % 2, -turns % 2)
+    sign = 1
+    if acute > _RIGHT:
+        acute, sign = 1 - acute, -1
+    if 2 * acute > _RIGHT:
+        return sign * degrees.sine(_RIGHT - acute)
+    return sign * degrees.cosine(acute)

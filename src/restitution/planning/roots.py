@@ -203,7 +203,10 @@ def _by_pythagoras(
         return None
     inside = sp.discriminant(polynomial) / 4
     inside = expanded(inside)
-    if not inside.has(sp.sin, sp.cos) or expanded(sp.trigsimp(inside)).has(sp.sin, sp.cos):
+    if not inside.has(sp.sin, sp.cos):
+        return None
+    plain = sp.trigsimp(inside) if inside.free_symbols else tidy(inside)
+    if expanded(plain).has(sp.sin, sp.cos):
         return None
     return _in_two_lines(scene, number, polynomial, roots, known, Move("identity", "pythagoras"))
 

@@ -13,6 +13,7 @@ from fractions import Fraction
 
 import sympy as sp
 
+from restitution.exact.degrees import cosine, turns_of
 from restitution.solving.polynomials import TooLargeError, afford, coefficients, terms_in
 from restitution.solving.resultants import resultant
 from restitution.work import remembered
@@ -104,8 +105,7 @@ def _of_cosine(order: int, cosine: sp.Symbol) -> sp.Poly:
 
 def _turn(x: sp.Expr) -> Fraction | None:
     """The angle of a sine or cosine as a share of π, if it is a rational one."""
-    share = x.args[0] / sp.pi
-    return Fraction(int(share.p), int(share.q)) if share.is_Rational else None
+    return turns_of(x.args[0])
 
 
 def _shorter(number: sp.Expr) -> sp.Expr:
@@ -229,8 +229,7 @@ class _Circle:
     def _expression(self, total: _Sum) -> sp.Expr:
         return sp.Add(
             *[
-                sp.Rational(c.numerator, c.denominator)
-                * sp.cos(sp.Rational(2 * k, self.order) * sp.pi)
+                sp.Rational(c.numerator, c.denominator) * cosine(Fraction(2 * k, self.order))
                 for k, c in sorted(total.items())
             ]
         )

@@ -1,0 +1,61 @@
+"""Sines and cosines of whole degrees stay as they are, and are what they were."""
+
+from __future__ import annotations
+
+import math
+import pickle
+from fractions import Fraction
+
+import pytest
+import sympy as sp
+
+from restitution import exact
+from restitution.exact import degrees
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
+
+
+@pytest.mark.parametrize("whole", range(-360, 721, 7))
+def test_they_have_their_values(whole: int) -> None:
+    turns = Fraction(whole, 180)
+    angle = math.radians(whole)
+    assert float(degrees.cosine(turns)) == pytest.approx(math.cos(angle))
+    assert float(degrees.sine(turns)) == pytest.approx(math.sin(angle))
+    if abs(math.cos(angle)) > 1e-9:
+        radians = sp.Rational(whole, 180) * sp.pi
+        assert float(degrees.tangent(radians)) == pytest.approx(math.tan(angle))
+
+
+@pytest.mark.parametrize("whole", [3, 18, 36, 42, 48, 54, 63, 72, 87])
+def test_they_are_no_roots_of_roots(whole: int) -> None:
+    cosine = degrees.cosine(Fraction(whole, 180))
+    for form in (cosine, exact.tidy(3 * cosine / 2 + 1), sp.cancel(cosine), sp.radsimp(1 / cosine)):
+        assert not form.has(sp.sqrt(5))
+        assert form.has(sp.cos)
+    assert pickle.loads(pickle.dumps(cosine)) == cosine
+
+
+@pytest.mark.parametrize(("whole", "value"), [(60, "1/2"), (45, "sqrt(2)/2"), (90, "0")])
+def test_standard_angles_have_surds(whole: int, value: str) -> None:
+    assert str(degrees.cosine(Fraction(whole, 180))) == value
+
+
+def test_equal_numbers_are_proved_equal() -> None:
+    """cos 36° − cos 72° = ½, and sin 42° = cos 48°."""
+    one, other = (degrees.cosine(Fraction(n, 180)) for n in (36, 72))
+    assert exact.is_zero(one - other - sp.Rational(1, 2))
+    assert exact.is_zero(degrees.sine(Fraction(42, 180)) - degrees.cosine(Fraction(48, 180)))
+
+
+@pytest.mark.parametrize("angle", [33, 42, 35])
+def test_a_working_at_whole_degrees(angle: int) -> None:
+    text = (
+        f"sphere A: mass 0.6, velocity 3.5 at {angle}°\nsphere B: mass 0.45, at rest\n"
+        "A hits B: along i\ngiven speed(B) = 2.4\nfind e, speed(A)"
+    )
+    shown = " ".join(to_text(explain(solve(parse(text))), 80).split())
+    e = 2.4 / (2 * math.cos(math.radians(angle))) - 1
+    assert f"e = (6 − 5 cos {angle}°)/(5 cos {angle}°) ≈ {e:.3f} A1" in shown
+    assert f"v = 3.5 cos {angle}° − 1.8 ≈" in shown
+    assert "√5" not in shown
