@@ -482,3 +482,49 @@ def test_an_energy_lost_by_given_speeds_is_not_by_components() -> None:
     )
     assert "the speed of P is 4u: kinetic energy lost = ½m(5u)² − ½m(4u)²" in text
     assert "component" not in text
+
+
+BETWEEN_SLANTS = """
+sphere A: mass m, velocity u (i + 2j)
+sphere B: mass m, at rest
+A hits B: along i + j, e = 1/2
+find velocity(A), deflection(A)
+"""
+
+AT_A_SLANTING_WALL = """
+wall W
+sphere P: velocity 5i - 3j
+P hits W
+given velocity(P) = i + 3j
+find e, deflection(P)
+"""
+
+ALONG_AN_AXIS = """
+sphere A: mass m, velocity 2u i
+sphere B: mass m, at rest
+A hits B: along i + j, e = 1/3
+find velocity(A), deflection(A)
+"""
+
+
+@pytest.mark.parametrize("text", [BETWEEN_SLANTS, AT_A_SLANTING_WALL])
+def test_of_two_velocities_that_stand_as_vectors_an_angle_comes_by_the_scalar_product(
+    text: str,
+) -> None:
+    assert [e.move.record for e in planned(text).lines].count("scalar-angle") == 1
+    assert "arctan" not in printed(text)
+
+
+def test_of_one_along_an_axis_it_comes_by_a_tangent() -> None:
+    assert "scalar-angle" not in [e.move.record for e in planned(ALONG_AN_AXIS).lines]
+
+
+def test_two_roots_are_not_multiplied_to_a_root_of_a_long_number() -> None:
+    text = """
+sphere A: mass 5, velocity 2i - 7j
+sphere B: mass 1, velocity -4i + 5j
+A hits B: along -j, e = 3/4
+find deflection(B)
+"""
+    assert "√(4² + (25/2)²)) ≈ −0.5533 DM1 A1" in printed(text)
+    assert "δ ≈ arccos(−0.5533) ≈ 124°" in printed(text)

@@ -34,6 +34,7 @@ from restitution.planning.squared_ratios import (
     squares_line,
     squares_put,
 )
+from restitution.planning.standing_vectors import stand_as_vectors
 from restitution.planning.turns import Moving, impact_of, velocities_of
 from restitution.vector import Vector
 
@@ -156,6 +157,8 @@ def _terms(
     """The scalar product of two velocities, its terms, what it is worth, and what it rests on."""
     components: list[list[Any]] = []
     impact = impact_of(scene, *sorted(pair, key=lambda each: each[1]))
+    if impact is not None and scene.frame(impact).is_slanted and stand_as_vectors(scene, pair):
+        impact = None
     if impact is not None:
         frame = scene.frame(impact)
         sources = [

@@ -70,6 +70,7 @@ from restitution.planning.scalar_angles import (
     write_right_angle_of_axes,
 )
 from restitution.planning.scene import Scene
+from restitution.planning.standing_vectors import stand_as_vectors
 from restitution.planning.turn_lines import inverse_of_data, write_turn, write_turn_tangent
 from restitution.planning.turned_directions import turn_of_directions
 from restitution.planning.turns import turns_of, velocities_of
@@ -328,6 +329,7 @@ def _between(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int:
     """The angle between two velocities, by their tangents or their scalar product."""
     pair = [body_and_stage(scene, argument) for argument in asked.arguments]
     in_numbers = all(_is_vector_in_numbers(scene, body) for body, _ in pair)
+    in_numbers |= stand_as_vectors(scene, pair)
     turned = _by_turn(scene, asked, wanted) if wanted != "cos" and not in_numbers else None
     if turned is None and wanted == "tan":
         turned = _by_turn(scene, asked, wanted)
@@ -456,6 +458,10 @@ def _deflection(
         from_axis = _from_an_axis(scene, body, event, asked)
         if from_axis is not None:
             return from_axis
+    both = [(body, event - 1), (body, event)]
+    if wanted is None and stand_as_vectors(scene, both):
+        sources = [whole_velocity(scene, *each) for each in both]
+        return _by_scalar(scene, Move("define", "scalar-angle", event, (body,)), sources, asked)
     if frame.wall is not None and wanted is None:
         return _by_sum(scene, asked)
     if frame.wall is not None and wanted == "tan":

@@ -54,6 +54,15 @@ class Figures:
         if number is not None:
             self._known[own] = number
 
+    def instead_of(self, tree: Expression) -> Expression:
+        """The figures of a number that is not written exactly; they stand for it from then."""
+        own = tree.operand if isinstance(tree, Negate) else tree
+        number = _in_figures(own)
+        if number is None:
+            return tree
+        self._known[own] = number
+        return tree if own is tree and number == own else exchanged(tree, {own: number})
+
     def put(self, tree: Expression) -> Expression:
         """A side of a line with figures for the values in it that are on paper."""
         own = tree.operand if isinstance(tree, Negate) else tree
