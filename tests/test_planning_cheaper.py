@@ -126,3 +126,12 @@ def test_a_time_that_is_a_multiple_of_the_one_before_tells_the_time_between() ->
     assert "time(2) - time(1) = 4time(1)" in told
     assert not any(each.startswith("time(2) =") for each in told)
     assert "Since t₂ = 5t₁:" in to_text(explain(solution))
+
+
+def test_equal_components_cancel_where_the_speeds_are_equal() -> None:
+    _, derivation = planned(
+        "sphere A: mass 2m, velocity u at theta\nsphere B: mass m, velocity w at phi from -i\n"
+        "A hits B: along i, e = 0\ngiven speed(A) = speed(B)\nfind w/u in terms of theta, phi"
+    )
+    assert "momentum" not in laws(derivation)
+    assert said(derivation)[-2:] == ["w sin(phi) = u sin(theta)", "w/u = sin(theta)/sin(phi)"]

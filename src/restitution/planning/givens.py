@@ -63,6 +63,7 @@ from restitution.planning.quantities import formula
 from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.separations import relative_speed
+from restitution.planning.square_roots import without_equal_squares
 from restitution.planning.ties import write_tie
 from restitution.planning.velocity_formulas import squares
 from restitution.planning.wall_turns import doubled_at_a_wall
@@ -517,9 +518,10 @@ def _of_two_speeds(scene: Scene, each: GivenEquation, left: Quantity) -> int | N
     relation = chain(square(other), (inside[1], None))
     known = scene.desk.write(b.move, b.refs, relation, "silent")
     right = inside[1] if factor == ONE else swept(product(square(factor), inside[1]))
-    return scene.desk.write(
+    line = scene.desk.write(
         a.move, together(each.refs, a.refs, (known,)), chain(right, (inside[0], None))
     )
+    return without_equal_squares(scene, line)
 
 
 def _of_two_energies(scene: Scene, each: GivenEquation, left: Quantity) -> int | None:

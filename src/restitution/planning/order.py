@@ -258,6 +258,7 @@ class Solver:
             self._wall,
             self._fact_expresses,
             self._fact_ties,
+            self._law_ties,
             self._block,
             self._single,
             self._closing,
@@ -313,6 +314,9 @@ class Solver:
             return open_
         model = self.scene.model
         put, _ = self.scene.put(own.residuals[0])
+        squares = _of_equal_roots(put)
+        if squares is not None:
+            put, open_ = squares, open_ & self.scene.unknown(squares)
         if open_ & self._letters.keys() and not self._is_of_direction(own):
             return open_ - self._cancelling(own, put)
         put = put.replace(sp.Abs, lambda x: x * model.sign(model.in_data(x)))
@@ -484,6 +488,28 @@ class Solver:
             line = scene.desk.write(Move("rearrange"), (line,), relation)
         scene.desk.know(Letter(first.name), value, (line,))
         return True
+
+    def _law_ties(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """The law of restitution alone, where it says that both spheres go on together along it."""
+        ids = {each.id for each in left}
+        for own in left:
+            law = self.equations.law(own)
+            if law is None or law.kind != "restitution" or f"momentum {law.number}" in ids:
+                continue
+            open_ = self._open(own)
+            if self._earlier(law) or open_ != self._after(law.number).keys():
+                continue
+            gap = self.scene.with_values(own.residuals[0])[0]
+            if gap.subs(dict.fromkeys(open_, 0)).expand() != 0:
+                continue
+            one, other = sorted(open_, key=lambda s: s.name)
+            number = self._law_line(law)
+            relation = chain(Letter(other.name), (Letter(one.name), None))
+            line = self.scene.judge.write((Move("rearrange"),), (number,), relation)
+            if line is not None:
+                self.scene.desk.know(Letter(other.name), one, (line,))
+                return (own,)
+        return None
 
     def _waits(self, symbol: sp.Symbol, left: Sequence[Candidate]) -> bool:
         """Whether it is the component after a wall that a sphere reaches as it is still to come."""
@@ -941,6 +967,21 @@ class Solver:
         if number is not None:
             return with_known(self.scene, number)
         return _LAWS[kind](self.scene, self.scene.frame(event))
+
+
+def _of_equal_roots(equation: sp.Expr) -> sp.Expr | None:
+    """The difference of what stands below two roots that are equal; None of another equation."""
+    terms = sp.Add.make_args(equation)
+    if len(terms) != 2 or not all(each.atoms(sp.Pow) and _is_root(each) for each in terms):
+        return None
+    one, other = (tidy(each**2) for each in terms)
+    return sp.expand(one - other)
+
+
+def _is_root(term: sp.Expr) -> bool:
+    """Whether a term is a root of letters, times what has none."""
+    roots = [each for each in sp.Mul.make_args(term) if not each.is_rational_function()]
+    return any(each.is_Pow and each.exp == sp.S.Half and each.free_symbols for each in roots)
 
 
 def _is_plain_square(equation: sp.Expr, symbol: sp.Symbol) -> bool:

@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     is_zero,
     letters,
 )
+from restitution.planning.desk import chain
 from restitution.planning.forms import TWO, factors_above, product, swept, tree_of
 from restitution.planning.impacts import residual, scene_value
 from restitution.planning.premises import background
@@ -36,6 +37,33 @@ def root_taken(scene: Scene, number: int, symbol: sp.Symbol) -> int:
         if taken is not None:
             return taken
     return number
+
+
+def without_equal_squares(scene: Scene, line: int) -> int:
+    """Two equal sums of two squares, of which one stands in both: the others are equal too."""
+    link = scene.desk.last_link(line)
+    match link.left, link.right:
+        case Binary("+", a, b), Binary("+", c, d):
+            pairs = [((a, b), (c, d)), ((a, b), (d, c)), ((b, a), (c, d)), ((b, a), (d, c))]
+        case _:
+            return line
+    for (own, left), (other, right) in pairs:
+        match left, right:
+            case Binary("^", one, power), Binary("^", two, exponent) if (
+                own == other
+                and power == exponent == TWO
+                and not isinstance(one, Letter)
+                and not isinstance(two, Letter)  # a component, of which the root has two signs
+            ):
+                break
+    else:
+        return line
+    first = scene.judge.write((Move("rearrange"),), (line,), chain(left, (right, None)))
+    if first is None:
+        return line
+    known = background(scene, letters(one) | letters(two))
+    relation = chain(one, (two, None))
+    return scene.judge.write((Move("rearrange"),), (first, *known), relation) or first
 
 
 def _of_one_square(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
