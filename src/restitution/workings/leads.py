@@ -139,7 +139,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                     return (say("given.product-along", fact=sentence, body=mover),)
                 case _:
                     return (say("given.product", fact=sentence),)
-        other = _across(facts[0].relation.options[0][0].right)
+        other = _across(self._of_a_wall(facts[0].relation.options[0][0].right))
         if line.move.record == "parallel" and nothing and other is not None:
             return (say("given.component", fact=sentence, axis=self._naming.layout(other)),)
         if line.move.record == "parallel":
@@ -154,6 +154,11 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             return (say("given.and", fact=sentence), say(name))
         offset = self._sine_of_an_offset(line)
         return (*offset, self._and_its_sense(line, sentence) or say("given.fact", fact=sentence))
+
+    def _of_a_wall(self, axis: Expression) -> Expression:
+        """The direction that the statement gives a wall; any other direction as it is."""
+        fact = self._derivation.fact(f"wall {axis.name}") if isinstance(axis, Name) else None
+        return axis if fact is None else fact.relation.only[0].right
 
     def _and_its_sense(self, line: Line, fact: Sentence | lay.Layout) -> Sentence | None:
         """A given angle to a line, of which the tangent has a component of a certain sign below."""

@@ -80,7 +80,7 @@ class SourceLeads(LinesAround):
                 # What a line says anew of its own letter is not put into it.
                 subject = None if isinstance(line.relation, Meaning) else _subject(line.relation)
                 letters = tuple(
-                    self._named(each)
+                    self._named(self._replaced(each, line))
                     for each in source.letters
                     if spoken.isdisjoint(walk(each)) and each != subject
                 )
@@ -148,6 +148,17 @@ class SourceLeads(LinesAround):
         formula = self._naming.layout(tree)
         words = isinstance(formula, lay.Words | lay.Phrase)
         return say("derived.the", quantity=formula) if words else formula
+
+    def _replaced(self, tree: Expression, line: Line) -> Expression:
+        """What an equation is used for: of tan²α = e that may be e, where the line has tan²α."""
+        if isinstance(line.relation, Meaning):
+            return tree
+        inside = {node for each in trees_of(line.relation) for node in walk(each)}
+        for own in map(self._cited, line.premises) if tree in inside else ():
+            match own.relation if own is not None else None:
+                case Relation(((Link(left, "=", Letter() as other),),)) if left == tree:
+                    return tree if other in inside else other
+        return tree
 
     def _numbers(self, source: Source) -> tuple[Sentence, ...]:
         """The numbers of the equations from which a line comes, in their order."""

@@ -57,6 +57,35 @@ _BETWEEN = {
 }
 
 
+def _is_of_the_rest(base: Line | Fact, line: Line) -> bool:
+    """Whether the double angle is only that of a tangent of what is left of a right angle.
+
+    From tan(90° − 2α) comes 1/tan 2α.
+    """
+    if not isinstance(base.relation, Relation) or not isinstance(line.relation, Relation):
+        return False
+    before, after = (
+        {node for tree in trees_of(each.relation) for node in walk(tree) if isinstance(node, Apply)}
+        for each in (base, line)
+    )
+    right = Degrees(Fraction(90))
+    rests = {
+        node.argument.right
+        for node in before
+        if isinstance(node.argument, Binary)
+        and (node.argument.op, node.argument.left) == ("-", right)
+    }
+    return (
+        bool(rests)
+        and {
+            node.argument
+            for node in after
+            if node.argument not in {each.argument for each in before}
+        }
+        <= rests
+    )
+
+
 class TurnLeads(LinesAround):
     """The words before angles of deflection, angles that are the same, and identities."""
 
@@ -65,6 +94,8 @@ class TurnLeads(LinesAround):
         name = BY[line.move.record or ""]
         named = self._angles_given(line) or self._angles_named(line)
         base = next(filter(None, map(self._cited, line.premises)), named)
+        if line.move.record == "double-angle" and base is not None and _is_of_the_rest(base, line):
+            return BY["complement"]
         if line.move.record != "sum-of-angles" or base is None:
             return name
         assert isinstance(line.relation, Relation)
