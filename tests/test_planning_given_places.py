@@ -39,7 +39,47 @@ find alpha, speed(P)
 """,
         ("9 − 4/tan α = 5", "α = 45°", "speed of P = √((2√2/3)² + (√2)²) = √26/3"),
     ),
+    "at a time after the impact": (
+        """
+wall W: along i, through (0, 5)
+sphere P: at (0, 1), velocity i + 2j
+P hits W
+given position(P, at 6) = (6, 2)
+find e
+""",
+        ("= 2𝐢 + 5𝐣 + (6 − 2)(𝐢 − 2e𝐣)", "5 − 8e = 2", "e = ⅜"),
+    ),
+    "at a time that is sought": (
+        """
+wall W: along i, through (0, 5)
+sphere P: at (0, 1), velocity i + 2j
+P hits W: e = 1/4
+given position(P, at t) = (8, 2), t > 0
+find t
+""",
+        ("Comparing components:", "t = 8 s"),
+    ),
+    "of a sphere after it was struck": (
+        """
+sphere A: mass 1, velocity 3i + j
+sphere B: mass 2, at rest
+A hits B: along i
+given position(B, at 4) = 5i
+find e
+""",
+        ("position of B 4 s after the impact = 4(1 + e)𝐢", "e = ¼"),
+    ),
 }
+
+
+@pytest.mark.parametrize("bound", ["t > 0", "t > time(1)", "0 < t"])
+def test_a_time_that_is_only_positive_is_after_all_events(bound: str) -> None:
+    """The place is on the way back from the wall, and not on the way to it."""
+    text = (
+        "wall W: along j, through (3, 0)\nsphere P: at (0, 0), velocity i + j\nP hits W: e = 1/2\n"
+        f"given position(P, at t) = (2, 5), {bound}\nfind t"
+    )
+    assert solve(parse(text))["t"].exact == 5
 
 
 @pytest.mark.parametrize("name", CASES)

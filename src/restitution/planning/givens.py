@@ -47,6 +47,7 @@ from restitution.planning.forms import (
 )
 from restitution.planning.formulas import Formula, write_formula
 from restitution.planning.given_momenta import write_impulse
+from restitution.planning.given_places import write_given_place
 from restitution.planning.given_turns import given_turn
 from restitution.planning.impacts import scene_value
 from restitution.planning.impulse_formulas import impulse_on
@@ -57,7 +58,6 @@ from restitution.planning.lines_between import (
     sine_of_the_offset,
 )
 from restitution.planning.named_angles import tangent_line
-from restitution.planning.places import coordinate, coordinate_moved
 from restitution.planning.premises import background
 from restitution.planning.quantities import formula
 from restitution.planning.routes import Candidate
@@ -628,26 +628,6 @@ def product_without(tree: Expression, factor: Expression) -> Expression | None:
     return None
 
 
-def _place(scene: Scene, each: GivenEquation) -> int:
-    """A place that is given at an event, by the coordinate in which something is unknown."""
-    match each.link:
-        case Link(Quantity("position", (Name(body),), int(stage)), "=", right):
-            place = scene.vector(right)
-        case _:
-            raise NotPlannedError("a relation with places")
-    for axis, given in zip(place_trees.AXES, place, strict=True):
-        own = coordinate(scene, body, stage, axis)
-        if not any(isinstance(ref, int) for ref in own.refs):
-            own = coordinate_moved(scene, body, stage, axis)
-        if not scene.unknown(own.value):
-            continue
-        relation = chain(tree_of(own.value), (tree_of(given), None))
-        premises = scene.judge.enough(Move("put"), (*own.refs, *each.refs), relation)
-        if premises is not None:
-            return scene.desk.write(Move("put"), premises, relation)
-    raise NotPlannedError("a place that is given at an event")
-
-
 def _of_several(scene: Scene, each: GivenEquation) -> int:
     """A relation between quantities: each is defined, and put into what is given."""
     own = each.link
@@ -710,7 +690,7 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
 
     left, right = (swept(exchanged(side, values)) for side in (own.left, own.right))
     if any(isinstance(node, Quantity) and node.kind == "position" for node in walk(left)):
-        return _place(scene, each)
+        return write_given_place(scene, each)
     relation = chain(left, (right, None))
     whole = together(each.refs, refs)
     first: list[Ref] = [each.fact.id, *(ref for ref in whole if isinstance(ref, int))]

@@ -26,10 +26,25 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    is_zero,
     line_and_column,
     walk,
 )
-from restitution.problem import Find, Let, Point, Problem, Show, Sphere, Wall, trees, trees_of_step
+from restitution.problem import (
+    Compare,
+    Find,
+    Given,
+    Let,
+    Point,
+    Problem,
+    Relation,
+    Show,
+    Sphere,
+    Wall,
+    trees,
+    trees_of_relation,
+    trees_of_step,
+)
 from restitution.shapes import Circle, Line, Segment, Shape
 from restitution.solving import missing
 from restitution.solving.conditions import AnyOf, Condition, Equation
@@ -65,6 +80,14 @@ class Track:
     velocities: list[tuple[int, Vector]]
     # After which event, where and when; None for where is "no longer known".
     places: list[tuple[int, Any, Scalar]] = field(default_factory=list)
+
+
+def _is_later(relation: Relation, events: int) -> bool:
+    """Whether a relation says only that a letter is positive, or a time after the last event."""
+    match relation:
+        case Compare((Letter(), bound), (">" | ">=",)) | Compare((bound, Letter()), ("<" | "<=",)):
+            return is_zero(bound) or bound == Quantity("time", (), events)
+    return False
 
 
 class State(ABC):
@@ -290,7 +313,10 @@ class State(ABC):
 
     @cached_property
     def open_times(self) -> frozenset[str]:
-        """Letters that stand for a time, as in ``at t``, and of which no fact speaks."""
+        """Letters that stand for a time, as in ``at t``, and of which no fact speaks.
+
+        That such a time is positive, or comes after the last event, says nothing else.
+        """
         inside: set[str] = set()
         outside: set[str] = set()
         asked = {
@@ -298,6 +324,14 @@ class State(ABC):
             for _, s in self.problem.steps()
             if isinstance(s, Find | Show)
             for t in trees_of_step(s)
+        }
+        asked |= {
+            id(tree)
+            for step, events, _ in self.problem.timeline()
+            if isinstance(step, Given)
+            for relation in step.relations
+            if _is_later(relation, events)
+            for tree in trees_of_relation(relation)
         }
         for tree in trees(self.problem):
             times = [
