@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+import pytest
+
 from restitution.explaining.derivation import Derivation
 from restitution.explaining.follower import follow
 from restitution.language import parse
@@ -123,3 +125,23 @@ find alpha
     assert "2 tan(β − arctan(1/3))" not in working
     assert "tan β = 1" in working
     assert "α = arctan(1/2)" in working
+
+
+@pytest.mark.parametrize(
+    ("fact", "line"),
+    [
+        ("alpha = 45°", "δ = 45° + arctan(2/3)"),
+        ("alpha = 60°", "δ = 60° + arctan(2√3/3)"),
+        ("tan(alpha) = 3/2", "δ = arctan(3/2) + 45°"),
+    ],
+)
+def test_an_angle_in_letters_and_then_in_numbers(fact: str, line: str) -> None:
+    """In the later part the values are put in, and nothing is left in letters."""
+    text = (
+        "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 2/3\n"
+        f"part a\nfind deflection(P)\npart b\ngiven {fact}\nfind deflection(P)"
+    )
+    shown = to_text(explain(solve(parse(text))), 80)
+    assert "δ = α + arctan(⅔ tan α)" in shown
+    assert line in shown
+    assert "not written out" not in shown

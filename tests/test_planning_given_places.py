@@ -64,10 +64,10 @@ find t
 sphere A: mass 1, velocity 3i + j
 sphere B: mass 2, at rest
 A hits B: along i
-given position(B, at 4) = 5i
+given position(A, at 4) = 2i + 4j
 find e
 """,
-        ("position of B 4 s after the impact = 4(1 + e)𝐢", "e = ¼"),
+        ("4 − 8e = 2", "e = ¼"),
     ),
 }
 

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from restitution import exact
-from restitution.exact import tidy
+from restitution.exact import tidy, tidy_angle
 from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
@@ -119,8 +119,9 @@ def is_angle(scene: Scene, tree: Expression) -> bool:
 def angle_line(scene: Scene, asked: Quantity) -> int:
     """The line that says what an angle is, exactly; it is written once."""
     known = scene.desk.known(asked) or _by_its_letter(scene, asked)
-    if known is not None:
-        return next(ref for ref in known.refs if isinstance(ref, int))
+    standing = None if known is None else _with_values(scene, asked, known)
+    if standing is not None:
+        return standing
     line = None
     if asked.kind == "direction":
         line = along_the_centres(scene, asked) or along_an_axis(scene, asked)
@@ -132,6 +133,25 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
         own = _by_a_known_ratio(scene, asked) or _ratio(scene, asked)
         line = own if isinstance(own, int) else _by_inverse(scene, own)
     scene.desk.know(asked, scene.scalar(scene.desk.last_link(line).right), (line,))
+    return line
+
+
+def _with_values(scene: Scene, asked: Quantity, known: Source) -> int | None:
+    """The line of an angle that stands, with the letters put in that have values by now.
+
+    None where they cannot be put in.
+    """
+    number = next(ref for ref in known.refs if isinstance(ref, int))
+    value, refs = scene.put(known.value)
+    if not refs:
+        return number
+    subject = scene.desk.last_link(number).left
+    relation = chain(subject, (tree_of(tidy_angle(value), angle=True, as_it_is=True), None))
+    premises = scene.judge.enough(Move("put"), (number, *refs), relation)
+    if premises is None:
+        return None
+    line = scene.desk.write(Move("put"), premises, relation)
+    scene.desk.know(asked, value, (line,))
     return line
 
 
