@@ -368,3 +368,29 @@ def test_a_tangent_is_no_factor_that_is_gone() -> None:
     text = "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\nA hits B: along i\n"
     text += "given direction(A) = beta, 0° < beta < 90°\nfind e in terms of alpha, beta"
     assert "(tan β)v = " not in to_text(explain(solve(parse(text))))
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        (
+            "wall F: along i\nwall S: along 150°\nsphere P: velocity u at alpha to F\n"
+            "P hits F: e = 1/2\nP hits S: e = 1/3\ngiven velocity(P) parallel to F\nfind tan(alpha)",
+            "is parallel to F, so the component in the direction of 𝐣 is zero:",
+        ),
+        (
+            "wall W: along j\nsphere P: velocity u at 90° - theta to W\nP hits W\n"
+            "given angle(velocity(P), W) = 90° - 2theta\nshow e = tan(theta)/tan(2theta)",
+            "By the complement of the angle: e = (tan θ)/tan 2θ",
+        ),
+        (
+            "sphere A: mass m, velocity u at theta\nsphere B: mass m, velocity u at theta from -i\n"
+            "A hits B: along i\ngiven deflection(A) = 90°\nshow tan^2(theta) = e\nfind deflection(B)",
+            "Substituting for e",
+        ),
+    ],
+)
+def test_what_a_line_comes_of(text: str, reason: str) -> None:
+    shown = " ".join(to_text(explain(solve(parse(text))), 80).split())
+    assert reason in shown
+    assert "Substituting for tan²θ" not in shown

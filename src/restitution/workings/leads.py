@@ -157,8 +157,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
 
     def _of_a_wall(self, axis: Expression) -> Expression:
         """The direction that the statement gives a wall; any other direction as it is."""
-        fact = self._derivation.fact(f"wall {axis.name}") if isinstance(axis, Name) else None
-        return axis if fact is None else fact.relation.only[0].right
+        links = (fact.relation.options[0][0] for fact in self._derivation.facts)
+        own = Quantity("direction", (axis,))
+        return next((each.right for each in links if each.left == own), axis)
 
     def _and_its_sense(self, line: Line, fact: Sentence | lay.Layout) -> Sentence | None:
         """A given angle to a line, of which the tangent has a component of a certain sign below."""
