@@ -374,18 +374,25 @@ def test_a_tangent_is_no_factor_that_is_gone() -> None:
     ("text", "reason"),
     [
         (
-            "wall F: along i\nwall S: along 150°\nsphere P: velocity u at alpha to F\n"
-            "P hits F: e = 1/2\nP hits S: e = 1/3\ngiven velocity(P) parallel to F\nfind tan(alpha)",
+            (
+                "wall F: along i\nwall S: along 150°\nsphere P: velocity u at alpha to F\n"
+                "P hits F: e = 1/2\nP hits S: e = 1/3\ngiven velocity(P) parallel to F\n"
+                "find tan(alpha)"
+            ),
             "is parallel to F, so the component in the direction of 𝐣 is zero:",
         ),
         (
-            "wall W: along j\nsphere P: velocity u at 90° - theta to W\nP hits W\n"
-            "given angle(velocity(P), W) = 90° - 2theta\nshow e = tan(theta)/tan(2theta)",
+            (
+                "wall W: along j\nsphere P: velocity u at 90° - theta to W\nP hits W\n"
+                "given angle(velocity(P), W) = 90° - 2theta\nshow e = tan(theta)/tan(2theta)"
+            ),
             "By the complement of the angle: e = (tan θ)/tan 2θ",
         ),
         (
-            "sphere A: mass m, velocity u at theta\nsphere B: mass m, velocity u at theta from -i\n"
-            "A hits B: along i\ngiven deflection(A) = 90°\nshow tan^2(theta) = e\nfind deflection(B)",
+            (
+                "sphere A: mass m, velocity u at theta\nsphere B: mass m, velocity u at theta from -i\n"
+                "A hits B: along i\ngiven deflection(A) = 90°\nshow tan^2(theta) = e\nfind deflection(B)"
+            ),
             "Substituting for e",
         ),
     ],
