@@ -37,7 +37,6 @@ from restitution.expression.units import NAMES
 from restitution.expression.writing import write_expression
 from restitution.language.checking import mistakes as mistakes_of
 from restitution.language.cures import MistakeWithin, cured
-from restitution.language.directions import with_directions
 from restitution.language.doubts import doubts
 from restitution.language.grammar import STATEMENT
 from restitution.language.lines import Line, declared_names, decode, logical_lines
@@ -132,8 +131,7 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
         return None, _one_of_each(_distinct(text, wrong, prose, story, within))
     problem, mistakes = _checked(story)
     if not mistakes:
-        notes = (*story.notes, *doubts(problem, text))
-        return replace(with_directions(problem), notes=notes), []
+        return replace(problem, notes=(*story.notes, *doubts(problem, text))), []
     for number, met in enumerate(mistakes):
         if number >= _CURED:
             met.fixes = ()  # each cure costs readings of the whole

@@ -1,13 +1,12 @@
 """What a statement leaves out because it goes without saying, put in.
 
 ``u at alpha to W`` is from the left of W, unless the places say that the sphere is on its right.
-Spheres that keep to their line of centres have the same one when they meet again. A line of
-centres that is given as a fact, where places would tell another, belongs to its impact.
+Spheres that keep to their line of centres have the same one when they meet again. A direction that
+a fact gives to a wall or to a line of centres belongs to these.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 
@@ -20,34 +19,26 @@ from restitution.expression.tree import (
     Name,
     Number,
     Polar,
-    Quantity,
-    has_quantity,
-    letters,
 )
 from restitution.oracle import REAL, Oracle, compared
 from restitution.problem import (
-    Aligned,
     Arrival,
-    Compare,
     Event,
-    Given,
     Impact,
     Kick,
-    Part,
     Problem,
-    Relation,
     Sphere,
-    Step,
     bodies_of,
 )
 from restitution.shapes import Line, Segment
+from restitution.solving.given_directions import with_given_directions
 from restitution.solving.letters import roles
 from restitution.vector import Vector
 
 
 def with_unsaid(problem: Problem) -> Problem:
     """The problem, with the sides of walls and the lines of centres that go without saying."""
-    problem = _with_given_lines(problem)
+    problem = with_given_directions(problem)
     spheres = tuple(_with_side(problem, sphere) for sphere in problem.spheres)
     lines = _lines_kept(problem)
     if spheres == problem.spheres and not lines:
@@ -165,81 +156,6 @@ def _acts_along(problem: Problem, event: Event, line: Vector) -> bool:
             shape = wall.shape
             along = _along(problem, shape) if isinstance(shape, Line | Segment) else None
             return along is not None and _is_zero(evaluator.vector(along).dot(line))
-
-
-def _with_given_lines(problem: Problem) -> Problem:
-    """The problem, with lines of centres of placed spheres at their impacts, not as facts."""
-    lines: dict[int, Impact] = {}
-    givens: dict[int, Given] = {}
-    last = problem.parts[-1]
-    for part, step, number in _facts(problem):
-        kept = []
-        for each in step.relations:
-            given = _given_line(problem, each, number)
-            # A fact of a part does not hold in the others, in which the impact has happened too.
-            if (
-                given is None
-                or id(given[0]) in lines
-                or not (part.label is None or (part is last and given[0] in part.events))
-            ):
-                kept.append(each)
-                continue
-            event, along = given
-            lines[id(event)] = replace(event, along=along)
-            if not isinstance(each, Aligned) or each.relation != "parallel to":
-                kept.append(each)  # it tells the sense too
-        givens[id(step)] = replace(step, relations=tuple(kept))
-    if not lines:
-        return problem
-    steps: dict[int, Step] = {**givens, **lines}
-    parts = tuple(
-        replace(part, steps=tuple(_without_empty(steps.get(id(e), e) for e in part.steps)))
-        for part in problem.parts
-    )
-    return replace(problem, parts=parts)
-
-
-def _facts(problem: Problem) -> Iterator[tuple[Part, Given, int]]:
-    """The facts with their part, and the number of the event after which they stand."""
-    for step, number, part in problem.timeline():
-        if isinstance(step, Given):
-            yield part, step, number
-
-
-def _given_line(
-    problem: Problem, relation: Relation, latest: int
-) -> tuple[Impact, Expression] | None:
-    """The impact of which a fact gives the line of centres, and that; None of another fact."""
-    match relation:
-        case Aligned(left, "parallel to" | "in the direction of" | "opposite to", right):
-            pass
-        case Compare((left, right), ("=",), None):
-            pass
-        case _:
-            return None
-    if isinstance(right, Quantity) and right.kind == "line_of_centres":
-        left, right = right, left
-    match left:
-        case Quantity("line_of_centres", (), stage):
-            number = latest if stage is None else stage
-        case _:
-            return None
-    if not isinstance(number, int) or not 0 < number <= len(problem.events):
-        return None
-    event = problem.events[number - 1]
-    if not isinstance(event, Impact) or event.along is not None or event.offset is not None:
-        return None
-    placed = {sphere.name for sphere in problem.spheres if sphere.position is not None}
-    if not {event.first, event.second} <= placed or has_quantity(right) or letters(right):
-        return None
-    return event, right
-
-
-def _without_empty(steps: Iterable[Step]) -> Iterator[Step]:
-    """The steps without facts of which nothing is left."""
-    for each in steps:
-        if not isinstance(each, Given) or each.relations:
-            yield each
 
 
 def _evaluator(problem: Problem) -> Evaluator:
