@@ -54,7 +54,6 @@ def test_a_speed_by_an_angle_in_degrees_has_two_components() -> None:
         "given angle(velocity(P), W) = 25°\nfind theta, speed(P)"
     )
     assert "one component only" not in shown
-    assert "Speed of P, by a component and the angle of the velocity" in shown
 
 
 def test_a_case_against_directions_has_directions() -> None:
@@ -63,3 +62,36 @@ def test_a_case_against_directions_has_directions() -> None:
         "A hits B: along i, e = 1/5\nshow velocity(A) in the direction of velocity(B)"
     )
     assert "= 0 " not in shown[shown.index("in general") :]
+
+
+@pytest.mark.parametrize(
+    ("text", "hint"),
+    [
+        (
+            (
+                "wall AB: along i\nwall BC: along theta\nsphere P: velocity u at 40° to AB\n"
+                "P hits AB: e = 1\nP hits BC: e = 1\ngiven velocity(P) opposite to velocity(P, 0)\n"
+                "find theta"
+            ),
+            True,
+        ),
+        (
+            (
+                "sphere P: mass 3, at rest\nP receives 6i + 3j\nP receives 12 at theta from i\n"
+                "given speed(P, 2) = 5\nfind theta"
+            ),
+            True,
+        ),
+        (
+            (
+                "wall W: along i\nsphere P: velocity 4 at theta to W\nP hits W: e = 1/2\n"
+                "given speed(P) = 5\nfind theta"
+            ),
+            False,
+        ),
+    ],
+)
+def test_an_angle_that_would_be_obtuse_is_named(text: str, hint: bool) -> None:
+    ((_, result),) = solve(parse(text)).items()
+    assert result.error is not None
+    assert ("write 'given theta < 180°'" in str(result.error)) is hint

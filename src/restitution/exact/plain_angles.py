@@ -89,8 +89,12 @@ def _cancelled(value: Expr) -> Expr:
     plain = value.xreplace(put)
     if not plain.is_rational_function(*put.values()):
         return value
-    form = sympy.cancel(plain)
-    form = form.xreplace({letter: ratio for ratio, letter in put.items()})
+    above, below = sympy.fraction(sympy.cancel(plain))
+    back = {letter: ratio for ratio, letter in put.items()}
+    above, below = above.xreplace(back), below.xreplace(back)
+    if below.is_Add and below.evalf(20).is_negative:
+        above, below = -above, -below
+    form = above / below
     return form if node_count(form, 2 * _TERMS) <= node_count(value, 2 * _TERMS) else value
 
 

@@ -220,9 +220,24 @@ def _idle_questions(problem: Problem) -> Iterator[Note]:
             yield _note(
                 letter.place,
                 f"{letter.name} stands nowhere else in the statement, and so has no value"
-                + (f": did you mean {meant}?" if meant else ""),
+                + (f": did you mean {meant}?" if meant else _of_one_impact(problem, letter)),
                 *fixes,
             )
+
+
+def _of_one_impact(problem: Problem, letter: Letter) -> str:
+    """How an impact gets a coefficient such as e₂ of its own, where its letter is e as it is."""
+    symbol, _, number = letter.name.partition("_")
+    impacts = [event for event in problem.events if isinstance(event, Impact)]
+    if symbol != "e" or not number.isdecimal() or not 0 < int(number) <= len(impacts):
+        return ""
+    impact = impacts[int(number) - 1]
+    if impact.e is not None:
+        return ""
+    return (
+        f": an impact without a coefficient has the letter e; write "
+        f"'{impact.first} hits {impact.second}: e = e{number}' for one of its own"
+    )
 
 
 # What letters usually stand for on paper, where they are not the letters of a statement.

@@ -9,6 +9,7 @@ from restitution.errors import TimeLimitError
 from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.language.checking import check
 from restitution.problem import Compare, Given, Problem, Relation, Show, trees_of_step
+from restitution.solving.obtuse import with_hints
 from restitution.solving.part import Desk
 from restitution.solving.printed_terms import in_printed_terms, refused
 from restitution.solving.solution import ItemResult, PartSolution, Solution
@@ -31,7 +32,9 @@ def solve(problem: Problem, time_limit: float | None = None) -> Solution:
         solution = _solved(with_unsaid(problem))
         other = in_printed_terms(solution)
         again = None if other is None else _solved(other)
-        return solution if again is None or refused(again) >= refused(solution) else again
+        if again is not None and refused(again) < refused(solution):
+            solution = again
+        return with_hints(solution, _solved)
 
 
 def _solved(problem: Problem) -> Solution:
