@@ -143,12 +143,17 @@ BROKEN = {
     "given A loses 16% of its kinetic energy": (
         "given energy(A, before) - energy(A) = 16% of energy(A, before)"
     ),
+    "given A loses half of its speed": "given speed(A) = 1/2 speed(A, before)",
+    "given A loses a quarter of its initial speed": "given speed(A) = 3/4 speed(A, before)",
     "given A moves at right angles to its original direction": (
         "given velocity(A) perpendicular to velocity(A, 0)"
     ),
     "given the direction of motion of A is turned through 30°": "given deflection(A) = 30°",
     # questions
     "find v(B)": "find velocity(B)",
+    "find speed(A) to 2 decimal places, e": "find speed(A), e",
+    "find speed(A) correct to three significant figures": "find speed(A)",
+    "find change in velocity of A, e": "find velocity(A) - velocity(A, before), e",
     "find vA, vB": "find velocity(A), velocity(B)",
     "find v of A after": "find velocity(A)",
     "find v after": "find velocity(A)",

@@ -1016,6 +1016,38 @@ SLIPS: tuple[tuple[str, str, Cure | str], ...] = (
         (
             "given show other",
             (
+                rf"(?P<x>{_BODY}\s+loses\s+{words}\s+(?:of\s+)?its\s+(?:(?:initial|original)\s+)?"
+                r"speed)"
+            ),
+            _meant(f"speed({{body}}) = {left} speed({{body}}, before)"),
+        )
+        for words, left in (
+            (r"(?:one\s+|a\s+)?half", "1/2"),
+            (r"(?:one\s+|a\s+)third", "2/3"),
+            (r"(?:one\s+|a\s+)quarter", "3/4"),
+            (r"two[\s-]thirds", "1/3"),
+            (r"three[\s-]quarters", "1/4"),
+        )
+    ),
+    (
+        "find other",
+        rf"(?P<x>velocity\s*\(\s*{_BODY}\s*\)\s+perpendicular\s+to\s+(?:the\s+)?(?P<w>{NAME}))\s*(?:,|$)",
+        _meant("across(velocity({body}), {w})"),
+    ),
+    (
+        "find other",
+        rf"(?P<x>velocity\s*\(\s*{_BODY}\s*\)\s+parallel\s+to\s+(?:the\s+)?(?P<w>{NAME}))\s*(?:,|$)",
+        _meant("along(velocity({body}), {w})"),
+    ),
+    (
+        "find other",
+        rf"(?P<x>change\s+(?:in|of)\s+(?:the\s+)?velocity\s+of\s+{_BODY})",
+        _meant("velocity({body}) - velocity({body}, before)"),
+    ),
+    *(
+        (
+            "given show other",
+            (
                 rf"(?P<x>{words}\s+(?:of\s+)?(?:the\s+)?(?:(?:initial|original|total)\s+)*{_KINETIC}\s+"
                 r"is\s+lost)"
             ),
@@ -1234,8 +1266,9 @@ SLIPS: tuple[tuple[str, str, Cure | str], ...] = (
     (
         "find",
         (
-            r"(?P<x>(?:,\s*)?\b(?:correct\s+)?(?:in|to)\s+(?:degrees|radians|°|\d\s*(?:s\.?f\.?|d\.?p\.?)|m\s*/\s*s|exact"
-            r"\s+form)\b.*)"
+            r"(?P<x>(?:,\s*)?\b(?:correct\s+)?(?:in|to)\s+(?:degrees|radians|°|m\s*/\s*s|exact\s+form"
+            r"|(?:\d|one|two|three)\s*(?:s\.?f\.?|d\.?p\.?|decimal\s+places?|significant\s+figures?"
+            r"|sig\.?\s*figs?))(?!\w)[^,]*)"
         ),
         Cure("leave out '{x}': answers come exact and to 3 significant figures", ""),
     ),
