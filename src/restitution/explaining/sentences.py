@@ -782,6 +782,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.by-from": "From {equations:and}, {how}:",
     "derived.pythagoras": "as sin² + cos² = 1",
     "derived.double-angle": "by the formulae for the double angle",
+    "derived.by-formula": "by the formula {formula}",
     "derived.half-angle": "by the formulae for the half angle",
     "derived.tangent-of-sum": "by the formula for the tangent of a sum",
     "derived.tangent-of-difference": "by the formula for the tangent of a difference",

@@ -31,6 +31,7 @@ from restitution.planning.named_angles import letter_of
 from restitution.planning.place_trees import is_duration
 from restitution.planning.polynomials import expanded
 from restitution.planning.quantities import formula
+from restitution.planning.roots_below import in_shorter_form
 from restitution.planning.scene import Scene
 from restitution.planning.separations import relative_speed
 from restitution.planning.squared_ratios import write_by_squares
@@ -87,6 +88,7 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         if right != final:
             line = scene.desk.write(Move("rearrange"), (line,), chain(asked, (final, None)))
         return line, final
+    final = in_shorter_form(scene, right, final)
     if len(set(refs)) == 1:
         # Of one line there is nothing to put in.
         line = scene.desk.write(Move("rearrange"), refs, chain(asked, (final, None)))

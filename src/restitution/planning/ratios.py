@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Meaning, Move, Relation
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.trees import exchanged, rebuilt
 from restitution.expression.tree import Apply, Binary, Expression, Letter, letters, walk
 from restitution.planning.angle_ratios import range_of
 from restitution.planning.desk import NotPlannedError, Source, chain
@@ -20,6 +20,7 @@ from restitution.planning.forms import (
     number,
     product,
     square,
+    swept,
     total,
     tree_of,
 )
@@ -503,7 +504,49 @@ def without_sums(scene: Scene, line: int, symbol: sp.Symbol) -> int | None:
     relation = Relation(
         ((Link(_form(left, symbol) if left else ZERO, "=", _form(right, symbol)),),)
     )
+    between = _expanded(scene, line, sums, symbol)
+    if between is not None and between != relation:
+        # How the terms are gathered is seen where their sine and cosine have come in.
+        between_line = _identity(scene, line, "sum-of-angles", between)
+        if between_line is not None:
+            gathered = _rearranged(scene, between_line, relation)
+            if gathered is not None:
+                return gathered
     return _identity(scene, line, "sum-of-angles", relation)
+
+
+def _rearranged(scene: Scene, line: int, relation: Relation) -> int | None:
+    """A line in another form, where it follows."""
+    move = Move("rearrange")
+    refs = scene.judge.enough(move, (line,), relation, _background(scene, line))
+    return None if refs is None else scene.desk.write(move, refs, relation)
+
+
+def _expanded(scene: Scene, line: int, sums: Sequence[Apply], symbol: sp.Symbol) -> Relation | None:
+    """An equation with the ratios of sums of angles by the formulae, and exact values in them.
+
+    None where a ratio is no sum of sine and cosine of one angle.
+    """
+    expansions: dict[Expression, Expression] = {}
+    sine, cosine = sp.sin(symbol), sp.cos(symbol)
+    for each in sums:
+        value = sp.expand(sp.expand_trig(scene.scalar(each)))
+        rest = value - value.coeff(sine) * sine - value.coeff(cosine) * cosine
+        if each.function == "tan" or rest != 0:
+            return None
+        parts = [(cosine, "cos"), (sine, "sin")] if each.function == "cos" else []
+        parts = parts or [(sine, "sin"), (cosine, "cos")]
+        shares = [(tidy(value.coeff(ratio)), name) for ratio, name in parts]
+        shares.sort(key=lambda own: scene.model.sign(own[0]) < 0)
+        expansions[each] = total(
+            product(tree_of(share), Apply(name, Letter(symbol.name)))
+            for share, name in shares
+            if share != 0
+        )
+    link = scene.desk.last_link(line)
+    sides = (swept(exchanged(side, expansions)) for side in (link.left, link.right))
+    left, right = sides
+    return Relation(((Link(left, link.sign, right),),))
 
 
 def _as_written(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:

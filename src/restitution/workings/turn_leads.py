@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Negate,
+    Number,
     Quantity,
     Unit,
     walk,
@@ -115,6 +116,24 @@ class TurnLeads(LinesAround):
             if form in _TANGENTS:
                 return _TANGENTS[form]
         return name
+
+    def _by_the_half(self, line: Line) -> Sentence | None:
+        """The formula by which sine and cosine of an angle make the tangent of its half."""
+        base = next(filter(None, map(self._cited, line.premises)), None)
+        if line.move.record != "half-angle" or base is None or isinstance(base.relation, Meaning):
+            return None
+        assert isinstance(line.relation, Relation)
+        match line.relation.only[0].left:
+            case Apply("tan", Binary("/", Letter() as whole, _)) as half:
+                pass
+            case _:
+                return None
+        sine, cosine = Apply("sin", whole), Apply("cos", whole)
+        if not {sine, cosine} <= {each for side in trees_of(base.relation) for each in walk(side)}:
+            return None
+        right = Binary("/", sine, Binary("+", Number(Fraction(1)), cosine))
+        formula = self._naming.relation(Relation(((Link(half, "=", right),),)))
+        return say("derived.by-formula", formula=formula)
 
     def _angles_given(self, line: Line) -> Fact | None:
         """The given sum or difference of angles of which a line is the tangent."""

@@ -1,0 +1,59 @@
+"""Steps between a formula and what comes of it: sums of angles, half angles, roots below a line."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from restitution.explaining.follower import follow
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solving import solve
+from restitution.solving.letters import roles
+from restitution.workings import explain, to_text
+
+TURNED_AT_A_WALL = """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W
+given speed(P) = 60% u, deflection(P) = 60°
+find alpha, e
+"""
+
+BLOWN_ALONG_A_WALL = """
+wall W: along 60°
+sphere P: mass 2, velocity 4i
+P receives J at theta
+given J = 8, velocity(P) parallel to W, 0 < theta < 180°
+find theta
+"""
+
+SHARES_WITH_ROOTS = """
+sphere A: mass 2m, velocity 3u at 60°
+sphere B: mass m, velocity 2u at 30° from -i
+A hits B: along i, e = 2/3
+find energy(B)/energy
+"""
+
+
+@cache
+def working(text: str) -> str:
+    """A printed working, every line of which the follower accepts, with single spaces."""
+    solution = solve(parse(text))
+    assert follow(plan(solution), Oracle(roles(solution.problem))) == ()
+    return " ".join(to_text(explain(solution), 80).split())
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        (TURNED_AT_A_WALL, "0.6u(½ cos α + (√3/2) sin α) = u cos α DM1"),
+        (TURNED_AT_A_WALL, "0.6u((√3/2) cos α − ½ sin α) = eu sin α DM1"),
+        (BLOWN_ALONG_A_WALL, "By the formula tan(θ/2) = sin θ/(1 + cos θ):"),
+        (SHARES_WITH_ROOTS, "= 2(103 + 10√3)/(3(361 − 20√3)) ≈ 0.246"),
+    ],
+)
+def test_a_step_is_seen(text: str, line: str) -> None:
+    assert line in working(text)
