@@ -150,7 +150,7 @@ SAYS = {
             "sphere A: mass 3, velocity 4i\nsphere B: mass 5, at rest\nA hits B\n"
             "given deflection(A) = 60°, speed(A) = 2, direction(A) < 0\nfind line_of_centres, e"
         ),
-        ["component of 𝐮_A along the line of centres = 4(√3/2) = 2√3"],
+        ["𝐮_A · 𝐧 = 4(√3/2) = 2√3"],
     ),
     "a component that is zero has its own sign": (
         (
@@ -390,8 +390,9 @@ def test_a_tangent_is_no_factor_that_is_gone() -> None:
         ),
         (
             (
-                "sphere A: mass m, velocity u at theta\nsphere B: mass m, velocity u at theta from -i\n"
-                "A hits B: along i\ngiven deflection(A) = 90°\nshow tan^2(theta) = e\nfind deflection(B)"
+                "sphere A: mass m, velocity u at theta\n"
+                "sphere B: mass m, velocity u at theta from -i\nA hits B: along i\n"
+                "given deflection(A) = 90°\nshow tan^2(theta) = e\nfind deflection(B)"
             ),
             "Substituting for e",
         ),
