@@ -80,3 +80,11 @@ def test_the_tangent_of_a_named_angle_is_put_equal_to_what_is_given() -> None:
     )
     assert len([each for each in derivation.lines if each.move.record == "sum-of-angles"]) == 1
     assert not any("sin(theta) =" in each for each in said(derivation))
+
+
+def test_a_coefficient_that_is_given_is_put_into_the_law_at_once() -> None:
+    _, derivation = planned(
+        "wall W: along i\nsphere P: mass m, velocity u at theta to W\nP hits W\n"
+        "given tan(theta) = 4/3, e = 1/4\nfind energy_lost"
+    )
+    assert "along(velocity(P, 1), j) = 1/4 (u sin(theta)) = u/5 [put]" in said(derivation)

@@ -255,6 +255,7 @@ class Solver:
         """Writes the next equation or block; returns what was used."""
         for test in (
             self._velocity_given,
+            self._coefficient_given,
             self._wall,
             self._fact_expresses,
             self._fact_ties,
@@ -420,6 +421,19 @@ class Solver:
         before = self.scene.velocity(body, event - 1)
         blow = self.scene.value(fact.relation.only[0].right)
         return any(map(self.scene.unknown, before)) != bool(self.scene.unknown(blow))
+
+    def _coefficient_given(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """A coefficient that is given as a number is known before a law takes it."""
+        for own in left:
+            given, open_ = self.equations.givens.get(own.id), self._open(own)
+            if given is None or len(open_) != 1 or not self._is_value(given):
+                continue
+            (symbol,) = open_
+            role = self.scene.model.unknowns.roles.get(symbol.name)
+            is_coefficient = role is not None and role.kind == "restitution"
+            if is_coefficient and self._take_value(given, symbol):
+                return (own,)
+        return None
 
     def _fact_expresses(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """A fact with one unknown, which is a component, or a letter that it names."""
