@@ -35,6 +35,7 @@ from restitution.expression.tree import (
     letters,
 )
 from restitution.planning.angle_inequalities import write_of_angles
+from restitution.planning.completed_squares import write_completed
 from restitution.planning.conditions import Conditions
 from restitution.planning.degrees_by_ratios import bound_by_a_ratio, bound_that_stands
 from restitution.planning.desk import NotPlannedError
@@ -379,6 +380,9 @@ class Claims:
         """One end at a time, and one letter at a time: at its end first, then the others."""
         if len(lines) != 1:
             return None
+        completed = write_completed(self, lines[0], relation)
+        if completed is not None:
+            return completed
         mark = self.worths.mark()
         written: list[int] = []
         for each in relation.only:
