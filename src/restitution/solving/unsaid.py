@@ -7,6 +7,7 @@ a fact gives to a wall or to a line of centres belongs to these.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -19,6 +20,7 @@ from restitution.expression.tree import (
     Name,
     Number,
     Polar,
+    Unit,
 )
 from restitution.oracle import REAL, Oracle, compared
 from restitution.problem import (
@@ -107,19 +109,56 @@ def _lines_kept(problem: Problem) -> dict[int, Impact]:
         key = frozenset((event.first, event.second))
         if event.along is not None:
             met[key] = event.along
-        elif event.offset is None and key in met and _is_kept(problem, key, met[key], number):
-            lines[id(event)] = replace(event, along=met[key])
+        elif event.offset is None and (
+            along := _line_by_now(problem, key, met.get(key), events[:number], lines)
+        ):
+            lines[id(event)] = replace(event, along=along)
+            met[key] = along
         else:
             met.pop(key, None)
     return lines
+
+
+def _line_by_now(
+    problem: Problem,
+    key: frozenset[str],
+    latest: Expression | None,
+    events: Sequence[Event],
+    lines: dict[int, Impact],
+) -> Expression | None:
+    """The line on which two spheres keep up to an event: that of their last one, or of places."""
+    along = latest or _line_of_places(problem, key)
+    before = [lines.get(id(event), event) for event in events]
+    return along if along is not None and _is_kept(problem, key, along, before) else None
+
+
+def _line_of_places(problem: Problem, key: frozenset[str]) -> Unit | None:
+    """**i** or **j**, where both of two spheres begin on a line in that direction.
+
+    None of spheres with radii, which say themselves where they touch.
+    """
+    bodies = [sphere for sphere in problem.spheres if sphere.name in key]
+    if any(sphere.position is None or sphere.radius is not None for sphere in bodies):
+        return None
+    evaluator = _evaluator(problem)
+    try:
+        one, other = (evaluator.vector(sphere.position) for sphere in bodies)
+    except RestitutionError:
+        return None  # it follows from the motion
+    gap = one - other
+    if _is_zero(gap.y) != _is_zero(gap.x):
+        return Unit("i" if _is_zero(gap.y) else "j")
+    return None
 
 
 def _names(problem: Problem) -> frozenset[str]:
     return frozenset(sphere.name for sphere in problem.spheres)
 
 
-def _is_kept(problem: Problem, key: frozenset[str], along: Expression, number: int) -> bool:
-    """Whether two spheres move, one relative to the other, along a line up to an event.
+def _is_kept(
+    problem: Problem, key: frozenset[str], along: Expression, events: Sequence[Event]
+) -> bool:
+    """Whether two spheres move, one relative to the other, along a line in some events.
 
     They do if they did so at the start and all that happened to them acts along that line.
     """
@@ -131,9 +170,7 @@ def _is_kept(problem: Problem, key: frozenset[str], along: Expression, number: i
         line = evaluator.direction(along)
         one, other = (evaluator.vector(sphere.velocity) for sphere in bodies)
         return _is_zero((one - other).cross(line)) and all(
-            _acts_along(problem, event, line)
-            for event in problem.events[:number]
-            if key & {*bodies_of(event)}
+            _acts_along(problem, event, line) for event in events if key & {*bodies_of(event)}
         )
     except RestitutionError:
         return False  # it follows from the motion
