@@ -95,3 +95,13 @@ def test_an_angle_that_would_be_obtuse_is_named(text: str, hint: bool) -> None:
     ((_, result),) = solve(parse(text)).items()
     assert result.error is not None
     assert ("write 'given theta < 180°'" in str(result.error)) is hint
+
+
+def test_two_angles_in_numbers_are_compared() -> None:
+    shown = working(
+        "sphere A: mass 1, velocity 4i + 3j\nsphere B: mass 2, velocity -3i + 4j\n"
+        "A hits B: along i, e = 1/2\nfind deflection(A), deflection(B)\n"
+        "show deflection(B) < deflection(A)"
+    )
+    assert "not written" not in shown
+    assert shown.endswith("From (3) and (4): φ < δ (as required) DM1 A1*")
