@@ -105,3 +105,12 @@ def test_two_angles_in_numbers_are_compared() -> None:
     )
     assert "not written" not in shown
     assert shown.endswith("From (3) and (4): φ < δ (as required) DM1 A1*")
+
+
+@pytest.mark.parametrize(("bound", "reason"), [(">= 4/9", "sin²θ ≤ 1"), ("<= 1", "sin²θ ≥ 0")])
+def test_a_bound_by_the_square_of_a_sine_has_its_reason(bound: str, reason: str) -> None:
+    shown = working(
+        "wall W: along j\nsphere P: mass m, velocity u at theta to W\nP hits W: e = 2/3\n"
+        f"show energy(P)/energy(P, 0) {bound}"
+    )
+    assert f"as {reason} (as required)" in shown

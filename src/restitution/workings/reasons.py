@@ -525,7 +525,7 @@ class Reasons:
         """What bounds a value by its form, the plainest that fits."""
         for way in (
             *(self._ratio, self._square, self._positive_square),
-            *(self._factor, self._wave, self._share, self._divisor),
+            *(self._factor, self._wave, self._square_of_a_ratio, self._share, self._divisor),
         ):
             if reasons := tuple(way(line)):
                 return reasons
@@ -650,6 +650,26 @@ class Reasons:
                 if wave is not None and _bounds(whole, node, wave[0], links[0].right):
                     yield say("derived.fact", fact=self._laid(Relation((wave[1],))))
                     return
+
+    def _square_of_a_ratio(self, line: Line) -> Iterator[Sentence]:
+        """That the square of a sine or cosine is at most 1, which gives a bound of a value."""
+        assert isinstance(line.relation, Relation)
+        links = line.relation.options[0]
+        if line.move.id != "sign" or len(links) != 1:
+            return
+        most = Number(Fraction(1))
+        for own in map(self._relation_of, line.premises):
+            if own is None or own.options[0][0].left != links[0].left:
+                continue
+            whole = own.options[0][-1].right
+            for node in walk(whole):
+                match node:
+                    case Binary("^", Apply("sin" | "cos"), Number(value=power)) if power == 2:
+                        if _bounds(whole, node, most, links[0].right):
+                            strict = links[0].sign in ("<", ">")
+                            bound = Relation(((Link(node, "<" if strict else "<=", most),),))
+                            yield say("derived.fact", fact=self._laid(bound))
+                            return
 
     def _divisor(self, line: Line) -> Iterator[Sentence]:
         """That what a square was divided by is more than 1, where a bound has it no more."""
