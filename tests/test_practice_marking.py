@@ -446,3 +446,22 @@ def test_what_an_answer_has_cost_follows_through_to_the_next() -> None:
     first = ["6 - 4 = 2v + 4w", "w - v = 8", "6v = -30, v = -5", "speed of A = √(25 + 4) = √29"]
     lost = kinds_lost(statement, [*first, "tan θ = -2/5, θ = 158°"], letters)
     assert [each for each in lost if each.startswith("A1ft")]
+
+
+def test_of_two_answers_that_follow_none_is_left_out() -> None:
+    statement = (
+        "sphere A: mass 2, velocity p i + 3j\nsphere B: mass 1, velocity -2i + q j\n"
+        "A hits B: along i, e = 1/4\ngiven velocity(A) = 2i + 3j, speed(B) = 5 sqrt(2)\n"
+        "find p, q\n"
+    )
+    lines = [
+        "2p - 2 = 4 + w",
+        "w - 2 = 1/4(p + 2)",
+        "p = 4w - 6",
+        "8w - 14 = 4 + w",
+        "w = 18/7, p = 30/7",
+        "w² + q² = 50",
+        "q² = 43.4, q = ±6.59",
+    ]
+    lost = kinds_lost(statement, lines, {"w": "along(velocity(B), i)"})
+    assert lost == ["A1 solve"]  # p alone

@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     children,
+    walk,
 )
 from restitution.practice.judging.entries import Entry
 from restitution.practice.script import Claim
@@ -100,8 +101,15 @@ def deduced_from(
 
 
 def is_identity(entry: Entry, world: World) -> bool:
-    """Whether a claim holds whatever the letters of the statement are that stand in it."""
-    if not _is_equation(entry.claim) or not _is_arithmetic(entry, world, frozenset()):
+    """Whether a sum is worked out that holds whatever the letters of the statement are in it."""
+    sums = any(
+        isinstance(each, Binary) and each.op in ("+", "-")
+        for side in (entry.claim.left, entry.claim.right)
+        for each in walk(side)
+    )
+    if not sums or not _is_equation(entry.claim) or not _symbols(entry):
+        return False
+    if not _is_arithmetic(entry, world, frozenset()):
         return False
     try:
         plane = _Plane((entry,), world, frozenset())

@@ -151,14 +151,18 @@ def of_sizes(claim: Claim, meanings: Meanings) -> Iterator[Claim]:
 
 
 def of_vectors(claim: Claim, meanings: Meanings, world: World) -> Iterator[Claim]:
-    """A claim about an impulse as that on one of the spheres: ``I = 3(v - u)`` of vectors."""
+    """A claim about an impulse as that on one of the spheres: ``I = 3(v - u)`` of vectors.
+
+    Its size as well: behind a wrong equation of momentum it is another for each of them.
+    """
     if claim.sign != "=" or claim.others or not is_impulse(claim.left, meanings):
         return
     size = meanings.get(claim.left.name) if isinstance(claim.left, Letter) else claim.left
     if not isinstance(size, Quantity) or size.arguments:
         return
     for sphere in world.problem.spheres:
-        yield replace(claim, left=Quantity("impulse", (Name(sphere.name),), size.stage))
+        own = Quantity("impulse", (Name(sphere.name),), size.stage)
+        yield from (replace(claim, left=each) for each in (own, Apply("abs", own)))
 
 
 def of_components(claim: Claim) -> Iterator[Claim]:

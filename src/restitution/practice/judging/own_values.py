@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import Protocol
 
 from restitution.errors import RestitutionError
@@ -126,6 +127,24 @@ class OwnValues(Holding):
             world = student_world(self._base, own, self.question.unknown, laws_first=facts)
             if world is not None:
                 yield world
+        own = self._without_sources() if not broken else []
+        if own:
+            world = student_world(self._base, own, self.question.unknown, laws_first=facts)
+            if world is not None:
+                yield world
+
+    def _without_sources(self) -> list[Entry]:
+        """The lines without those from which a slip was worked out: they do not hold with it.
+
+        None where there are no such lines.
+        """
+        sources = {
+            place
+            for place, (above, entry) in enumerate(pairwise(self.entries))
+            if above.right and entry.wrong
+        }
+        own = [each for place, each in enumerate(self.entries) if place not in sources]
+        return own if len(own) < len(self.entries) else []
 
     def _broken(self) -> frozenset[tuple[str, int | None]]:
         """The laws in whose place the student has an altered one."""

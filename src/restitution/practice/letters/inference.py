@@ -80,6 +80,7 @@ class Item:
 
     ``weight`` is what it is worth if true. ``line`` is the number of its line. ``fresh`` tells that
     the lines above do not decide it. ``pair`` is there where it is linear in two letters alone.
+    ``shown`` tells that it is no line, but what a vector shows of a letter.
     """
 
     line: int
@@ -90,6 +91,7 @@ class Item:
     frame: Frame = field(default_factory=Frame)
     pair: LinearPair | None = None
     fresh: bool = True
+    shown: bool = False
 
 
 Broken = Callable[[Item, Sequence[Slot]], Mapping[tuple[int, ...], float]]
@@ -271,7 +273,9 @@ def _arranged(states: Sequence[State], items: Sequence[Item], slots: Sequence[Sl
         sum(
             item.weight
             for number, item in enumerate(items)
-            if item.fresh and number in state.satisfied and _is_natural(item, state, slots)
+            if (item.fresh or item.shown)
+            and number in state.satisfied
+            and _is_natural(item, state, slots)
         )
         for state in states
     ]

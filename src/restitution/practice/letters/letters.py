@@ -36,6 +36,7 @@ from restitution.practice.letters.inference import (
     search,
 )
 from restitution.practice.letters.interpretation import FixedLetter, Interpretation, Interpretations
+from restitution.practice.letters.named_vectors import NamedComponent, named_components
 from restitution.practice.letters.options import (
     Usage,
     directions,
@@ -57,7 +58,7 @@ from restitution.practice.letters.surroundings import (
 from restitution.practice.letters.trial import Frame, inside_angles, resolved_in
 from restitution.practice.letters.wordings import words_of
 from restitution.practice.reading.angles import is_angle
-from restitution.practice.reading.phrases import is_relative
+from restitution.practice.reading.phrases import is_phrase, is_relative
 from restitution.practice.script import ANYWHERE, Claim, Link, Scope, Script, ScriptLine
 from restitution.practice.worlds.arrays import is_bare
 from restitution.practice.worlds.sampling import true_worlds
@@ -79,6 +80,9 @@ _UNPAIRED = 0.4
 # tells the sense of its letters as well.
 _WORTH = {"new": 1.0, "follows": 0.3, "contradicts": 0.6}
 _MOMENTUM = 1.8
+# What a vector tells in which the value of a letter stands again: of the value of its component,
+# and of the component itself, as the components of two spheres may be equal.
+_SHOWN, _NAMED = 0.6, 4.0
 _PLACES = 5
 _LAST = 10**6
 _VELOCITIES = frozenset("vVwW")
@@ -335,6 +339,11 @@ class _Search:
         if dotted and is_direction(name):
             return list(directions(around.problem, around.events, name))
         chosen = list(options(usage, around.candidates, around.problem))
+        components = self._components(name)
+        chosen = [
+            replace(each, cost=each.cost - _NAMED) if each.quantity in components else each
+            for each in chosen
+        ]
         if name in self.turned_speeds:
             chosen = [each for each in chosen if not around.is_a_part(each)]
         chosen += list(scaled(chosen, self.directions))
@@ -476,10 +485,15 @@ class _Search:
                 else:
                     items.append(self._item(link, line, used))
         items = self._weighed(items)
+        typed = len(items)
+        for each in self.named:
+            segment = sum(one.line <= each.line.number for one in breaks)
+            if (each.letter, segment) in places:
+                items.append(self._shown(each, places[each.letter, segment]))
         states = search(items, slots, self.around.tester, self.around.broken)
         interpretations = []
         for state in states[: 2 * _RIVALS]:
-            lines = {item.line for k, item in enumerate(items) if k in state.satisfied}
+            lines = {item.line for k, item in enumerate(items[:typed]) if k in state.satisfied}
             whole = self._interpretation(state, slots, firsts)
             interpretations.append(
                 replace(whole, score=whole.score - self._cost(whole, breaks, lines))
@@ -487,8 +501,33 @@ class _Search:
         if interpretations:
             best = max(range(len(interpretations)), key=lambda k: interpretations[k].score)
             held = states[best].satisfied
-            self.failing = {item.line for k, item in enumerate(items) if k not in held}
+            self.failing = {item.line for k, item in enumerate(items[:typed]) if k not in held}
         return interpretations
+
+    @cached_property
+    def named(self) -> tuple[NamedComponent, ...]:
+        """The letters that are shown to be components by vectors with their values."""
+        around = self.around
+        known = around.problem, around.tester, self.usual, self._is_own
+        return tuple(named_components(self.lines, *known))
+
+    def _components(self, name: str) -> list[Expression]:
+        """The components that vectors show a letter to be."""
+        own = (each for each in self.named if each.letter == name)
+        return [self.around.staged(each.component, each.line.scope) for each in own]
+
+    def _is_own(self, name: str) -> bool:
+        """Whether a name is a letter of the student's own."""
+        return not is_phrase(name) and name not in self.around.letters
+
+    def _shown(self, each: NamedComponent, slot: int) -> Item:
+        """What a vector with the value of a letter in it tells of the letter."""
+        frame = Frame(self.around.world.now(each.line.scope))
+        component = self.around.staged(each.component, each.line.scope)
+        claim = Claim(Letter(each.letter), "=", component)
+        used = {each.letter: slot}
+        line = each.line.number
+        return Item(line, (claim,), used, _SHOWN, (), frame, fresh=False, shown=True)
 
     def _cost(self, whole: Interpretation, breaks: Sequence[_Break], lines: Iterable[int]) -> float:
         """The cost of letters that change their meanings, less where several lines support it."""
@@ -581,7 +620,8 @@ class _Search:
         if chosen.kind == "definition":
             return "declared"
         known = self.usual(name, scope)
-        return "default" if known is not None and known.quantity == chosen.quantity else "inferred"
+        usual = known is not None and known.quantity == chosen.quantity
+        return "default" if usual or chosen.quantity in self._components(name) else "inferred"
 
     def _words(self, tree: Expression) -> str:
         return words_of(tree, self.around.problem)

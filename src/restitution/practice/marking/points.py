@@ -313,7 +313,7 @@ class _Examiner:
                 why = "does not follow from the lines above"
                 if last is None or last.state != "earned":
                     last = PointMark(point, "lost", line.line.number, why)
-        if last is not None and last.state == "earned" and point.item is not None:
+        if last is not None and last.state == "earned" and self._is_one_of_several(point, last):
             sound = [each for each in self.lines if each.verdict in _SOUND]
             alike = [each for each in self.scheme.points if each.item == point.item]
             if self.values.left_out(point, sound) > len(alike) - 1 - alike.index(point):
@@ -335,6 +335,11 @@ class _Examiner:
             if conclusion is not None and _CONCLUDING.search(conclusion.line.text):
                 last = self._earned(point, conclusion, "")
         return last or self._missing(point)
+
+    def _is_one_of_several(self, point: MarkPoint, mark: PointMark) -> bool:
+        """Whether a right answer may be one of several; of what follows nobody counts them."""
+        line = self._line(mark.line)
+        return point.item is not None and line is not None and line.verdict != "follows"
 
     def _is_begun(self, point: MarkPoint, mark: PointMark) -> bool:
         """Whether a value is earned by a multiple of it alone: ``3v/2 = √13/6``."""
@@ -779,6 +784,8 @@ class _Examiner:
             line = self._line(each.line)
             if line is None or line.accuracy != "coarse" or _ends_fine(line):
                 continue
+            if line.verdict != "true":
+                continue  # what follows is no right answer
             if not self._is_exact_above(each):
                 why = "given too coarsely"
                 return [*points[:place], replace(each, state="lost", why=why), *points[place + 1 :]]

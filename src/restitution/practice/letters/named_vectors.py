@@ -1,0 +1,99 @@
+"""Which component a letter is, as a vector shows in which its value stands again.
+
+Behind ``p = 1.5`` the line ``velocity of A = 1.5i + j`` says that p is the component of A along i,
+whether it is right or wrong.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from restitution.expression.evaluate import Angle
+from restitution.expression.tree import Expression, Letter, Name, Quantity, Unit, letters
+from restitution.practice.letters.candidates import Candidate
+from restitution.practice.letters.trial import NOWHERE, Tester
+from restitution.practice.script import Claim, Scope, ScriptLine
+from restitution.practice.worlds.arrays import Array
+from restitution.problem import Impact, Problem
+from restitution.vector import Vector
+
+# A number may stand in the vector with fewer figures.
+_CLOSE = 6e-3
+_TINY = 1e-9
+
+
+@dataclass(frozen=True)
+class NamedComponent:
+    """A letter whose value is, in a line with a velocity, that of a component of it."""
+
+    line: ScriptLine
+    letter: str
+    component: Expression
+
+
+def named_components(
+    lines: Iterable[ScriptLine],
+    problem: Problem,
+    tester: Tester,
+    usual: Callable[[str, Scope], Candidate | None],
+    is_open: Callable[[str], bool],
+) -> Iterator[NamedComponent]:
+    """The letters whose values stand again in a velocity, along the line of centres or the wall.
+
+    ``usual`` is what a letter or phrase means where no line tells, ``is_open`` whether a name is a
+    letter of the student's own.
+    """
+    values: dict[str, list[Array]] = {}
+    for line in lines:
+        for link in line.links:
+            claim = link.readings[0]
+            if claim.sign != "=" or claim.others or not isinstance(claim.left, Letter):
+                continue
+            name = claim.left.name
+            value = tester.value(claim.right, {}, NOWHERE) if not _own(claim, tester) else None
+            if isinstance(value, Vector):
+                meant = usual(name, line.scope)
+                for axis, size in zip((Unit("i"), Unit("j")), (value.x, value.y), strict=True):
+                    component = None if meant is None else _component(meant, axis, problem)
+                    alike = [x for x, known in values.items() if any(_is(size, k) for k in known)]
+                    if component is not None and len(alike) == 1:
+                        yield NamedComponent(line, alike[0], component)
+            elif value is not None and not isinstance(value, Angle) and is_open(name):
+                values.setdefault(name, []).append(np.asarray(value, dtype=float))
+
+
+def _own(claim: Claim, tester: Tester) -> bool:
+    """Whether letters of the student's own stand on the right side of a claim."""
+    return not letters(claim.right) <= tester.world.letters.keys()
+
+
+def _is(size: object, value: Array) -> bool:
+    """Whether a component has a value, which is not zero."""
+    numbers = np.asarray(size, dtype=float)
+    near = np.abs(numbers - value) <= _CLOSE * np.abs(value)
+    return bool(np.all(near) and np.all(np.abs(value) > _TINY))
+
+
+def _component(meant: Candidate, axis: Unit, problem: Problem) -> Expression | None:
+    """The component of a velocity along i or j, where an impact may change it.
+
+    None of a story with several events: a vector may be of any of them.
+    """
+    if len(problem.events) > 1:
+        return None
+    velocity = meant.quantity
+    if not isinstance(velocity, Quantity) or velocity.kind != "velocity":
+        return None
+    (body,) = velocity.arguments
+    assert isinstance(body, Name)
+    walls = {each.name for each in problem.walls}
+    impacts = [
+        each
+        for each in problem.events
+        if isinstance(each, Impact) and body.name in (each.first, each.second)
+    ]
+    free = any(each.second in walls or each.along in (None, axis) for each in impacts)
+    return Quantity("along", (velocity, axis)) if free else None
