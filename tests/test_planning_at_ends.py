@@ -15,6 +15,26 @@ from restitution.workings.derived import explanation_of
 
 # A statement, and lines of its working, or parts of them.
 CASES = {
+    "at the end of e, and then of the angle": (
+        """
+wall W: along i
+sphere P: velocity u at theta to W
+P hits W
+given theta < 20°
+show deflection(P) < 40°
+""",
+        ("δ ≤ 2θ", "as θ + arctan(e tan θ) increases with e", "δ < 40°, as θ < 20°"),
+    ),
+    "at the least e, and then of the angle": (
+        """
+wall W: along j
+sphere P: velocity 5 at beta to W
+P hits W
+given beta >= 35°
+show deflection(P) >= 35°
+""",
+        ("δ ≥ β", "δ ≥ 35°, as β ≥ 35°"),
+    ),
     "a deflection between the ends of e that facts leave": (
         """
 wall W: along 3i + 4j

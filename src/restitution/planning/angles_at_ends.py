@@ -58,6 +58,30 @@ class AngleAtEnds:
                 return line
         return None
 
+    def bounded_twice(self, relation: Relation) -> int | None:
+        """The line of a bound that comes of one at an end of a letter, and of another letter.
+
+        From α + arctan(e tan α) ≤ 2α, as e ≤ 1, comes ≤ 60° where α ≤ 30°.
+        """
+        match relation.options:
+            case ((Link(left, "<" | "<=" | ">" | ">=" as sign),),) if left == self.asked:
+                pass
+            case _:
+                return None
+        closed: Sign = "<=" if sign[0] == "<" else ">="
+        for name in self.names():
+            others = [each for each in self.names() if each != name]
+            for end, bounds in self.ends_of(name):
+                mark = self.scene.desk.mark()
+                there = Relation(((Link(self.asked, closed, self.at(name, end)),),))
+                line = self.bounded(there, bounds)
+                if line is not None:
+                    for known in self.judge.known(others):
+                        if self.judge.follows(Move("compare"), (line, known), relation):
+                            return self.scene.desk.write(Move("compare"), (line, known), relation)
+                self.scene.desk.back(mark)
+        return None
+
     def ranges(self) -> Iterator[tuple[Relation, tuple[Ref, ...]]]:
         """The range of the angle by that of its letter, with the lines that bound this."""
         names = self.names()
@@ -92,13 +116,15 @@ class AngleAtEnds:
             yield list(zip((role.low, role.high), role.closed, strict=True)), ()
 
     def _acute(self) -> list[sp.Symbol]:
-        known = roles(self.scene.problem)
+        known = {name: roles(self.scene.problem)[name] for name in self.names()}
         return [
-            known[name].symbol(name)
-            for name in self.names()
-            if known[name].kind == "angle"
-            and known[name].low == 0
-            and known[name].high == sp.pi / 2
+            role.symbol(name)
+            for name, role in known.items()
+            if role.kind == "angle"
+            and role.low is not None
+            and role.high is not None
+            and role.low >= 0
+            and role.high <= sp.pi / 2
         ]
 
     def _ends(self, bound: int) -> list[tuple[sp.Expr, bool]]:
@@ -126,7 +152,8 @@ def write_at_ends(claims: Claims, solver: Solver, relation: Relation) -> int:
         raise NotPlannedError("an inequality")
     (asked,) = angles
     assert isinstance(asked, Quantity)
-    line = AngleAtEnds(claims, solver, asked).bounded(relation)
+    own = AngleAtEnds(claims, solver, asked)
+    line = own.bounded(relation) or own.bounded_twice(relation)
     if line is None:
         raise NotPlannedError("an inequality")
     return line

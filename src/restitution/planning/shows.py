@@ -19,7 +19,7 @@ from restitution.planning.angle_ratios import write_other_ratio
 from restitution.planning.angles_at_ends import write_at_ends
 from restitution.planning.claims import Claims
 from restitution.planning.comparisons import Comparison
-from restitution.planning.desk import NotPlannedError, chain
+from restitution.planning.desk import UNPLANNED, NotPlannedError, chain
 from restitution.planning.expressions import write_expression
 from restitution.planning.extrema import write_extremum
 from restitution.planning.forms import (
@@ -236,7 +236,7 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
             mark = claims.worths.mark()
             try:
                 return claims.write(relation), relation
-            except NotPlannedError:
+            except UNPLANNED:
                 claims.worths.back(mark)
                 return write_at_ends(claims, claims.solver, relation), relation
         case Meets():
