@@ -528,3 +528,31 @@ find deflection(B)
 """
     assert "√(4² + (25/2)²)) ≈ −0.5533 DM1 A1" in printed(text)
     assert "δ ≈ arccos(−0.5533) ≈ 124°" in printed(text)
+
+
+DIRECTIONS = """
+sphere A: mass m, velocity u i, radius r
+sphere B: mass 2m, at rest, radius r
+A hits B: offset -r, e = 1/2
+find direction(B), speed(A)
+"""
+
+REACHED = """
+wall W: along j, through (6, 0)
+sphere A: mass 1, at (-4, -3), velocity 4i + 3j
+sphere B: mass 3, at (0, 0), at rest
+A hits B: along i, e = 2/3
+B reaches W
+find distance(A, B), position(B)
+"""
+
+
+def test_two_equations_are_solved_for_the_letter_that_is_wanted() -> None:
+    combined = [e for e in planned(DIRECTIONS).lines if e.move.id == "combine"]
+    assert [write_relation(each.relation) for each in combined] == ["v = 0"]
+
+
+def test_a_place_that_is_asked_stands_once() -> None:
+    text = printed(REACHED)
+    assert text.count("6𝐢") == 1
+    assert text.index("= 6𝐢 m A1") < text.index("Distance, from the coordinates")

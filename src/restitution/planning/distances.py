@@ -155,7 +155,8 @@ def _end(scene: Scene, tree: Expression, stage: Any) -> Source:
         case Name(name):
             return _end(scene, Quantity("position", (tree,), stage), stage)
         case Quantity("position", (Name(body),), int(number)):
-            if any(_is_worked_out(scene, body, number, axis) for axis in AXES):
+            worked_out = any(_is_worked_out(scene, body, number, axis) for axis in AXES)
+            if worked_out or tree in scene.asked_alone:
                 return place(scene, body, number)
             return spot(scene, body, number)
         case Quantity("position", (Name(body),), AtTime()):

@@ -10,10 +10,12 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Meaning, Move, MoveId, Ref, Relation, Showing
+from restitution.explaining.trees import exchanged
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
@@ -404,8 +406,22 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
     if any(ratio.args[0].is_Add for ratio in value.atoms(sp.sin, sp.cos)):
         number = scene.desk.write(move, refs, chain(quantity, (first, None)))
         refs, move, first = (number,), Move("identity", "sum-of-angles"), last
-    number = scene.desk.write(move, refs, chain(quantity, (first, None), (last, "rearrange")))
+    exact = {each: tree_of(tidy(scene.scalar(each))) for each in _of_degrees(first)}
+    between: tuple[tuple[Expression, MoveId | None], ...] = ()
+    if exact:
+        between = ((swept(exchanged(first, exact)), "rearrange"),)
+    relation = chain(quantity, (first, None), *between, (last, "rearrange"))
+    number = scene.desk.write(move, refs, relation)
     return scene.desk.know(quantity, value, (number,))
+
+
+def _of_degrees(tree: Expression) -> list[Expression]:
+    """The sines and cosines of degrees in a tree."""
+    return [
+        node
+        for node in walk(tree)
+        if isinstance(node, Apply) and isinstance(node.argument, Degrees)
+    ]
 
 
 def _are_two_terms(values: list[sp.Expr]) -> bool:

@@ -71,6 +71,7 @@ from restitution.planning.unfinished import (
     write_unfinished,
 )
 from restitution.planning.unreached import write_unreached
+from restitution.planning.wanted_letters import with_wanted_letters
 from restitution.problem import (
     Extremum,
     Item,
@@ -115,7 +116,7 @@ def plan(solution: Solution, route: int = 1, *, partial: bool = False) -> Deriva
     )
     oracle = Oracle(roles(problem))
     whole = without_idle(whole)
-    for shortened in (with_direct_tangents, with_direct_ratios):
+    for shortened in (with_direct_tangents, with_direct_ratios, with_wanted_letters):
         whole = pruned(shortened(whole, oracle))
     for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):
         whole = mended(whole, oracle)
