@@ -37,6 +37,15 @@ A hits B: along i, e = 2/3
 find energy(B)/energy
 """
 
+CORNER = """
+wall AB: along i
+wall BC: along 75°
+sphere P: velocity u at 60° to AB
+P hits AB: e = 2/5
+P hits BC: e = 1/2
+find speed(P)
+"""
+
 
 @cache
 def working(text: str) -> str:
@@ -52,6 +61,7 @@ def working(text: str) -> str:
         (TURNED_AT_A_WALL, "0.6u(½ cos α + (√3/2) sin α) = u cos α DM1"),
         (TURNED_AT_A_WALL, "0.6u((√3/2) cos α − ½ sin α) = eu sin α DM1"),
         (BLOWN_ALONG_A_WALL, "By the formula tan(θ/2) = sin θ/(1 + cos θ):"),
+        (CORNER, "= (u/2)((√2 + √6)/4) − (√3 u/5)((√6 − √2)/4) = (7√6 − √2)u/40"),
         (SHARES_WITH_ROOTS, "= 2(103 + 10√3)/(3(361 − 20√3)) ≈ 0.246"),
     ],
 )
