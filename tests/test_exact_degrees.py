@@ -59,3 +59,25 @@ def test_a_working_at_whole_degrees(angle: int) -> None:
     assert f"e = (6 − 5 cos {angle}°)/(5 cos {angle}°) ≈ {e:.3f} A1" in shown
     assert f"v = 3.5 cos {angle}° − 1.8 ≈" in shown
     assert "√5" not in shown
+
+
+@pytest.mark.parametrize("whole", [4, 10, 36, 42, 50, 77])
+def test_an_arctangent_of_a_plain_angle_is_that_angle(whole: int) -> None:
+    turns = Fraction(whole, 180)
+    cosine, sine = degrees.cosine(turns), degrees.sine(turns)
+    angle = sp.Rational(whole, 180) * sp.pi
+    assert exact.tidy_angle(sp.atan(sine / cosine)) == angle
+    assert exact.tidy_angle(sp.atan(cosine / sine)) == sp.pi / 2 - angle
+    assert exact.tidy_angle(-sp.atan(cosine / sine)) == angle - sp.pi / 2
+    assert not (exact.tidy_angle(sp.atan(sine / (2 * cosine))) / sp.pi).is_Rational
+
+
+def test_angles_of_paths_at_whole_degrees_are_read_off() -> None:
+    text = (
+        "wall AB: along i\nwall BC: along 150°\nsphere P: velocity u at 50° to AB\n"
+        "P hits AB: e = 1\nP hits BC: e = 1\n"
+        "find angle(velocity(P), BC), deflection(P, 1), deflection(P, 2)"
+    )
+    shown = " ".join(to_text(explain(solve(parse(text))), 80).split())
+    assert "arctan" not in shown
+    assert "= 1/tan 10° DM1 β = 80°" in shown

@@ -150,7 +150,8 @@ def _of_plain_angles(tangent: Expr) -> Rational | None:
     unit = Rational(math.gcd(*(int(turn * below) for turn in turns)), 2 * below)
     count = (sympy.atan(tangent) / sympy.pi / unit).evalf(30)
     nearest = int(sympy.floor(count + HALF))
-    if abs(count - nearest) > Float("1e-20") or any(abs(t / unit) > 40 for t in (*turns, nearest)):
+    counts = (*(turn / unit for turn in turns), nearest)
+    if abs(count - nearest) > Float("1e-20") or any(abs(each) > 40 for each in counts):
         return None
     c, s = sympy.symbols("c s")
 
@@ -176,7 +177,12 @@ def _with_plain_angles(value: Expr) -> Expr:
     """An angle in which each arctangent that is a plain angle is written as that angle."""
     plain = {}
     for each in value.atoms(sympy.atan):
-        turns = _of_plain_angles(each.args[0]) if not each.free_symbols else None
+        if each.free_symbols or not each.args[0]:
+            continue
+        turns = _of_plain_angles(each.args[0])
+        if turns is None and (rest := _of_plain_angles(1 / each.args[0])) is not None:
+            # arctan(1/tan 10°) = 90° − 10°
+            turns = (HALF if rest > 0 else -HALF) - rest
         if turns is not None:
             plain[each] = turns * sympy.pi
     return value.xreplace(plain) if plain else value

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import sympy as sp
 
-from restitution.exact import tidy
+from restitution.exact import tidy, tidy_angle
 from restitution.explaining.derivation import Move, MoveId
 from restitution.expression.tree import (
     Apply,
@@ -190,6 +190,9 @@ def _along_j(scene: Scene, asked: Quantity, x: Source, y: Source) -> Ratio:
 
 def in_degrees_of(angle: sp.Expr, value: sp.Expr) -> Expression:
     """An inverse tangent: in degrees where it is plain, else as it is."""
+    if not angle.free_symbols and angle.has(sp.sin, sp.cos, sp.tan):
+        plain = tidy_angle(angle)  # arctan(tan 50°) is 50°
+        angle = plain if (plain / sp.pi).is_Rational else angle
     degrees = sp.nsimplify(angle * 180 / sp.pi) if not angle.has(sp.atan, sp.acos) else None
     if degrees is not None and degrees.is_Rational:
         number = Fraction(int(degrees.p), int(degrees.q))
