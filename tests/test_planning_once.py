@@ -88,3 +88,14 @@ def test_a_coefficient_that_is_given_is_put_into_the_law_at_once() -> None:
         "given tan(theta) = 4/3, e = 1/4\nfind energy_lost"
     )
     assert "along(velocity(P, 1), j) = 1/4 (u sin(theta)) = u/5 [put]" in said(derivation)
+
+
+def test_a_distance_from_a_wall_is_the_way_from_it() -> None:
+    solution, derivation = planned(
+        "wall W: along j, through (d, 0)\nsphere A: mass m, at (-d, 0), velocity u i\n"
+        "sphere B: mass m, at (0, 0), at rest\nA hits B: along i, e = 1/3\nB hits W: e = 1/2\n"
+        "B hits A: along i\nfind distance(position(A, 3), position(B, 2))"
+    )
+    assert said(derivation)[-1].endswith("= u/3 (3d/(4u)) = d/4 [rearrange]")
+    assert not any(each.startswith("position(A, 3)") for each in said(derivation))
+    assert "Distance = speed × time, for B:" in to_text(explain(solution))

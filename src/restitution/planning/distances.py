@@ -16,11 +16,17 @@ from restitution.planning.forms import difference, product, square, swept, total
 from restitution.planning.impacts import in_direction
 from restitution.planning.instants import piece, place_then, time_since
 from restitution.planning.place_trees import AXES, Axis, coordinate_tree, duration_tree, time_tree
-from restitution.planning.places import place, spot, time_of
+from restitution.planning.places import coordinate, leg, place, spot, time_of
 from restitution.planning.polynomials import expanded, factored
 from restitution.planning.scene import Scene
 from restitution.planning.separations import separation_known
-from restitution.planning.whereabouts import are_apart, standing, tidied
+from restitution.planning.whereabouts import (
+    are_apart,
+    last_move,
+    standing,
+    tidied,
+    velocity,
+)
 
 
 def distance(scene: Scene, asked: Quantity) -> Source:
@@ -32,6 +38,9 @@ def distance(scene: Scene, asked: Quantity) -> Source:
         together_ = _distance_since_contact(scene, asked)
         if together_ is not None:
             return together_
+    way = _as_a_way(scene, asked)
+    if way is not None:
+        return way
     ends = [_end(scene, argument, asked.stage) for argument in asked.arguments]
     refs = together(*(end.refs for end in ends))
     (a, b) = (end.value for end in ends)
@@ -162,6 +171,65 @@ def _end(scene: Scene, tree: Expression, stage: Any) -> Source:
         case Quantity("position", (Name(body),), AtTime()):
             return place_then(scene, tree, body)
     raise NotPlannedError("the end of a distance")
+
+
+def _as_a_way(scene: Scene, asked: Quantity) -> Source | None:
+    """How far two meet from where one of them was at its last event: that is what it goes.
+
+    None where it does not move along an axis, or where no line follows from that.
+    """
+    for ends in (asked.arguments, asked.arguments[::-1]):
+        match ends:
+            case (
+                Quantity("position", (Name(body),), int(early)),
+                Quantity("position", (Name(other),), int(late)),
+            ) if 0 < early < late:
+                met = {body, other} == set(scene.bodies(late)) == set(scene.spheres(late))
+                if not met or are_apart(scene, late) or last_move(scene, body, late) != early:
+                    return None
+                mark = scene.desk.mark()
+                way = _write_way(scene, asked, (body, other), (early, late))
+                if way is None:
+                    scene.desk.back(mark)
+                return way
+    return None
+
+
+def _write_way(
+    scene: Scene, asked: Quantity, bodies: tuple[str, str], events: tuple[int, int]
+) -> Source | None:
+    """The line of a distance by the speed of the first body and the time between two events."""
+    (body, other), (early, late) = bodies, events
+    pace = {axis: velocity(scene, body, early, axis) for axis in AXES}
+    moving = [axis for axis in AXES if pace[axis].value != 0]
+    begin, time = leg(scene, late)
+    if len(moving) != 1 or begin != early:
+        return None
+    own = pace[moving[0]]
+    speed = own.value if scene.model.sign(own.value) > 0 else -own.value
+    tree = swept(product(tree_of(tidy(speed)), tree_of(time.value)))
+    value = sized(scene, tidy(speed * time.value))
+    relation = chain(asked, (tree, None), (tree_of(value), "rearrange"))
+    ends = ((body, early), (body, late), (other, late))
+    beside = [coordinate(scene, *end, axis) for end in ends for axis in AXES if axis not in moving]
+    move = Move("define", "straight-line", late, (body,))
+    open_ = [e.number for e in scene.desk.lines if e.move == move and scene.desk.holds(e.number)]
+    refs = together(
+        own.refs,
+        time.refs,
+        open_,
+        (f"contact {late}",),
+        spot(scene, body, early).refs,
+        *(each.refs for each in beside),
+        ranges(scene, value),
+    )
+    move = Move("define", "distance")
+    # A line that says the place is cited rather than the wall.
+    premises = scene.judge.needed(move, (*refs, f"contact {early}"), relation)
+    if premises is None:
+        return None
+    number = scene.desk.write(move, premises, relation)
+    return scene.desk.know(asked, value, (number,))
 
 
 def _is_worked_out(scene: Scene, body: str, number: int, axis: Axis) -> bool:

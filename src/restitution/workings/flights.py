@@ -10,6 +10,7 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Name,
     Number,
     Quantity,
     is_zero,
@@ -108,7 +109,16 @@ def _is_on_a_diameter(derivation: Derivation, line: Line) -> bool:
 
 
 def distance_title(line: Line) -> Sentence:
-    """The title of a distance: by the relative velocity of bodies that met, or by coordinates."""
+    """The title of a distance: of the way of a body, of bodies that met, or by coordinates."""
+    match line.relation:
+        case Relation(((Link(Quantity("distance", ends), "=", Binary("*")), *_),)) if (
+            not line.move.event
+        ):
+            places = [each for each in ends if isinstance(each, Quantity)]
+            first = min(places, key=lambda each: each.stage if isinstance(each.stage, int) else 0)
+            match first.arguments:
+                case (Name(body),):
+                    return say("flight.title-of", body=body)
     return say("distance.relative" if line.move.event else "distance.coordinates")
 
 
