@@ -497,12 +497,13 @@ class Reasons:
             yield said
             far = _far_end(line.relation, above[0].left, name, sense, ends)
             limit: tuple[Expression | None, Expression | None] = far, None
+            near: tuple[Sentence, ...] = ()
             if name in positive and far is not None:
                 if len(line.relation.only) > 1:  # the other end is where the letter is near 0
                     least = (turned(e) if e.right == letter_ else e for e in ends)
                     low = (e for e in least if e.left == letter_ and e.sign in _DOWN)
                     low_end = next(low, Link(letter_, ">", ZERO))
-                    yield say("derived.fact", fact=self._laid(Relation(((low_end,),))))
+                    near = (say("derived.fact", fact=self._laid(Relation(((low_end,),)))),)
             elif any(end.line == line.number and end.shown for end in self._derivation.items):
                 limit = limit_at_an_end(above[0].right, line.relation, name, ends) or (None, None)
             else:
@@ -515,11 +516,15 @@ class Reasons:
                 words = isinstance(subject, lay.Words | lay.Phrase)
                 quantity = say("derived.the", quantity=subject) if words else subject
                 first = say("derived.its", quantity=quantity) if named else ""
+                if named:
+                    yield from near
                 yield (
                     say("derived.tends", first=first, value=value, letter=letter)
                     if end is None
                     else say("derived.tends-to", first=first, value=value, letter=letter, end=end)
                 )
+                # What falls "and tends to 0" is named once: nothing stands between.
+                yield from () if named else near
 
     def _shape(self, line: Line) -> tuple[Sentence, ...]:
         """What bounds a value by its form, the plainest that fits."""
