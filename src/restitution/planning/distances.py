@@ -38,9 +38,9 @@ def distance(scene: Scene, asked: Quantity) -> Source:
         together_ = _distance_since_contact(scene, asked)
         if together_ is not None:
             return together_
-    way = _as_a_way(scene, asked)
-    if way is not None:
-        return way
+    length = _as_a_path(scene, asked)
+    if length is not None:
+        return length
     ends = [_end(scene, argument, asked.stage) for argument in asked.arguments]
     refs = together(*(end.refs for end in ends))
     (a, b) = (end.value for end in ends)
@@ -173,7 +173,7 @@ def _end(scene: Scene, tree: Expression, stage: Any) -> Source:
     raise NotPlannedError("the end of a distance")
 
 
-def _as_a_way(scene: Scene, asked: Quantity) -> Source | None:
+def _as_a_path(scene: Scene, asked: Quantity) -> Source | None:
     """How far two meet from where one of them was at its last event: that is what it goes.
 
     None where it does not move along an axis, or where no line follows from that.
@@ -188,14 +188,14 @@ def _as_a_way(scene: Scene, asked: Quantity) -> Source | None:
                 if not met or are_apart(scene, late) or last_move(scene, body, late) != early:
                     return None
                 mark = scene.desk.mark()
-                way = _write_way(scene, asked, (body, other), (early, late))
-                if way is None:
+                length = _write_path(scene, asked, (body, other), (early, late))
+                if length is None:
                     scene.desk.back(mark)
-                return way
+                return length
     return None
 
 
-def _write_way(
+def _write_path(
     scene: Scene, asked: Quantity, bodies: tuple[str, str], events: tuple[int, int]
 ) -> Source | None:
     """The line of a distance by the speed of the first body and the time between two events."""

@@ -116,13 +116,13 @@ class _Refutation:
                     lines.append(worth)
                     rest.remove(tree)
             for each in dict.fromkeys(q for tree in rest for q in claims.worths.quantities(tree)):
-                if not claims.worths.is_data(each) or self._is_told_by_an_angle(each):
+                if not claims.worths.is_data(each) or self._has_an_angle(each):
                     lines.append(
                         claims.worths.angle_by_letter(each) or claims.worths.quantity(each)
                     )
         self.note(tuple(dict.fromkeys(lines or self._found(trees))), trees)
 
-    def _is_told_by_an_angle(self, velocity: Quantity) -> bool:
+    def _has_an_angle(self, velocity: Quantity) -> bool:
         """Whether a velocity of the data is told by its size and direction, and is claimed one."""
         fact = self.scene.facts.get(f"velocity {_body(velocity)}")
         if fact is None or not isinstance(self.item.relation, Aligned):

@@ -24,7 +24,7 @@ from restitution.explaining.saying import Sentence, say
 from restitution.explaining.setting import Setting
 from restitution.explaining.step import Step
 from restitution.explaining.trees import rebuilt
-from restitution.expression.evaluate import evaluate, in_letters
+from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -43,7 +43,13 @@ from restitution.planning.inequalities import turned
 from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.solving.letters import roles
-from restitution.solving.signs import sign
+from restitution.workings.bounding_parts import (
+    is_bound_by,
+    squared,
+    squares_below,
+    squares_of_terms,
+    wave_of,
+)
 from restitution.workings.equality import divisor_left_out, place_of_zero
 from restitution.workings.factors import factor_cancelled, factor_left
 from restitution.workings.grounds import grounds_of, motion_of
@@ -528,11 +534,11 @@ class Reasons:
 
     def _shape(self, line: Line) -> tuple[Sentence, ...]:
         """What bounds a value by its form, the plainest that fits."""
-        for way in (
+        for bound in (
             *(self._ratio, self._square, self._positive_square),
             *(self._factor, self._wave, self._square_of_a_ratio, self._share, self._divisor),
         ):
-            if reasons := tuple(way(line)):
+            if reasons := tuple(bound(line)):
                 return reasons
         return ()
 
@@ -575,7 +581,10 @@ class Reasons:
             elif left != links[0].left:
                 continue
             for link in own.relation.options[0]:
-                for term, square in (*_squares(link.right, links[0].sign), *_inner(link.right)):
+                for term, square in (
+                    *squares_of_terms(link.right, links[0].sign),
+                    *squares_below(link.right),
+                ):
                     if self._is_left(link.right, term, bound):
                         facts = [Link(square, ">=", ZERO)]
                         match term:
@@ -606,9 +615,9 @@ class Reasons:
         rest = rebuilt(whole, lambda each: ZERO if each == square else each)
         match rest:
             case Apply("sqrt", inside):
-                rest, bound = inside, _squared(bound)
+                rest, bound = inside, squared(bound)
             case Binary("*", factor, Apply("sqrt", inside)):
-                rest, bound = Binary("*", _squared(factor), inside), _squared(bound)
+                rest, bound = Binary("*", squared(factor), inside), squared(bound)
         step = Step(Setting(self._roles), Move("rearrange"), (), ())
         try:
             gap = step.residual(Link(rest, "=", bound))
@@ -651,8 +660,8 @@ class Reasons:
                 continue
             wholes = [each.right for each in reversed(own.relation.options[0])]
             for whole, node in ((each, node) for each in wholes for node in walk(each)):
-                wave = _sine_and_cosine(node)
-                if wave is not None and _bounds(whole, node, wave[0], links[0].right):
+                wave = wave_of(node)
+                if wave is not None and is_bound_by(whole, node, wave[0], links[0].right):
                     yield say("derived.fact", fact=self._laid(Relation((wave[1],))))
                     return
 
@@ -670,7 +679,7 @@ class Reasons:
             for node in walk(whole):
                 match node:
                     case Binary("^", Apply("sin" | "cos"), Number(value=power)) if power == 2:
-                        if _bounds(whole, node, most, links[0].right):
+                        if is_bound_by(whole, node, most, links[0].right):
                             strict = links[0].sign in ("<", ">")
                             bound = Relation(((Link(node, "<" if strict else "<=", most),),))
                             yield say("derived.fact", fact=self._laid(bound))
@@ -720,109 +729,6 @@ class Reasons:
         link = Link(tree_of(share), links[0].sign, Number(Fraction(1)))
         if _is_short(link.left):
             yield say("derived.fact", fact=self._laid(Relation(((link,),))))
-
-
-def _sine_and_cosine(node: Expression) -> tuple[Expression, tuple[Link, ...]] | None:
-    """The greatest value of ``a cos x + b sin x``, or of ``sin x cos x``, and what tells it."""
-    a = b = None
-    two = Number(Fraction(2))
-    match node:
-        case Binary("*", before, Apply("sin" | "cos" as one, x)):
-            rest, last = (
-                (before.left, before.right)
-                if isinstance(before, Binary) and before.op == "*"
-                else (None, before)
-            )
-            if last != Apply("cos" if one == "sin" else "sin", x):
-                return None
-            half = Binary("/", Number(Fraction(1)), two)
-            most = half if rest is None else Binary("*", rest, half)
-            double = Apply("sin", Binary("*", two, x))
-            twice = Binary("*", Binary("*", two, Apply("sin", x)), Apply("cos", x))
-            return most, (Link(twice, "=", double), Link(double, "<=", Number(Fraction(1))))
-        case Binary("+", left, right):
-            a, b = _times(left), _times(right)
-        case Apply("sin" | "cos", Binary("*")):
-            return Number(Fraction(1)), (Link(node, "<=", Number(Fraction(1))),)
-    if a is None or b is None:
-        return None
-    if a[1].argument != b[1].argument or {a[1].function, b[1].function} != {"sin", "cos"}:
-        return None
-    total = sp.expand(a[0] ** 2 + b[0] ** 2)
-    other_ = Binary("-", _scaled(b[0], a[1]), _scaled(a[0], b[1]))
-    squared = tree_of(total)
-    less = Binary("-", squared, Binary("^", other_, two))
-    links = (Link(Binary("^", node, two), "=", less), Link(less, "<=", squared))
-    return tree_of(sp.sqrt(total)), links
-
-
-def _times(tree: Expression) -> tuple[sp.Expr, Apply] | None:
-    """A number, perhaps a root, times a sine or a cosine."""
-    match tree:
-        case Apply("sin" | "cos"):
-            return sp.Integer(1), tree
-        case Binary("*", factor, Apply("sin" | "cos") as ratio) if not letters(factor):
-            return in_letters(factor), ratio
-    return None
-
-
-def _scaled(factor: sp.Expr, ratio: Apply) -> Expression:
-    return ratio if factor == 1 else Binary("*", tree_of(factor), ratio)
-
-
-def _bounds(whole: Expression, node: Expression, most: Expression, bound: Expression) -> bool:
-    """Whether a bound is a whole with the greatest value of a part of it, for letters of 2/3."""
-    put = rebuilt(whole, lambda each: most if each == node else each)
-    try:
-        one, other = (evaluate(each, lambda _: sp.Rational(2, 3)) for each in (put, bound))
-        return sign(sp.sympify(one - other, strict=True)) == 0
-    except (RestitutionError, TypeError, ValueError):
-        return False
-
-
-def _squared(tree: Expression) -> Expression:
-    return Binary("^", tree, Number(Fraction(2)))
-
-
-def _squares(tree: Expression, sign: str) -> Iterator[tuple[Expression, Expression]]:
-    """The terms of sums that are squares, or multiples of them, each with its square.
-
-    For an upper bound those that are taken away.
-    """
-    for node in walk(tree):
-        match node:
-            case Binary("+", left, right) if sign == ">=":
-                terms: tuple[Expression, ...] = (left, right)
-            case Binary("-", _, right) if sign == "<=":
-                terms = (right,)
-            case _:
-                continue
-        for term in terms:
-            match term:
-                case Binary("^", _, Number(Fraction(numerator=2, denominator=1))):
-                    yield term, term
-                case Binary("/", Binary("^", _, Number(Fraction(numerator=2))) as inner, _):
-                    yield term, inner
-                case Binary(
-                    "/",
-                    Binary("*", Number(), Binary("^", _, Number(Fraction(numerator=2))) as own),
-                    _,
-                ):
-                    yield term, own
-                case Binary("*", factor, Binary("^", _, Number(Fraction(numerator=2))) as inner):
-                    if not letters(factor):
-                        yield term, inner
-
-
-def _inner(tree: Expression) -> Iterator[tuple[Expression, Expression]]:
-    """The squares of letters in a quotient: what it is without one may bound it."""
-    for node in walk(tree):
-        match node:
-            case Binary("/", _, below):
-                for term in walk(below):
-                    match term:
-                        case Binary("^", Letter(), Number(Fraction(numerator=2, denominator=1))):
-                            yield term, term
 
 
 def _bounds_below(relation: Relation | None, letter: Letter) -> bool:
