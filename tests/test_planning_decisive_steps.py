@@ -235,3 +235,55 @@ def test_a_claim_beside_a_time_that_is_sought_too_is_not_tried_again() -> None:
         )
     )
     assert in_printed_terms(solution) is None
+
+
+# --- tangents of double angles, and what is at most a number --------------------------------------
+
+
+def test_the_tangent_of_a_double_angle_is_opened_before_what_is_shown() -> None:
+    text = TWO.format(a="m", u="u at theta", b="m", v="at rest", e="")
+    text += "given angle(velocity(A), line_of_centres) = 2*theta\nshow tan^2(theta) = e"
+    assert before(text, "tan²θ = e") == "2 tan θ/(1 − tan²θ) = 2 tan θ/(1 − e)"
+
+
+def test_the_greatest_value_stands_before_a_bound_beyond_it() -> None:
+    text = TWO.format(a="m", u="u at alpha", b="m", v="at rest", e=", e = 1/2")
+    assert before(text + "show deflection(A) < 40°", "tan δ < tan 40°") == "tan δ ≤ ¾"
+
+
+def test_an_equation_of_the_fourth_degree_stands_in_factors() -> None:
+    text = TWO.format(a="m", u="u at alpha", b="m", v="velocity u at 180° - alpha", e="")
+    text += "given deflection(A) = 90°, energy_lost = 1/4 energy(0)\nfind tan(alpha), e"
+    own = rows(text)
+    last = own.index("tan α = ±√3/2")
+    assert own[last - 2 : last] == [
+        "4 tan⁴α + tan²α − 3 = 0",
+        "(4 tan²α − 3)(tan²α + 1) = 0",
+    ]
+
+
+# --- deflections at a wall, by the angle after ----------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("deflection", "angle"),
+    [
+        ("2*angle(velocity(P), W) + 30°", "β = α − 30°"),
+        ("2*alpha - 30°", "β = α − 30°"),
+        ("30° + 2*angle(velocity(P), W)", "β = α − 30°"),
+        ("2*angle(velocity(P), W)", "β = α"),
+    ],
+)
+def test_a_deflection_that_is_given_by_one_of_the_angles_of_its_sum(
+    deflection: str, angle: str
+) -> None:
+    e = ": e = 1/3" if "30" in deflection else ""
+    text = f"wall W: along i\nsphere P: velocity u at alpha to W\nP hits W{e}\n"
+    text += f"given deflection(P) = {deflection}\nfind {'alpha' if e else 'e'}"
+    assert angle in rows(text)
+
+
+def test_a_deflection_lies_between_its_values_at_the_ends_of_the_angle_before() -> None:
+    text = "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 1/2\n"
+    own = rows(text + "find range of deflection(P)")
+    assert "0° < δ < 180°, as α + arctan(½ tan α) increases with α and α is acute" in own

@@ -354,3 +354,18 @@ def test_of_several_solutions_the_principles_stand(monkeypatch: pytest.MonkeyPat
     assert records == ["momentum", "restitution"]
     assert note.claim is not None
     assert len(note.claim.options) == 2
+
+
+def test_a_quadratic_stands_before_roots_that_are_not_real_for_each_angle() -> None:
+    text = """
+    wall AB: along i
+    wall BC: along 135°
+    sphere P: velocity u at alpha to AB
+    P hits AB
+    P hits BC
+    given velocity(P) parallel to AB
+    find e in terms of alpha
+    """
+    rows = [row.strip() for row in to_text(explain(solve(parse(text)))).splitlines()]
+    number = rows.index("Solving this equation:")
+    assert rows[number - 1] == "e² sin α + e(cos α − sin α) + cos α = 0"

@@ -12,6 +12,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation, Sign
+from restitution.explaining.moves.limits import worth_at
 from restitution.expression.tree import Expression, Quantity, letters
 from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError
@@ -43,7 +44,7 @@ class AngleAtEnds:
     def at(self, name: str, end: sp.Expr) -> Expression:
         """The angle where a letter has a value, in degrees or by inverse tangents."""
         role = roles(self.scene.problem)[name]
-        there = _with_acute(self.value.subs(role.symbol(name), end), self._acute())
+        there = _with_acute(self._value_at(role.symbol(name), end), self._acute())
         if there.has(sp.zoo, sp.oo, sp.nan):
             raise NotPlannedError("an angle that has no value at an end")
         return tree_of(_tidied(there), angle=True, as_it_is=True)
@@ -137,8 +138,13 @@ class AngleAtEnds:
     def _slope(self, name: str, ends: Sequence[tuple[sp.Expr, bool]]) -> bool:
         """Whether the angle is greater at the upper end."""
         symbol = roles(self.scene.problem)[name].symbol(name)
-        low, high = (self.value.subs(symbol, end) for end, _ in ends)
+        low, high = (self._value_at(symbol, end) for end, _ in ends)
         return self.scene.model.sign(high - low) > 0
+
+    def _value_at(self, symbol: sp.Symbol, end: sp.Expr) -> sp.Expr:
+        """The angle at an end; arctan(k tan α) is 90° there if α is."""
+        there = worth_at(self.value, symbol, end)
+        return sp.nan if there is None else there
 
 
 def write_at_ends(claims: Claims, solver: Solver, relation: Relation) -> int:

@@ -461,7 +461,7 @@ class Claims:
             return None
         link = relation.only[0] if relation.only[0].left == whole.left else turned(relation.only[0])
         value = self.worths.value(whole.right)
-        if link.left != whole.left or link.sign != "<=":
+        if link.left != whole.left or link.sign[0] != "<":
             return None
         for symbol in sorted(value.free_symbols, key=lambda s: s.name):
             role = roles(self.scene.problem).get(symbol.name)

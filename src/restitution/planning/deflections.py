@@ -38,7 +38,7 @@ from restitution.planning.given_turns import given_turn
 from restitution.planning.impacts import in_direction
 from restitution.planning.premises import background
 from restitution.planning.scene import GivenEquation, Scene
-from restitution.planning.wall_turns import given_at_a_wall
+from restitution.planning.wall_turns import given_at_a_wall, related_at_a_wall
 
 
 def write_deflection(scene: Scene, each: GivenEquation) -> int:
@@ -59,6 +59,7 @@ def write_deflection(scene: Scene, each: GivenEquation) -> int:
         return _at_right_angles(scene, each, name.name, event, early, late)
     if frame.wall is not None:
         line = given_at_a_wall(scene, each, name.name, frame, angle)
+        line = line or related_at_a_wall(scene, each)
     else:
         line = given_turn(scene, each)
     if line is not None:

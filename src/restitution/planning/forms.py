@@ -427,3 +427,16 @@ def _factors(tree: Expression) -> tuple[int, list[str], list[str]]:
 
     take(tree, above, below)
     return sign, sorted(above), sorted(below)
+
+
+def tangents_opened(tree: Expression) -> Expression:
+    """A tree with the tangents of double angles by those of the single ones."""
+
+    def change(each: Expression) -> Expression:
+        match each:
+            case Apply("tan", Binary("*", Number(Fraction(numerator=2, denominator=1)), angle)):
+                own = Apply("tan", angle)
+                return Binary("/", product(TWO, own), difference(ONE, square(own)))
+        return each
+
+    return swept(rebuilt(tree, change))

@@ -66,7 +66,7 @@ from restitution.planning.separations import relative_speed
 from restitution.planning.square_roots import without_equal_squares
 from restitution.planning.ties import write_tie
 from restitution.planning.velocity_formulas import squares
-from restitution.planning.wall_turns import doubled_at_a_wall
+from restitution.planning.wall_turns import related_at_a_wall
 from restitution.solving.letters import roles
 from restitution.vector import Vector
 
@@ -147,7 +147,7 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
         if own.left.kind == "impulse" and own.left.arguments:
             return write_impulse(scene, each)
         if own.left.kind == "deflection":
-            line = doubled_at_a_wall(scene, each)
+            line = related_at_a_wall(scene, each)
             if line is not None:
                 return line
             _decided(scene, own.left)

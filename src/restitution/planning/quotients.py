@@ -106,7 +106,13 @@ def write_quotient(claims: Comparing, line: int, symbol: sp.Symbol, end: Link) -
         return None
     if a.free_symbols and b.free_symbols:
         end = Link(end.left, end.sign, Binary("/", tree_of(c), shared(rest)))
-    last = judge.write((Move("compare"),), [quotient, bound, *known], Relation(((end,),)))
+    most = tidy(c / (share * (2 * sp.sqrt(a) * sp.sqrt(b) + d)))
+    base = [quotient, bound]
+    if end.sign == "<" and most.is_number:
+        greatest = Relation(((Link(end.left, "<=", tree_of(most)),),))
+        first = judge.write((Move("compare"),), [*base, *known], greatest)
+        base = base if first is None else [first]
+    last = judge.write((Move("compare"),), [*base, *known], Relation(((end,),)))
     if last is None:
         return None
     plain = tree_of(tidy(sp.sqrt(a / b))) if b.is_number else Binary("/", *roots)

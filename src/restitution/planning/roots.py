@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from fractions import Fraction
 from typing import Any
 
 import sympy as sp
@@ -23,7 +24,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.desk import NotPlannedError, Source, chain
-from restitution.planning.forms import ZERO, product, square, swept, total, tree_of
+from restitution.planning.forms import ZERO, outer_terms, product, square, swept, total, tree_of
 from restitution.planning.impacts import momentum, residual, restitution, scene_value
 from restitution.planning.polynomials import expanded, factor_powers, factored
 from restitution.planning.premises import background
@@ -83,7 +84,7 @@ def by_roots(
     if generator != symbol or not (
         is_square_of_sum(scene, number, symbol) or is_product_of_sums(scene, number, symbol)
     ):
-        number = _in_standard_form(scene, number, whole, generator, subject)
+        number = in_standard_form(scene, number, whole, generator, subject)
         number = _in_factors(scene, number, [base for base, _ in factors], generator, subject)
     alternatives = Relation(tuple(option(subject, root) for root in roots))
     names = {each.name for each in above.free_symbols}
@@ -309,18 +310,20 @@ def option(subject: Expression, value: sp.Expr) -> tuple[Link, ...]:
     return (Link(subject, "=", tree_of(value)),)
 
 
-def _in_standard_form(
+def in_standard_form(
     scene: Scene, number: int, above: sp.Expr, generator: sp.Expr, subject: Expression
 ) -> int:
     """The equation as ``x² = c`` or ``ax² + bx + c = 0``, where it does not stand so already."""
     polynomial = sp.Poly(above, generator)
-    if polynomial.degree() != 2:
+    fourth = polynomial.degree() == 4 and not polynomial.nth(3) and not polynomial.nth(1)
+    if polynomial.degree() != 2 and not fourth:
         return number
     link = scene.desk.last_link(number)
     squared = _twice(subject)
-    if squared in (link.left, link.right):
+    if squared in (link.left, link.right) or _is_in_powers(scene, link, generator):
         return number
-    if polynomial.nth(1) == 0:
+    pure = not fourth and polynomial.nth(1) == 0
+    if pure:
         value = tidy(-polynomial.nth(0) / polynomial.nth(2))
         relation = chain(squared, (tree_of(value), None))
     else:
@@ -331,7 +334,7 @@ def _in_standard_form(
     move = Move("rearrange")
     names_ = {symbol.name for symbol in residual(scene, number).free_symbols}
     refs = scene.judge.enough(move, (number,), relation, background(scene, names_))
-    if refs is None and polynomial.nth(1) == 0:
+    if refs is None and pure:
         # What it is divided by may be zero: that stands on the side of the square.
         sides = (polynomial.nth(2), -polynomial.nth(0))
         minus = scene.model.sign(scene.model.in_data(sides[1])) < 0
@@ -342,6 +345,18 @@ def _in_standard_form(
         if relation != scene.desk.relation(number):
             refs = scene.judge.enough(move, (number,), relation, background(scene, names_))
     return number if refs is None else scene.desk.write(move, refs, relation)
+
+
+def _is_in_powers(scene: Scene, link: Link, letter: sp.Expr) -> bool:
+    """Whether a sum of powers of a letter, with letters beside it, is zero: the highest first."""
+    if not letter.is_Symbol or link.right != ZERO:
+        return False
+    values = [scene_value(scene, tree) for tree in outer_terms(link.left)]
+    if len(letters(link.left)) < 2 or not all(value.is_polynomial(letter) for value in values):
+        return False
+    polynomials = [sp.Poly(value, letter) for value in values]
+    powers = [each.degree() for each in polynomials]
+    return all(each.is_monomial for each in polynomials) and powers == [2, 1, 0]
 
 
 def _plain(scene: Scene, above: sp.Expr, generator: sp.Expr) -> sp.Poly:
@@ -359,7 +374,8 @@ def _in_factors(
     subject: Expression,
 ) -> int:
     """A quadratic as the product of two linear factors, where it is one."""
-    if len(factors) != 2 or any(sp.Poly(factor, generator).degree() != 1 for factor in factors):
+    degrees = [sp.Poly(factor, generator).degree() for factor in factors]
+    if degrees not in ([1, 1], [2, 2]):
         return number
     if scene.desk.last_link(number).right != ZERO:
         return number
@@ -373,7 +389,8 @@ def _in_factors(
 
 
 def _polynomial_tree(polynomial: sp.Poly, subject: Expression) -> Expression:
-    powers = {2: _twice(subject), 1: subject}
+    fourth = Binary("^", subject, Number(Fraction(4)))
+    powers: dict[int, Expression] = {4: fourth, 2: _twice(subject), 1: subject}
     terms = []
     for (power,), value in polynomial.terms():
         tree = tree_of(value)

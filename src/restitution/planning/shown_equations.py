@@ -38,6 +38,7 @@ from restitution.planning.forms import (
     product,
     square,
     swept,
+    tangents_opened,
     total,
     tree_of,
 )
@@ -358,7 +359,7 @@ class Equation:
             if line is not None:
                 return line
             self.claims.worths.back(mark)
-        line = self.judge.write(LAST, pool, self.relation)
+        line = self._by_tangent_of_double(pool) or self.judge.write(LAST, pool, self.relation)
         if line is not None:
             return line
         # Letters that have values were put in on the way; others are tied by what is given.
@@ -404,6 +405,26 @@ class Equation:
             return None
         middle = chain(self.link.left, (total(terms), None))
         return self.judge.write((Move("identity", "double-angle"),), pool, middle)
+
+    def _by_tangent_of_double(self, pool: Sequence[Ref]) -> int | None:
+        """The form by way of a line that has the tangent of a double angle by its formula."""
+        first = pool[0] if pool else None
+        if not isinstance(first, int):
+            return None
+        own = self.scene.desk.last_link(first)
+        middle = Link(tangents_opened(own.left), "=", tangents_opened(own.right))
+        if own.sign != "=" or (own.left, own.right) == (middle.left, middle.right):
+            return None
+        mark = self.claims.worths.mark()
+        names = self.judge.known(letters(own.left) | letters(own.right))
+        identity = (Move("identity", "double-angle"),)
+        line = self.judge.write(identity, [first, *names], Relation(((middle,),)))
+        if line is None or middle == self.link:
+            return line
+        last = self.judge.write(_TO_CLEAR, [line, *names, *pool[1:]], self.relation)
+        if last is None:
+            self.claims.worths.back(mark)
+        return last
 
     def _known(self, names: AbstractSet[str]) -> tuple[Ref, ...]:
         """What may be cited of letters: their ranges, and what the statement lets them be."""

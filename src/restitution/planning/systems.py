@@ -10,10 +10,14 @@ from restitution.components.models import Model
 from restitution.explaining.derivation import Link, Move, Relation
 from restitution.expression.tree import Letter
 from restitution.planning.closing import with_known
+from restitution.planning.collecting import multiplied_out
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import tree_of
 from restitution.planning.impacts import residual
+from restitution.planning.polynomials import expanded, factor_powers, numerator
 from restitution.planning.premises import background
+from restitution.planning.ratios import inside_functions
+from restitution.planning.roots import in_standard_form
 from restitution.planning.scene import Scene
 
 
@@ -31,6 +35,8 @@ def solve_together(scene: Scene, numbers: Sequence[int], asked: frozenset[sp.Sym
     )
     if not lines or len(unknowns) != len(lines):
         raise NotPlannedError(f"{len(lines)} equations for {len(unknowns)} unknowns")
+    if len(lines) == 1:
+        lines = [_as_a_quadratic(scene, lines[0], unknowns[0])]
     models = scene.others or (scene.model,)
     options = [_values(scene, model, unknowns) for model in models]
     relation = Relation(tuple(dict.fromkeys(options)))
@@ -48,6 +54,19 @@ def solve_together(scene: Scene, numbers: Sequence[int], asked: frozenset[sp.Sym
     for symbol in unknowns:
         scene.desk.know(Letter(symbol.name), scene.final(symbol), (line,))
     return line
+
+
+def _as_a_quadratic(scene: Scene, number: int, symbol: sp.Symbol) -> int:
+    """A line in the form ``ax² + bx + c = 0``, where it is of the second degree in its unknown."""
+    above = numerator(residual(scene, number))
+    if symbol in inside_functions(above) or not above.is_polynomial(symbol):
+        return number
+    factors = [base**power for base, power in factor_powers(above) if base.has(symbol)]
+    whole = expanded(sp.Mul(*factors))
+    if sp.degree(whole, symbol) != 2:
+        return number
+    number = multiplied_out(scene, number, symbol)
+    return in_standard_form(scene, number, whole, symbol, Letter(symbol.name))
 
 
 def _values(scene: Scene, model: Model, unknowns: Sequence[sp.Symbol]) -> tuple[Link, ...]:

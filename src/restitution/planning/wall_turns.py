@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move
+from restitution.explaining.trees import exchanged
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -15,9 +14,10 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
-    Number,
     Polar,
     Quantity,
+    has_quantity,
+    letters,
 )
 from restitution.planning.angles import angle_to_a_line
 from restitution.planning.desk import chain, together
@@ -27,6 +27,7 @@ from restitution.planning.named_angles import letter_of, tangent_line
 from restitution.planning.quantities import formula
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.turn_lines import Term, by_tangents, term_of_data
+from restitution.planning.turns import Form
 
 
 def angle_of_approach(scene: Scene, body: str, frame: Frame) -> Letter | Degrees | None:
@@ -146,16 +147,14 @@ def given_at_a_wall(
     return None
 
 
-def doubled_at_a_wall(scene: Scene, each: GivenEquation) -> int | None:
-    """A deflection at a wall that is double an angle to it: then both angles are equal.
+def related_at_a_wall(scene: Scene, each: GivenEquation) -> int | None:
+    """A deflection at a wall, α + β, that is given by these angles: as 2β, or as 2β + 30°.
 
-    The last line is that of their tangents. None where the fact is no such one.
+    So one of the two is the other, or differs from it by a number. The last line is that of their
+    tangents. None where the fact is no such one.
     """
-    match each.link.left, each.link.right:
-        case (
-            Quantity("deflection", (Name(body),), int(event)),
-            Binary("*", Number(Fraction(numerator=2, denominator=1)), double),
-        ) if event in scene.model.frames:
+    match each.link.left:
+        case Quantity("deflection", (Name(body),), int(event)) if event in scene.model.frames:
             pass
         case _:
             return None
@@ -164,24 +163,60 @@ def doubled_at_a_wall(scene: Scene, each: GivenEquation) -> int | None:
         return None
     angle = angle_of_approach(scene, body, frame)
     after = Quantity("angle", (Quantity("velocity", (Name(body),), event), Name(frame.wall)))
-    if not isinstance(angle, Letter) or double not in (after, angle):
+    if not isinstance(angle, Letter):
+        return None
+    more = _excess(scene, each.link.right, angle, after)
+    if more is None:
         return None
     mark = scene.desk.mark()
     own = formula(scene, after)
     line, name = tangent_line(scene, after, own, own.move)
     letter, (_, meaning) = Letter(name), letter_of(scene, after)
-    twice = Binary("*", Number(Fraction(2)), letter if double == after else angle)
-    total = chain(Binary("+", angle, letter), (twice, None))
+    total = chain(Binary("+", angle, letter), (exchanged(each.link.right, {after: letter}), None))
     move = Move("define", "sum", event, (body,))
     data = data_of_approach(scene, body, frame)
     premises = scene.judge.enough(move, together(each.refs, data, (meaning,)), total)
-    equal = chain(letter, (angle, None))
-    tangents = chain(Apply("tan", angle), (scene.desk.last_link(line).right, None))
+    number = None
     if premises is not None:
         number = scene.desk.write(move, premises, total)
-        if scene.judge.follows(Move("rearrange"), (number,), equal):
-            number = scene.desk.write(Move("rearrange"), (number,), equal)
-            if scene.judge.follows(Move("put"), (line, number), tangents):
-                return scene.desk.write(Move("put"), (line, number), tangents)
-    scene.desk.back(mark)
-    return None
+        number = _by_one_of_them(scene, number, (angle, letter), more, line)
+    if number is None:
+        scene.desk.back(mark)
+    return number
+
+
+def _excess(scene: Scene, right: Expression, angle: Letter, after: Quantity) -> sp.Expr | None:
+    """How much more an angle after is than that before, where both add up to an expression.
+
+    None where that is no number.
+    """
+    before, later = sp.Symbol("before"), sp.Symbol("later")
+    tree = exchanged(right, {after: Letter(later.name), angle: Letter(before.name)})
+    if has_quantity(tree) or letters(tree) - {before.name, later.name}:
+        return None
+    value = scene.worth(tree, {before.name: before, later.name: later})
+    rest = sp.expand(value - before - later)
+    either = (sp.expand(sign * rest + later - before) for sign in (1, -1))
+    return next((more for more in either if more.is_number), None)
+
+
+def _by_one_of_them(
+    scene: Scene, number: int, angles: tuple[Letter, Letter], more: sp.Expr, line: int
+) -> int | None:
+    """The tangents of both angles, of which a line gives the sum and ``more`` is the difference."""
+    (before, after), value = angles, scene.desk.last_link(line).right
+    size = tree_of(tidy(abs(more)), angle=True)
+    plus = bool(more > 0)
+    right = before if more == 0 else Binary("+" if plus else "-", before, size)
+    relation = chain(after, (right, None))
+    if not scene.judge.follows(Move("rearrange"), (number,), relation):
+        return None
+    number = scene.desk.write(Move("rearrange"), (number,), relation)
+    if more == 0:
+        tangents = chain(Apply("tan", before), (value, None))
+        if scene.judge.follows(Move("put"), (line, number), tangents):
+            return scene.desk.write(Move("put"), (line, number), tangents)
+        return None
+    terms = Term(before, Apply("tan", before)), term_of_data(scene, size)
+    form: Form = "sum" if plus else "difference"
+    return by_tangents(scene, number, form, terms, Apply("tan", after), (value, (line,)))
