@@ -43,6 +43,30 @@ find velocity(P), direction(W), e, impulse
 """,
         ("s² = (26/3)²", "W is parallel to 3𝐢 + 2𝐣", "W is parallel to 9𝐢 − 46𝐣", "e = 4/9"),
     ),
+    "a letter of the statement times a vector": (
+        """
+wall W
+sphere P: velocity 7i + j
+P hits W: e = 1
+given velocity(P) = k (i + 7j), k > 0
+find k, direction(W)
+""",
+        (
+            "𝐯_P = k(𝐢 + 7𝐣)",
+            "k(k − 7) + 7k(7k − 1) = −7(k − 7) − (7k − 1)",
+            "W is parallel to 𝐢 + 𝐣",
+        ),
+    ),
+    "a letter of the statement times the velocity of one of two": (
+        """
+sphere A: mass 2, velocity 3i + j
+sphere B: mass 1, at rest
+A hits B: e = 1/2
+given velocity(B) = k (i + j)
+find k, line_of_centres, velocity(A)
+""",
+        ("2(3𝐢 + 𝐣) = 2𝐯_A + k𝐢 + k𝐣", "k = 2", "𝐯_A = 2𝐢 m s⁻¹"),
+    ),
     "momentum across": (
         """
 sphere P: mass 2m, velocity 3u i

@@ -216,7 +216,7 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
     frame = scene.frame(event)
     if len(scene.spheres(event)) == 1 and _is_open(scene, scene.spheres(event)[0], frame):
         by_speeds = _lost_by_speeds(scene, quantity, event, _plain_speed)
-        if by_speeds is not None:
+        if by_speeds is not None and _follows(scene, by_speeds):
             return by_speeds
     terms: list[Expression] = []
     values: list[Any] = []
@@ -299,6 +299,11 @@ def _lost_by_speeds(
     move = Move("define", "energy-lost", event, scene.spheres(event))
     value = tidy(expanded(sum(values)))
     return Formula(move, itself, quantity, total(terms), value, together(refs))
+
+
+def _follows(scene: Scene, own: Formula) -> bool:
+    """Whether a quantity is what a formula makes of it, with no identity between."""
+    return scene.judge.follows(own.move, own.refs, chain(own.left, (swept(own.right), None)))
 
 
 def _is_open(scene: Scene, body: str, frame: Frame) -> bool:

@@ -37,6 +37,7 @@ from restitution.planning.named_angles import letters_taken
 from restitution.planning.premises import background
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.unit_vectors import plain_direction
+from restitution.solving.letters import roles
 from restitution.solving.numbers import number_of
 from restitution.vector import Vector
 
@@ -45,13 +46,17 @@ _LETTERS = ("s", "k", "b", "c", "q", "r")
 
 @dataclass(frozen=True)
 class _Ray:
-    """What is known of a velocity: a letter for ``quantity`` times a vector, by a given fact."""
+    """What is known of a velocity: a letter for ``quantity`` times a vector, by a given fact.
+
+    A ``letter`` of the statement stands for no quantity.
+    """
 
     body: str
     quantity: Quantity
     direction: Vector
     given: GivenEquation
     role: Role
+    letter: sp.Symbol | None = None
 
 
 def write_open_lines(scene: Scene) -> None:
@@ -134,7 +139,7 @@ def _in_either_sense(scene: Scene, number: int, ray: _Ray) -> bool:
 
 def _without_root(ray: _Ray) -> _Ray:
     """A slanting line with a component along **i**, or **j**, for its letter: no root is in it."""
-    if 0 in ray.direction or ray.role is not REAL:
+    if 0 in ray.direction or ray.role is not REAL or ray.letter is not None:
         return ray
     plain = plain_direction(ray.direction)
     unit, part = Unit("i"), plain.x
@@ -177,6 +182,9 @@ def _ray(scene: Scene, body: str, number: int) -> _Ray | None:
                 return _Ray(
                     body, Quantity("speed", (Name(body),), number), direction, each, POSITIVE
                 )
+        multiple = _multiple(scene, body, velocity, each)
+        if multiple is not None:
+            return multiple
         tie = tie_of(each.link)
         beside = None if tie is None else _beside(scene, velocity, *tie)
         if beside is None:
@@ -191,6 +199,22 @@ def _ray(scene: Scene, body: str, number: int) -> _Ray | None:
         axis = tree_of(beside)
         return _Ray(body, Quantity("along", (velocity, axis)), along, each, REAL)
     return None
+
+
+def _multiple(scene: Scene, body: str, velocity: Quantity, each: GivenEquation) -> _Ray | None:
+    """A velocity that is given as an unknown letter times a vector; None of another one."""
+    if each.link.left != velocity or each.link.sign != "=":
+        return None
+    value = scene.vector(each.link.right)
+    names = scene.unknown(value)
+    if len(names) != 1:
+        return None
+    (symbol,) = names
+    role = roles(scene.problem).get(symbol.name)
+    direction = Vector(*(tidy(x / symbol) for x in value))
+    if role is None or any(x.free_symbols for x in direction):
+        return None
+    return _Ray(body, velocity, direction, each, role, symbol)
 
 
 def _beside(
@@ -220,7 +244,7 @@ def _beside(
 
 def _speed(scene: Scene, ray: _Ray, number: int) -> GivenEquation | None:
     """The fact that gives the speed along a line, in either sense, by what is known."""
-    if ray.role is not REAL:
+    if ray.role is not REAL or ray.letter is not None:
         return None
     speed = Quantity("speed", (Name(ray.body),), number)
     for each in scene.given:
@@ -277,6 +301,10 @@ def _by_speed(
 
 def _written_ray(scene: Scene, number: int, ray: _Ray) -> tuple[sp.Symbol, int]:
     """The letter of such a velocity, and the line that gives the velocity by it."""
+    if ray.letter is not None:
+        return ray.letter, scene.desk.write(
+            Move("fact"), ray.given.refs, Relation(((ray.given.link,),))
+        )
     taken = letters_taken(scene)
     name = next(each for each in _LETTERS if each not in taken)
     symbol = ray.role.symbol(name)
