@@ -58,6 +58,16 @@ find range of M
 """,
         ("−180° < θ < 0°", "cot θ > −1, as θ < −45°"),
     ),
+    "a tangent of which the divisor may have either sign": (
+        """
+wall W: along i
+sphere P: velocity k i - j
+P hits W: e = 1/2
+given deflection(P) < 60°, k > 0
+find range of k
+""",
+        ("(2k² − 1)/(3k) > √3/3", "2k² − √3 k − 1 > 0", "k > (√3 + √11)/4"),
+    ),
     "a letter for an angle that may be right": (
         """
 sphere P: mass M, velocity w at beta
