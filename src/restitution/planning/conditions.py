@@ -147,10 +147,10 @@ class Conditions:
             case Quantity("deflection" | "angle") as angle, Degrees(value) if 0 < value < 90:
                 bounded = write_bounded(self.worths, fact, link, angle)
                 if bounded is not None:
-                    squared = both_squared(self.worths, *bounded)
-                    line = self.finished(*squared, wanted)
+                    condition = both_squared(self.worths, *bounded)
+                    line = self.finished(*condition, wanted)
                     # What divides in the tangent may have either sign: then it is no answer yet.
-                    falling = self._by_cotangent(fact, link) if line == squared[0] else None
+                    falling = self._by_cotangent(fact, link) if line == condition[0] else None
                     return line if falling is None else self.finished(*falling, wanted)
         bounded = self._by_cotangent(fact, link)
         if bounded is not None:
