@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from restitution.expression.writing import write_expression
 from restitution.practice.judgement import JudgedLine, Meaning
 from restitution.practice.marking.answers import AnswerMark
+from restitution.practice.marking.marks import Marks, PointMark
 from restitution.practice.marking.messages import Message
-from restitution.practice.marking.points import Marks, PointMark
 
 if TYPE_CHECKING:
     from restitution.practice.marking.objects import (

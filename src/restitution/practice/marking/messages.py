@@ -14,7 +14,7 @@ from restitution.explaining.trees import exchanged
 from restitution.expression.tree import Expression, Letter, Quantity, walk
 from restitution.practice.judgement import JudgedLine, Use
 from restitution.practice.letters.wordings import words_of
-from restitution.practice.marking.points import PointMark
+from restitution.practice.marking.marks import PointMark
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.values import Values
 from restitution.practice.reading.lines import text_of

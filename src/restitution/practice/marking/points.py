@@ -9,64 +9,27 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import Literal
+from dataclasses import replace
 
 from restitution.explaining.misconceptions import MISCONCEPTIONS
-from restitution.expression.tree import Pair, Unit, walk
+from restitution.expression.tree import walk
 from restitution.practice.judgement import JudgedLine, Judgement, Use
+from restitution.practice.marking.lines import (
+    SOUND,
+    as_true,
+    continues,
+    ends_fine,
+    fitting_uses,
+    has_vector,
+    is_sound,
+    without_slip,
+)
+from restitution.practice.marking.marks import Marks, PointMark, State
 from restitution.practice.marking.scheme import MarkPoint, Scheme
 from restitution.practice.marking.values import Values
-from restitution.practice.script import Link
 
-State = Literal["earned", "lost", "open"]
-
-_FIGURES = 3
-_SOUND = ("true", "follows")
 _UNSOUND = ("false", "unsupported", "follows")
 _UNSURE = ("asks", "unread")
-
-
-@dataclass(frozen=True)
-class PointMark:
-    """A point with its state, the line that decided, and why, in one clause.
-
-    ``implied`` tells that it was earned by a later value that cannot be had without it.
-    """
-
-    point: MarkPoint
-    state: State
-    line: int | None = None
-    why: str = ""
-    implied: bool = False
-
-
-@dataclass(frozen=True)
-class Marks:
-    """The points of the scheme by which a working has most."""
-
-    scheme: Scheme
-    points: tuple[PointMark, ...]
-
-    def count(self, state: State) -> int:
-        """How many points are in a state."""
-        return sum(each.state == state for each in self.points)
-
-    @property
-    def earned(self) -> int:
-        return self.count("earned")
-
-    @property
-    def lost(self) -> int:
-        return self.count("lost")
-
-    @property
-    def open(self) -> int:
-        return self.count("open")
-
-    @property
-    def of(self) -> int:
-        return len(self.points)
 
 
 def marked(judgement: Judgement, schemes: Sequence[Scheme], values: Values) -> Marks:
@@ -127,7 +90,7 @@ class _Examiner:
                 continue
             # What follows by a definition is worked out from his own values by the right one.
             defined = line.verdict == "follows" and point.principle in _OF_VALUES
-            if (use.altered is None or defined) and _is_sound(line):
+            if (use.altered is None or defined) and is_sound(line):
                 if line.verdict != "follows" or lost is None:
                     return self._earned(point, line, "")
                 continue
@@ -144,7 +107,7 @@ class _Examiner:
         if lost is None and point.principle == "angle":
             # The components may go out of the equations of two laws together, or the angle is
             # worked out to another line first.
-            sound = (each for each in self.lines if each.verdict in _SOUND and each.grounded)
+            sound = (each for each in self.lines if each.verdict in SOUND and each.grounded)
             divided = next(
                 (
                     each
@@ -191,7 +154,7 @@ class _Examiner:
             (
                 line
                 for line in self.lines
-                if line.verdict in _SOUND
+                if line.verdict in SOUND
                 and {link.readings[0].sign for link in line.line.links} - {"=", "!="}
             ),
             None,
@@ -205,7 +168,7 @@ class _Examiner:
             (
                 line
                 for line in self.lines
-                if line.verdict in _SOUND and self.values.matches(point, line) is not None
+                if line.verdict in SOUND and self.values.matches(point, line) is not None
             ),
             None,
         )
@@ -246,14 +209,14 @@ class _Examiner:
     def _puts_in(self, line: JudgedLine) -> bool:
         """Whether a line is a law with values in it, and not a value alone: ``e = (3 - 1)/4``."""
         links = line.line.links
-        worked = len(links) > 1 and _continues(links[0], links[1])
+        worked = len(links) > 1 and continues(links[0], links[1])
         return line.uses[0].principle in _LAWS and (worked or not self.values.is_solved(line))
 
     def _independent(self, point: MarkPoint) -> PointMark:
         """A component that stays, or one read off: as a line, or used in one."""
         lost: PointMark | None = None
         for line, use in self._uses(point):
-            sound = line.verdict in _SOUND and use.altered is None
+            sound = line.verdict in SOUND and use.altered is None
             if self._is_at_wrong_angle(point, line):
                 return self._earned(point, line, "the law is right; the angle is another point")
             if sound and not self._is_of_what_stays(point, line, use):
@@ -314,7 +277,7 @@ class _Examiner:
                 if last is None or last.state != "earned":
                     last = PointMark(point, "lost", line.line.number, why)
         if last is not None and last.state == "earned" and self._is_one_of_several(point, last):
-            sound = [each for each in self.lines if each.verdict in _SOUND]
+            sound = [each for each in self.lines if each.verdict in SOUND]
             alike = [each for each in self.scheme.points if each.item == point.item]
             if self.values.left_out(point, sound) > len(alike) - 1 - alike.index(point):
                 last = replace(last, state="lost", why="another value is possible as well")
@@ -407,9 +370,9 @@ class _Examiner:
         """A line that compares two values, or says in words what comes of it."""
         for line in self.lines:
             signs = {link.readings[0].sign for link in line.line.links}
-            if line.verdict in _SOUND and signs - {"=", "!="}:
+            if line.verdict in SOUND and signs - {"=", "!="}:
                 return line
-            if line.verdict in ("remark", *_SOUND) and _CONCLUDING.search(line.line.text):
+            if line.verdict in ("remark", *SOUND) and _CONCLUDING.search(line.line.text):
                 return line
         return None
 
@@ -419,7 +382,7 @@ class _Examiner:
             (
                 line
                 for line in self.lines
-                if line.verdict in _SOUND and line.grounded and self._is_eliminated(line)
+                if line.verdict in SOUND and line.grounded and self._is_eliminated(line)
             ),
             None,
         )
@@ -441,7 +404,7 @@ class _Examiner:
         """The lines that use a point's principle, those that hold first."""
         for sound in (True, False):
             for line in self.lines:
-                if _is_sound(line) is not sound or line.verdict == "unsupported":
+                if is_sound(line) is not sound or line.verdict == "unsupported":
                     continue
                 if self.values.is_formula(line):
                     continue
@@ -465,7 +428,7 @@ class _Examiner:
             each.verdict == "false"
             and any(
                 (own.principle, own.event) == (use.principle, use.event) and own.altered
-                for own in _fitting(each)[:1]
+                for own in fitting_uses(each)[:1]
             )
             for each in self.lines
             if each.line.number < line.line.number
@@ -475,7 +438,7 @@ class _Examiner:
         """The use of the point's principle in a line, at its event and for its bodies."""
         names = _NAMES.get(point.principle, (point.principle,))
         implied = line.verdict == "true" and not self.values.is_solved(line)
-        for place, use in enumerate(_fitting(line)):
+        for place, use in enumerate(fitting_uses(line)):
             if use.principle not in names:
                 continue
             if place and use.altered is None and use.principle in _LAWS and not implied:
@@ -484,7 +447,7 @@ class _Examiner:
                 continue  # a fact of the question needs no law
             if point.principle == "fact" and not self.values.speaks_of(point, use.principle):
                 continue
-            if (point.principle, use.principle) == ("velocity", "component") and not _has_vector(
+            if (point.principle, use.principle) == ("velocity", "component") and not has_vector(
                 line
             ):
                 continue  # one component is no velocity
@@ -656,7 +619,7 @@ class _Examiner:
 
     def _forgive(self) -> None:
         """A line that but for a slip earns a method, or has what stays in it, keeps that."""
-        mended = tuple(_mended(line) for line in self.lines)
+        mended = tuple(without_slip(line) for line in self.lines)
         slips = {a.line.number for a, b in zip(self.lines, mended, strict=True) if a is not b}
         if not slips:
             return
@@ -758,7 +721,7 @@ class _Examiner:
         if first is None:
             return points
         through = _Examiner(
-            Judgement(tuple(_as_true(line) for line in self.lines), ()), self.scheme, self.values
+            Judgement(tuple(as_true(line) for line in self.lines), ()), self.scheme, self.values
         )
         through.values = self.values.of_his_own()
         own = {each.point.id: each for each in through.marks().points}
@@ -782,7 +745,7 @@ class _Examiner:
             if each.point.shown:
                 continue  # the statement says how fine it is
             line = self._line(each.line)
-            if line is None or line.accuracy != "coarse" or _ends_fine(line):
+            if line is None or line.accuracy != "coarse" or ends_fine(line):
                 continue
             if line.verdict != "true":
                 continue  # what follows is no right answer
@@ -860,65 +823,3 @@ _NAMES: Mapping[str, tuple[str, ...]] = {
     "fact": ("fact", "energy", "angle", "deflection", "speed"),
     "solve": ("solve", "value"),
 }
-
-
-def _is_sound(line: JudgedLine) -> bool:
-    """Whether a line holds or follows, or is a remark whose value states a law: *then 12e*."""
-    return line.verdict in _SOUND or (line.verdict == "remark" and bool(line.uses))
-
-
-def _has_vector(line: JudgedLine) -> bool:
-    """Whether a vector stands in a line, by its components."""
-    return any(
-        isinstance(node, Unit | Pair)
-        for link in line.line.links
-        for side in (link.readings[0].left, link.readings[0].right)
-        for node in walk(side)
-    )
-
-
-def _ends_fine(line: JudgedLine) -> bool:
-    """Whether the last decimal of a line, that of its answer, has figures enough.
-
-    An exact value before it in its chain is fine as well: d = 2√13 = 7.2.
-    """
-    links = line.line.links
-    decimals = links[-1].decimals if links else ()
-    if len(links) > 1 and not links[-2].decimals and _continues(links[-2], links[-1]):
-        return True
-    last = max(decimals, key=lambda each: each.column, default=None)
-    return last is not None and last.figures >= _FIGURES
-
-
-def _continues(link: Link, behind: Link) -> bool:
-    """Whether a link goes on from another in a chain."""
-    return link.readings[0].right == behind.readings[0].left
-
-
-def _fitting(line: JudgedLine) -> tuple[Use, ...]:
-    """The uses of a line; of a named mistake those that are an instance of it."""
-    mistake = line.mistake
-    if mistake is None or mistake.kind != "misconception":
-        return line.uses
-    names = (mistake.id, *mistake.also)
-    named = tuple(use for use in line.uses if (use.altered or "").partition("/")[0] in names)
-    return named or line.uses
-
-
-def _mended(line: JudgedLine) -> JudgedLine:
-    """A line as it would be without its slip; any other as it is."""
-    if line.mended is None or line.link is None or line.verdict != "false":
-        return line
-    claim, uses = line.mended
-    links = list(line.line.links)
-    links[line.link] = replace(links[line.link], readings=(claim,), decimals=())
-    typed = replace(line.line, links=tuple(links))
-    return replace(line, line=typed, verdict="true", uses=uses, mistake=None, link=None)
-
-
-def _as_true(line: JudgedLine) -> JudgedLine:
-    if line.verdict in ("follows", "false") and (
-        line.verdict == "follows" or (line.mistake is not None and line.mistake.id == "misread")
-    ):
-        return replace(line, verdict="true", mistake=None)
-    return line

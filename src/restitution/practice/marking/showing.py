@@ -9,7 +9,7 @@ from textwrap import wrap
 from restitution.explaining.misconceptions import MISCONCEPTIONS
 from restitution.practice.marking.answers import AnswerMark
 from restitution.practice.marking.content import MarkingContent
-from restitution.practice.marking.points import Marks
+from restitution.practice.marking.marks import Marks
 
 SIGNS: Mapping[str, str] = {
     "true": "✓",

@@ -1,0 +1,87 @@
+"""What a judged line is to an examiner: sound, exact enough, and what it uses."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from restitution.expression.tree import Pair, Unit, walk
+from restitution.practice.judgement import JudgedLine, Use
+from restitution.practice.script import Link
+
+_FIGURES = 3
+SOUND = ("true", "follows")
+
+
+def is_sound(line: JudgedLine) -> bool:
+    """Whether a line holds or follows, or is a remark whose value states a law: *then 12e*."""
+    return line.verdict in SOUND or (line.verdict == "remark" and bool(line.uses))
+
+
+def has_vector(line: JudgedLine) -> bool:
+    """Whether a vector stands in a line, by its components."""
+    return any(
+        isinstance(node, Unit | Pair)
+        for link in line.line.links
+        for side in (link.readings[0].left, link.readings[0].right)
+        for node in walk(side)
+    )
+
+
+def ends_fine(line: JudgedLine) -> bool:
+    """Whether the last decimal of a line, that of its answer, has figures enough.
+
+    An exact value before it in its chain is fine as well: d = 2√13 = 7.2.
+    """
+    links = line.line.links
+    decimals = links[-1].decimals if links else ()
+    if len(links) > 1 and not links[-2].decimals and continues(links[-2], links[-1]):
+        return True
+    last = max(decimals, key=lambda each: each.column, default=None)
+    return last is not None and last.figures >= _FIGURES
+
+
+def continues(link: Link, behind: Link) -> bool:
+    """Whether a link goes on from another in a chain."""
+    return link.readings[0].right == behind.readings[0].left
+
+
+def fitting_uses(line: JudgedLine) -> tuple[Use, ...]:
+    """The uses of a line; of a named mistake those that are an instance of it."""
+    mistake = line.mistake
+    if mistake is None or mistake.kind != "misconception":
+        return line.uses
+    names = (mistake.id, *mistake.also)
+    named = tuple(use for use in line.uses if (use.altered or "").partition("/")[0] in names)
+    return named or line.uses
+
+
+def without_slip(line: JudgedLine) -> JudgedLine:
+    """A line as it would be without its slip; any other as it is."""
+    if line.mended is None or line.link is None or line.verdict != "false":
+        return line
+    claim, uses = line.mended
+    links = list(line.line.links)
+    links[line.link] = replace(links[line.link], readings=(claim,), decimals=())
+    typed = replace(line.line, links=tuple(links))
+    return replace(line, line=typed, verdict="true", uses=uses, mistake=None, link=None)
+
+
+def as_true(line: JudgedLine) -> JudgedLine:
+    """A line that follows, or that is misread, as if it held; any other as it is."""
+    if line.verdict in ("follows", "false") and (
+        line.verdict == "follows" or (line.mistake is not None and line.mistake.id == "misread")
+    ):
+        return replace(line, verdict="true", mistake=None)
+    return line
+
+
+__all__ = [
+    "SOUND",
+    "as_true",
+    "continues",
+    "ends_fine",
+    "fitting_uses",
+    "has_vector",
+    "is_sound",
+    "without_slip",
+]
