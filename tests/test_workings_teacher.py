@@ -158,8 +158,8 @@ SAYS = {
             "Substituting in (1):\n    component of 𝐯_P along 𝐣 = 1",
             "(b)\n\nFrom part (a):\n    e = ¼",
             "(c)",
-            "From part (a):\n    component of 𝐯_P along 𝐣 = 1",
-            "tan θ = ⅓",
+            "From part (a):\n    𝐯_P = (3𝐢 + 𝐣) m s⁻¹",
+            "cos δ = (3 × 3 − 4)/(√(3² + 4²)√(3² + 1²)) = √10/10",
         ],
     ),
     # tan²α = 1/e, so sin²α = 1/(1 + e): (1 − e²)/(1 + e) is 1 − e.

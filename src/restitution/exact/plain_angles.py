@@ -89,6 +89,13 @@ def _cancelled(value: Expr) -> Expr:
     plain = value.xreplace(put)
     if not plain.is_rational_function(*put.values()):
         return value
+    sums = (each for each in sympy.preorder_traversal(plain) if isinstance(each, Add))
+    is_one_quotient = not any(
+        sympy.fraction(each)[1].free_symbols for sum_ in sums for each in sum_.args
+    )
+    sides = (each.atoms(Rational) for each in sympy.fraction(plain))
+    if is_one_quotient and any(not each.is_Integer for side in sides for each in side):
+        return value  # (3.6 sin 25°)/0.58 would become a quotient of whole numbers
     above, below = sympy.fraction(sympy.cancel(plain))
     back = {letter: ratio for ratio, letter in put.items()}
     above, below = above.xreplace(back), below.xreplace(back)
