@@ -148,10 +148,10 @@ class Conditions:
                 bounded = write_bounded(self.worths, fact, link, angle)
                 if bounded is not None:
                     condition = both_squared(self.worths, *bounded)
-                    line = self.finished(*condition, wanted)
+                    number = self.finished(*condition, wanted)
                     # What divides in the tangent may have either sign: then it is no answer yet.
-                    falling = self._by_cotangent(fact, link) if line == condition[0] else None
-                    return line if falling is None else self.finished(*falling, wanted)
+                    falling = self._by_cotangent(fact, link) if number == condition[0] else None
+                    return number if falling is None else self.finished(*falling, wanted)
         bounded = self._by_cotangent(fact, link)
         if bounded is not None:
             return self.finished(*bounded, wanted)
