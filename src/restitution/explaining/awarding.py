@@ -147,7 +147,9 @@ class _Awarding:
                     points[line.number].append(point)
         earned: set[str | None] = set()
         for line in self.derivation.lines:
-            if line.number in self.ends and not self._is_idle(line):
+            if line.number in self.ends and line.shown == "silent":
+                self._award_above(line, points)
+            elif line.number in self.ends and not self._is_idle(line):
                 end = self.ends[line.number]
                 # What is printed has to be reached by something.
                 lone = end is not None and end.shown and end.part not in earned
@@ -166,6 +168,17 @@ class _Awarding:
             if points[line.number]:
                 earned.add(self.part(line))
         return self._settled(points)
+
+    def _award_above(self, end: Line, points: dict[int, list[str]]) -> None:
+        """The mark of an item that a fact gives goes to the line that had it in letters."""
+        sides = single_sides(end.relation) if isinstance(end.relation, Relation) else None
+        for line in reversed(self.derivation.lines[: self.place[end.number]]):
+            if line.shown == "silent" or not isinstance(line.relation, Relation) or sides is None:
+                continue
+            own = single_sides(line.relation)
+            if own is not None and own[0] == sides[0]:
+                points[line.number].append("A")
+                return
 
     def _is_idle(self, line: Line) -> bool:
         """Whether its part has come to a coefficient that cannot be, and asks for more."""

@@ -469,7 +469,7 @@ def _fact_of_motion(work: Work, line: Line) -> bool:
     used = {
         fact.id
         for each in work.above(line)
-        if each.move.id in ("put", "fact")
+        if each.move.id in ("put", "fact") and each.shown != "silent"
         for fact in work.facts(each)
     }
     return any(

@@ -120,52 +120,6 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             _expression(scene, asked, name)
 
 
-def write_with_facts(scene: Scene, solver: Solver, name: str) -> bool:
-    """Ends an item by its answer without the facts below it, with these put in.
-
-    False where there is none, or where they cannot be put in.
-    """
-    end = scene.desk.early.get(name)
-    if end is None or len(end.answer.options) != 1:
-        return False
-    links = end.answer.only
-    link = replace(links[-1], left=links[0].left)
-    value = scene.value(link.right)
-    if (
-        any(each.sign != "=" for each in links)
-        or isinstance(value, Vector)
-        or hasattr(value, "measure")
-    ):
-        return False
-    standing = solver.mark()
-    try:
-        solver.determine([value])
-        put, refs = scene.put(value)
-    except NotPlannedError:
-        solver.back(standing)
-        return False
-    relation = chain(link.left, (tree_of(put), None))
-    # A tangent is put in as it is given, or stands, without the sine and the cosine.
-    given = [ref for each in sorted(letters(link.right)) for ref in _tangent_of(scene, each)]
-    pools = (given, refs) if given else (refs,)
-    tried = (scene.judge.enough(Move("put"), (end.line, *pool), relation) for pool in pools)
-    premises = next((each for each in tried if each is not None), None)
-    if put == value or premises is None:
-        solver.back(standing)
-        return False
-    scene.desk.end(name, scene.desk.write(Move("put"), premises, relation), relation)
-    return True
-
-
-def _tangent_of(scene: Scene, name: str) -> tuple[Ref, ...]:
-    """The fact that gives a ratio of an angle, or the line that says what its tangent is."""
-    fact = scene.ratio_facts.get(name)
-    known = scene.desk.known(Apply("tan", Letter(name)))
-    if fact is not None or known is None:
-        return () if fact is None else (fact.id,)
-    return known.refs
-
-
 def _by_a_line_above(scene: Scene, solver: Solver, asked: Expression) -> bool:
     """Whether a line above gives a letter in terms of letters that are known by now.
 

@@ -53,10 +53,12 @@ from restitution.planning.directions_of_others import write_velocities_of_others
 from restitution.planning.early import Early, early_items, terms
 from restitution.planning.either_side import on_one_side, write_other_side
 from restitution.planning.extrema import only_answer, write_extremum
+from restitution.planning.facts_once import with_facts_once
 from restitution.planning.forms import tree_of
 from restitution.planning.gathering import gathered, numbered_anew
 from restitution.planning.given_terms import turn_round
-from restitution.planning.items import write_item, write_with_facts
+from restitution.planning.items import write_item
+from restitution.planning.late_facts import write_with_facts
 from restitution.planning.open_lines import write_open_lines
 from restitution.planning.order import Solver
 from restitution.planning.out_of_range import write_out_of_range
@@ -120,7 +122,7 @@ def plan(solution: Solution, route: int = 1, *, partial: bool = False) -> Deriva
         whole = pruned(shortened(whole, oracle))
     for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):
         whole = mended(whole, oracle)
-    return gathered(whole)
+    return gathered(with_facts_once(whole))
 
 
 def _not_planned(error: Exception) -> NotPlannedError:

@@ -79,10 +79,30 @@ def write_turn(
     pool = dict.fromkeys((meaning, *refs, *turn.first.refs, *turn.second.refs, *_axis(turn)))
     premises = scene.judge.needed(turn.move, pool, relation, (meaning,))
     if premises is None:
+        earlier = [*dict.fromkeys((*_before_put(scene, turn), *pool))]
+        premises = scene.judge.needed(turn.move, earlier, relation, (meaning,))
+    if premises is None:
         scene.desk.back(mark)
         return None
     _without_arcs(scene, premises, mark.lines)
     return scene.desk.write(turn.move, premises, relation)
+
+
+def _before_put(scene: Scene, turn: Turn) -> tuple[Ref, ...]:
+    """The components of both velocities as they stood before values were put in.
+
+    A coefficient that stands in them tells signs, by what is known of it.
+    """
+    refs: list[Ref] = []
+    names: set[str] = set()
+    for ref in (*turn.first.refs, *turn.second.refs):
+        if isinstance(ref, int) and scene.desk.line(ref).move.id == "put":
+            refs += scene.desk.line(ref).premises
+    for ref in refs:
+        own = scene.desk.line(ref).relation if isinstance(ref, int) else None
+        if isinstance(own, Relation) and len(own.options) == 1:
+            names |= letters(own.only[-1].right)
+    return (*background(scene, names), *refs)
 
 
 def _without_arcs(scene: Scene, premises: Iterable[Ref], since: int) -> None:

@@ -43,6 +43,7 @@ from restitution.planning.forms import (
 )
 from restitution.planning.formulas import Formula
 from restitution.planning.frames import Frame
+from restitution.planning.given_angles import given_angle
 from restitution.planning.impacts import in_direction
 from restitution.planning.lines_between import (
     angle_of_lines,
@@ -683,7 +684,11 @@ def _by_its_ratio(scene: Scene, given: Source) -> Source:
 def _given_angle(scene: Scene, velocity: Quantity, wall: str) -> Source | None:
     """The angle to a wall at which a velocity is given."""
     if velocity.stage:
-        return None
+        own = given_angle(scene, Quantity("angle", (velocity, Name(wall))))
+        if own is None:
+            return None
+        value, more = scene.put(scene.scalar(own[0]))
+        return Source(value, together(own[1], more))
     (body,) = velocity.arguments
     assert isinstance(body, Name)
     fact = scene.facts.get(f"velocity {body.name}")

@@ -29,6 +29,7 @@ from restitution.planning.angles import RIGHT, STRAIGHT, angle_to_a_line
 from restitution.planning.desk import Source, together
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
+from restitution.planning.given_angles import given_angle
 from restitution.planning.impacts import in_direction
 from restitution.planning.scene import Scene
 from restitution.planning.velocity_formulas import body_and_stage
@@ -124,13 +125,25 @@ def turns_of(scene: Scene, asked: Quantity) -> Iterator[Turn]:
         if wider.angle is None and scene.desk.known(wider.named) is None:
             return  # the other angle is what is asked
     move = Move("define", "difference", event, (one,) if one == other else (one, other))
-    form, swapped = _form_of(scene, p, q, one == other)
-    if form is not None:
-        yield Turn(asked, frame, move, *((q, p) if swapped else (p, q)), form)
-    if one == other and angles.isdisjoint((NONE, RIGHT)):
-        by_a_unit = _from_a_unit(scene, asked, frame, move, (p, q))
-        if by_a_unit is not None:
-            yield by_a_unit
+    by_a_unit = one == other and angles.isdisjoint((NONE, RIGHT))
+    # An angle that is given to **i** or **j** is not found again to the line of centres.
+    units_first = by_a_unit and any(_is_given_to_a_unit(scene, side.velocity) for side in (p, q))
+    for in_units in (True, False) if units_first else (False, True):
+        turn: Turn | None = None
+        if in_units and by_a_unit:
+            turn = _from_a_unit(scene, asked, frame, move, (p, q))
+        elif not in_units:
+            form, swapped = _form_of(scene, p, q, one == other)
+            sides = (q, p) if swapped else (p, q)
+            turn = None if form is None else Turn(asked, frame, move, *sides, form)
+        if turn is not None:
+            yield turn
+
+
+def _is_given_to_a_unit(scene: Scene, velocity: Quantity) -> bool:
+    """Whether the facts give the angle of a velocity to **i** or **j**."""
+    angles = (Quantity("angle", (velocity, each)) for each in (Unit("i"), Unit("j")))
+    return any(given_angle(scene, each) is not None for each in angles)
 
 
 def _from_a_unit(
@@ -158,6 +171,9 @@ def _from_a_unit(
             if scene.model.decide(onward, ">=", 0):
                 angle = _angle_of_data(scene, body.name, frame)
         own = replace(side, angle=None, named=Quantity("angle", (side.velocity, unit)), sources=())
+        given_as = given_angle(scene, own.named) if angle is None else None
+        if given_as is not None:
+            own = replace(own, angle=given_as[0], sources=given_as[1])
         seen.append(own if angle is None else _of_data(scene, own, body.name, angle))
     fall = tidy(sp.expand(sides[0].along.value - sides[1].along.value))
     sign = scene.model.sign(fall)
@@ -223,18 +239,9 @@ def _direction(scene: Scene, frame: Frame, body: str, last: int) -> Direction | 
         angle = _angle_of_data(scene, body, frame)
         return own if angle is None else _of_data(scene, own, body, angle)
     if angle is None:
-        known = _given_to_the_line(scene, named) or _by_its_direction(scene, velocity, frame)
+        known = given_angle(scene, named) or _by_its_direction(scene, velocity, frame)
         return own if known is None else replace(own, angle=known[0], sources=known[1])
     return own
-
-
-def _given_to_the_line(scene: Scene, angle: Quantity) -> tuple[Expression, tuple[Ref, ...]] | None:
-    """An angle to the line of centres that is given in degrees, with the fact."""
-    for each in scene.given:
-        own = each.link
-        if (own.left, own.sign) == (angle, "=") and isinstance(own.right, Degrees):
-            return own.right, each.refs
-    return None
 
 
 def _by_its_direction(

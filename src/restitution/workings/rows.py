@@ -249,6 +249,12 @@ class Rows:
         match links[0].right:
             case Binary("/") | Negate(Binary("/")) if line.move.record in _BY_A_LENGTH:
                 sides[1] = self._unrationalised(links[0].right)
+            case (Binary("/", above, below) | Negate(Binary("/", above, below))) as ratio if (
+                line.move.record in _TANGENTS and len(links) > 1 and _has_root(below)
+            ):
+                # Components that are multiples of roots stand as they are before they cancel.
+                own = lay.fraction(*map(self._naming.layout, (above, below)))
+                sides[1] = lay.negative(own) if isinstance(ratio, Negate) else own
         for n in range(len(sides) - 1, 1, -1):
             if sides[n] == sides[n - 1] and signs[n - 1] == "=":
                 del sides[n], signs[n - 1]
@@ -596,6 +602,11 @@ def _has_decimals(side: lay.Layout) -> bool:
 def _is_value(tree: Expression) -> bool:
     """Whether a side names one quantity, whose dimension is known."""
     return isinstance(tree, Letter | Quantity) or is_time(tree)
+
+
+def _has_root(tree: Expression) -> bool:
+    """Whether a tree has a root in it."""
+    return any(isinstance(each, Apply) and each.function == "sqrt" for each in walk(tree))
 
 
 def _sign(link: Link) -> str:

@@ -1,0 +1,60 @@
+"""What a given fact says of a component is not printed again where it is put in."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from restitution.explaining.derivation import Derivation, Line, Link, Relation
+from restitution.expression.tree import Expression, Letter
+
+
+def with_facts_once(derivation: Derivation) -> Derivation:
+    """The same working without ``w = 9`` on paper, where ``9 = 9√2u/16`` stands for a given speed.
+
+    What a velocity is assembled of stays.
+    """
+    ends = {end.line for end in derivation.items}
+    given = {fact.id for fact in derivation.facts if fact.kind == "given"}
+    used = {ref for line in derivation.lines if line.move.id != "put" for ref in line.premises}
+    lines = {line.number: line for line in derivation.lines}
+    equations = [
+        (own.left, own.right, line)
+        for line in derivation.lines
+        if line.move.record == "speed"
+        and given & set(line.premises)
+        and (own := _equation(line)) is not None
+    ]
+    kept: list[Line] = []
+    for line in derivation.lines:
+        own = _equation(line)
+        if line.move.id == "put" and own is not None and isinstance(own.left, Letter):
+            bases = [_equation(lines[ref]) for ref in line.premises if isinstance(ref, int)]
+            formulas = [base.right for base in bases if base and base.left == own.left]
+            if line.number not in ends | used and _stands(equations, line, own.right, formulas):
+                line = replace(line, shown="silent")
+        kept.append(line)
+    return replace(derivation, lines=tuple(kept))
+
+
+def _stands(
+    equations: list[tuple[Expression, Expression, Line]],
+    line: Line,
+    value: Expression,
+    formulas: list[Expression],
+) -> bool:
+    """Whether a line above says that a value is what one of some formulas comes to."""
+    return any(
+        left == value and right in formulas and above.number < line.number
+        for left, right, above in equations
+    )
+
+
+def _equation(line: Line) -> Link | None:
+    """A line as one equation; None for a chain, for several, and for a `let`."""
+    if not isinstance(line.relation, Relation) or len(line.relation.options) > 1:
+        return None
+    links = line.relation.only
+    return links[0] if len(links) == 1 and links[0].sign == "=" else None
+
+
+__all__ = ["with_facts_once"]
