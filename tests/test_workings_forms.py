@@ -154,3 +154,13 @@ def test_a_blow_is_no_impact_that_changes_nothing() -> None:
         "P receives 1.2i - 1.6j\nP hits W: e = 0.5\nfind time(2)"
     )
     assert "Time = distance ÷ speed in that direction: t₂ = 5/4" in shown
+
+
+def test_an_answer_has_three_figures_at_once() -> None:
+    shown = working(
+        "sphere A: mass m, velocity u at arctan(12/5)\n"
+        "sphere B: mass m, velocity u at arctan(3/4) from -i\nA hits B: along i, e = 1/2\n"
+        "find cos(angle(velocity(A), velocity(B)))"
+    )
+    assert "≈ −0.938 " in shown
+    assert "−0.9383" not in shown

@@ -274,6 +274,8 @@ class Rows:
             for n in range(len(sides) - 2, 0, -1):
                 if any(sides[n] is each for each in idle):
                     del sides[n], signs[n - 1]
+            if signs[-2:] == ["≈", "≈"] and is_plain(sides[-2]):
+                del sides[-2], signs[-2]  # an answer has three figures at once
             rounded_next = self._measures.decimals and signs[-1] == "≈" and len(sides) > 3
             if rounded_next and _has_long_root(trees[-1]):
                 del sides[-2], signs[-2]
