@@ -146,7 +146,7 @@ class Claims:
             line = self._by_values(lines, relation)
             if line is not None:
                 return line
-            line = self.compared([*self._meanings(lines), *base], relation)
+            line = self.compared([*self.scene.desk.meanings(lines), *base], relation)
             if line is not None:
                 return line
         mark = self.worths.mark()
@@ -158,15 +158,6 @@ class Claims:
             self.ties.clear()
             self.conditions.clear()
         raise NotPlannedError("an inequality")
-
-    def _meanings(self, lines: Sequence[int]) -> list[int]:
-        """The lines that say what the letters in some lines stand for: δ is a deflection."""
-        used = {name for line in lines for name in names_in(self.scene.desk.relation(line))}
-        return [
-            each.number
-            for each in self.scene.desk.lines
-            if isinstance(each.relation, Meaning) and each.relation.letter in used
-        ]
 
     def _of_letter(self, relation: Relation) -> int | None:
         """An inequality that stands already of the letter for its quantity, said of that."""

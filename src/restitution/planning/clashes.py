@@ -34,6 +34,7 @@ from restitution.planning.order import Solver
 from restitution.planning.polynomials import factored, numerator
 from restitution.planning.premises import background
 from restitution.planning.ratios import inside_functions
+from restitution.planning.rewriting import in_another_form
 from restitution.planning.scene import Scene
 from restitution.planning.unfinished import require_followed
 from restitution.problem import Aligned, AtRest, Compare, Given, Part, Problem, Step, Value
@@ -261,12 +262,7 @@ def _of_a_square(scene: Scene, line: int, symbol: sp.Symbol) -> int:
         return line
     value = tidy(factored(-poly.nth(0) / poly.nth(2)))
     relation = equation(tree_of(symbol**2), tree_of(value))
-    names = {each.name for each in above.free_symbols}
-    for move in (Move("rearrange"), Move("cancel")):
-        refs = scene.judge.enough(move, (line,), relation, background(scene, names))
-        if refs is not None:
-            return scene.desk.write(move, refs, relation)
-    return line
+    return in_another_form(scene, line, relation) or line
 
 
 def with_what_is_needed(scene: Scene, note: Note) -> Note:

@@ -56,6 +56,7 @@ from restitution.planning.ratios import (
     with_tangents,
     without_sums,
 )
+from restitution.planning.rewriting import in_another_form
 from restitution.planning.roots import by_roots, known_as
 from restitution.planning.scene import Scene
 from restitution.planning.square_roots import (
@@ -514,11 +515,7 @@ def rearranged(scene: Scene, number: int, relation: Relation) -> int | None:
             return number  # it was to be shown as it stands
         # From the other side: the line itself is written so.
         return scene.desk.write(own.move, own.premises, relation)
-    for move in (Move("rearrange"), Move("cancel")):
-        refs = scene.judge.enough(move, (number,), relation, _background(scene, number))
-        if refs is not None:
-            return scene.desk.write(move, refs, relation)
-    return None
+    return in_another_form(scene, number, relation)
 
 
 def _background(scene: Scene, number: int) -> tuple[Ref, ...]:

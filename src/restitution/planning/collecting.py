@@ -37,6 +37,7 @@ from restitution.planning.forms import (
 from restitution.planning.impacts import residual, scene_value
 from restitution.planning.polynomials import cancelled, expanded, one_fraction
 from restitution.planning.premises import background
+from restitution.planning.rewriting import in_another_form
 from restitution.planning.scene import Scene
 from restitution.work import remembered
 
@@ -234,12 +235,7 @@ def _written(
         or (alike(left, link.left) and alike(right, link.right))
     ):
         return line
-    names = {each.name for each in residual(scene, line).free_symbols}
-    for move in (Move("rearrange"), Move("cancel")):
-        refs = scene.judge.enough(move, (line,), relation, background(scene, names))
-        if refs is not None:
-            return scene.desk.write(move, refs, relation)
-    return None
+    return in_another_form(scene, line, relation)
 
 
 def _is_plain(link: Link, name: str) -> bool:

@@ -29,6 +29,7 @@ from restitution.explaining.derivation import (
     scopes_of,
 )
 from restitution.explaining.trees import statement_of
+from restitution.explaining.trials import names_in
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity
 from restitution.planning.forms import UnwrittenError, alike
 
@@ -215,6 +216,15 @@ class Desk:
     def line(self, number: int) -> Line:
         """The line with a number."""
         return self.lines[number - 1]
+
+    def meanings(self, lines: Iterable[int]) -> list[int]:
+        """The lines that say what the letters in some lines stand for: δ is a deflection."""
+        used = {name for line in lines for name in names_in(self.line(line).relation)}
+        return [
+            each.number
+            for each in self.lines
+            if isinstance(each.relation, Meaning) and each.relation.letter in used
+        ]
 
     def relation(self, number: int) -> Relation:
         """What a line says; it must not be one that introduces a letter."""

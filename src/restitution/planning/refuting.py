@@ -10,9 +10,8 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import rationalised, tidy, tidy_angle
-from restitution.explaining.derivation import Link, Meaning, Note, Ref, Relation
+from restitution.explaining.derivation import Link, Note, Ref, Relation
 from restitution.explaining.facts import links_of, staged
-from restitution.explaining.trees import trees_of
 from restitution.expression.evaluate import Angle, in_letters
 from restitution.expression.quantities import ANGLES
 from restitution.expression.reading import read_number
@@ -234,7 +233,7 @@ class _Refutation:
                 if self._excluded(fewer, quickly=True):
                     plain = fewer
             return plain.premises
-        named = together(lines, self._named(lines))
+        named = together(lines, self.scene.desk.meanings(lines))
         axes = together(named, self._data("axis ", "wall "))
         data = together(axes, self._data("velocity "))
         for pool in dict.fromkeys((tuple(lines), named, axes, data)):
@@ -248,19 +247,6 @@ class _Refutation:
             return own.premises
         beyond = self._at(replace(note, premises=tuple(lines)), numbers)
         return beyond.premises if self._excluded(beyond, unknown=True) else ()
-
-    def _named(self, lines: Sequence[int]) -> Iterator[int]:
-        """The lines that say what the letters in some lines stand for."""
-        desk = self.scene.desk
-        used = {
-            name
-            for line in lines
-            for tree in trees_of(desk.line(line).relation)
-            for name in letters(tree)
-        }
-        for each in desk.lines:
-            if isinstance(each.relation, Meaning) and each.relation.letter in used:
-                yield each.number
 
     def _data(self, *kinds: str) -> Iterator[str]:
         """The facts of some kinds."""

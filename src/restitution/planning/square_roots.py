@@ -21,8 +21,9 @@ from restitution.expression.tree import (
 )
 from restitution.planning.desk import chain
 from restitution.planning.forms import TWO, factors_above, product, swept, tree_of
-from restitution.planning.impacts import residual, scene_value
+from restitution.planning.impacts import scene_value
 from restitution.planning.premises import background
+from restitution.planning.rewriting import in_another_form
 from restitution.planning.scene import Scene
 
 
@@ -94,10 +95,14 @@ def _of_one_square(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
         return None
     squared = Relation(((Link(whole, "=", tree_of(value)),),))
     mark = scene.desk.mark()
-    own = number if scene.desk.relation(number) == squared else _write(scene, number, squared)
+    own = (
+        number
+        if scene.desk.relation(number) == squared
+        else in_another_form(scene, number, squared)
+    )
     if own is None:
         return None
-    taken = _write(scene, own, Relation(((Link(base, "=", tree_of(root)),),)))
+    taken = in_another_form(scene, own, Relation(((Link(base, "=", tree_of(root)),),)))
     if taken is None and own != number and power != 2:
         scene.desk.back(mark)
         return None
@@ -184,7 +189,9 @@ def _of_two_squares(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     if left is None or right is None:
         return None
     relation = Relation(((Link(left, "=", swept(right)),),))
-    return _write(scene, number, relation) or _as_a_product(scene, number, symbol, left, right)
+    return in_another_form(scene, number, relation) or _as_a_product(
+        scene, number, symbol, left, right
+    )
 
 
 def _as_a_product(
@@ -200,14 +207,14 @@ def _as_a_product(
     trees = [tree_of(sp.factor_terms(each)) for each in parts]
     factors = Binary("-", *trees), Binary("+", *trees)
     zero = Number(Fraction(0))
-    line = _write(scene, number, Relation(((Link(Binary("*", *factors), "=", zero),),)))
+    line = in_another_form(scene, number, Relation(((Link(Binary("*", *factors), "=", zero),),)))
     if line is None:
         return None
     sums = (sp.expand(parts[0] - parts[1]), sp.expand(parts[0] + parts[1]))
     if not all(sp.degree(each, symbol) == 1 for each in sums):
         return line
     plain = Binary("*", *(tree_of(each.primitive()[1]) for each in sums))
-    return _write(scene, line, Relation(((Link(plain, "=", zero),),))) or line
+    return in_another_form(scene, line, Relation(((Link(plain, "=", zero),),))) or line
 
 
 def _side_by_side(one: sp.Expr, other: sp.Expr) -> list[sp.Expr]:
@@ -251,15 +258,6 @@ def _is_square(tree: Expression) -> bool:
 
 def _replace(tree: Expression, other: Expression) -> Callable[[Expression], Expression]:
     return lambda each: other if each == tree else each
-
-
-def _write(scene: Scene, number: int, relation: Relation) -> int | None:
-    names = {symbol.name for symbol in residual(scene, number).free_symbols}
-    for move in (Move("rearrange"), Move("cancel")):
-        refs = scene.judge.enough(move, (number,), relation, background(scene, names))
-        if refs is not None:
-            return scene.desk.write(move, refs, relation)
-    return None
 
 
 _SHAPES = (_of_one_square, _of_two_squares)
