@@ -209,6 +209,18 @@ def test_the_values_table_mirrors_the_picture_and_is_typed_in(lab):
     assert "between 0 and 1" in page.locator(".note").inner_text()
 
 
+@pytest.mark.parametrize(
+    ("label", "quantity"), [("e between spheres", "e"), ("Duration in seconds", "seconds")]
+)
+def test_what_is_being_typed_outlasts_a_picture_drawn_anew(lab, label, quantity):
+    """The motion comes from a worker, at any moment between two keys."""
+    page = lab(HEAD_ON)
+    page.get_by_label(label, exact=True).fill("0.25")
+    page.evaluate("document.getElementById('lab').lab.draw()")
+    page.keyboard.press("Tab")
+    assert scene(page)[quantity] == 0.25
+
+
 def test_another_scene_begins_with_nothing_to_undo(lab):
     """The step of a slider there does not belong to one of the same slider before."""
     page = lab("scene=snooker")

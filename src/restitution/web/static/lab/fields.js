@@ -48,6 +48,13 @@ export const FORMS = {
 };
 export const POSITIVE = ["mass", "radius"];
 
+// A field shows a value, unless somebody is typing in it: nothing typed is lost.
+export function show(field, text) {
+  if (field === document.activeElement || field.value === text) return;
+  field.value = text;
+  field.removeAttribute("aria-invalid");
+}
+
 // Fields of one number, a slider with it for coefficients.
 export function coefficient(label, value, change) {
   const slider = html("input", {
@@ -65,8 +72,7 @@ export function coefficient(label, value, change) {
   });
   const set = (e) => {
     if (document.activeElement !== slider) slider.value = e;
-    if (document.activeElement !== field || typed(field.value) !== e) field.value = written(e);
-    field.removeAttribute("aria-invalid");
+    show(field, written(e));
   };
   return { slider, field, set, node: html("span", { class: "coefficient" }, slider, field) };
 }

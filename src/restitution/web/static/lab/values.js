@@ -2,7 +2,7 @@
 
 import { button, html, reachable } from "../player/elements.js";
 import { COLOURS } from "../player/picture.js";
-import { coefficient, COLUMNS, FORMS, POSITIVE, put, typed, written } from "./fields.js";
+import { coefficient, COLUMNS, FORMS, POSITIVE, put, show, typed, written } from "./fields.js";
 import { isName, LARGEST, overlaps, withSphere, withWall } from "./scene.js";
 
 const BOUNDS = `numbers go up to ${LARGEST}`;
@@ -199,13 +199,8 @@ export class ValuesTable {
   }
 
   showBall(sphere, { name, cells }) {
-    const set = (field, text) => {
-      if (field.value === text || document.activeElement === field) return;
-      field.value = text;
-      field.removeAttribute("aria-invalid");
-    };
-    set(name, sphere.name);
-    cells.forEach((field, k) => set(field, written(COLUMNS[this.columns[k]][2](sphere))));
+    show(name, sphere.name);
+    cells.forEach((field, k) => show(field, written(COLUMNS[this.columns[k]][2](sphere))));
   }
 
   // A few rows at a time, in turn.
@@ -230,9 +225,9 @@ export class ValuesTable {
     });
     scene.walls.forEach(({ name, start, end, e }, i) => {
       const row = this.walls[i];
-      row.name.value = name;
+      show(row.name, name);
       [...start, ...end].forEach((x, k) => {
-        if (document.activeElement !== row.cells[k]) row.cells[k].value = written(x);
+        show(row.cells[k], written(x));
         label(row.cells[k], `${["start x", "start y", "end x", "end y"][k]} of ${name}, m`);
       });
       row.e.set(e);
@@ -244,7 +239,7 @@ export class ValuesTable {
     this.e.set(scene.e);
     scene.pairs.forEach(([, , e], i) => this.pairE[i].set(e));
     if (scene.walls.length) this.allWalls.set(scene.walls[0].e);
-    this.seconds.value = written(scene.seconds);
+    show(this.seconds, written(scene.seconds));
   }
 
   // --- what was typed ----------------------------------------------------------------------------
