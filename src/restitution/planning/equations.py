@@ -11,11 +11,12 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move
 from restitution.expression.tree import Name, Quantity
 from restitution.planning import paths, place_trees, rounds
+from restitution.planning.candidates import Candidate
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.givens import candidate, move_of
 from restitution.planning.impacts import residual
 from restitution.planning.polynomials import expanded, factor_powers, one_fraction
-from restitution.planning.routes import Candidate, Point, Routes, points
+from restitution.planning.routes import Point, Routes, points
 from restitution.planning.scene import GivenEquation, Scene
 
 SHOWN = "shown "

@@ -29,6 +29,7 @@ from restitution.oracle.roles import POSITIVE
 from restitution.planning import journeys, place_trees
 from restitution.planning.angle_sums import is_sum, stated, write_sum
 from restitution.planning.between import terms_between
+from restitution.planning.candidates import Candidate
 from restitution.planning.deflections import cosine_of_deflection, write_deflection
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.equal_angles import write_equal_angles
@@ -60,7 +61,6 @@ from restitution.planning.lines_between import (
 from restitution.planning.named_angles import tangent_line
 from restitution.planning.premises import background
 from restitution.planning.quantities import formula
-from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.separations import relative_speed
 from restitution.planning.square_roots import without_equal_squares

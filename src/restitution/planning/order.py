@@ -22,6 +22,7 @@ from restitution.expression.tree import Letter, Name, Quantity, walk
 from restitution.planning import paths, rounds, separations
 from restitution.planning.axes import take_impulse, take_opposite
 from restitution.planning.blows import write_blows
+from restitution.planning.candidates import Candidate
 from restitution.planning.checking import require_true
 from restitution.planning.closing import close, is_over_roots, with_known, without
 from restitution.planning.deflections import turned_at_a_wall
@@ -45,7 +46,6 @@ from restitution.planning.pairs import close_two
 from restitution.planning.polynomials import expanded, factor_powers, factored, one_fraction
 from restitution.planning.premises import background
 from restitution.planning.roots import senses, written_law
-from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.systems import solve_together
 from restitution.planning.ties import tied

@@ -17,6 +17,7 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref
 from restitution.expression.tree import Expression, Negate, Quantity, has_quantity
 from restitution.planning.aims import place_at, striker, write_aim
+from restitution.planning.candidates import Candidate
 from restitution.planning.circles import circle_of
 from restitution.planning.desk import Source, chain, together
 from restitution.planning.encounters import aside, both_moving, in_the_other, with_the_gap
@@ -32,7 +33,6 @@ from restitution.planning.places import (
     write_touch,
 )
 from restitution.planning.premises import background
-from restitution.planning.routes import Candidate
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.steady import steady_axis
 from restitution.planning.whereabouts import (

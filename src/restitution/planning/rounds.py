@@ -25,6 +25,7 @@ from restitution.expression.tree import (
     Name,
     Quantity,
 )
+from restitution.planning.candidates import Candidate
 from restitution.planning.circles import chord_from, from_centre
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import ONE, in_tangents, product, swept, tree_of
@@ -32,7 +33,6 @@ from restitution.planning.impacts import after, in_direction
 from restitution.planning.named_angles import letter_of
 from restitution.planning.place_trees import place_tree
 from restitution.planning.premises import background
-from restitution.planning.routes import Candidate
 from restitution.planning.scene import Scene
 from restitution.problem import Arrival
 

@@ -18,6 +18,7 @@ import sympy as sp
 from restitution.components.models import Model
 from restitution.exact.degrees import function_of
 from restitution.expression.enclosed import UndefinedError
+from restitution.planning.candidates import Candidate
 from restitution.solving.numbers import at, number_of
 
 # Numbers in a reduced gradient below this share of its largest are rounding.
@@ -27,15 +28,6 @@ _MOST = 12
 
 Point = Mapping[sp.Symbol, float]
 _Dual = tuple[float, dict[sp.Symbol, float]]
-
-
-@dataclass(frozen=True)
-class Candidate:
-    """An equation that may be used: its residuals, and what it costs a reader."""
-
-    id: str
-    cost: float
-    residuals: tuple[sp.Expr, ...]
 
 
 def points(model: Model) -> tuple[Point, ...]:

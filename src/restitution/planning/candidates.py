@@ -1,0 +1,16 @@
+"""Equations among which a route is chosen."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """An equation that may be used: its residuals, and what it costs a reader."""
+
+    id: str
+    cost: float
+    residuals: tuple[sp.Expr, ...]
