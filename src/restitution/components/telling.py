@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 import sympy as sp
@@ -36,12 +36,14 @@ def model(
     turned: frozenset[int] = frozenset(),
     acute: bool = False,
     question: Problem | None = None,
+    paths: Mapping[int, Vector] | None = None,
 ) -> Model:
     """Tells a part in components, by the values of one branch.
 
     Letters are chosen for the whole ``question``, of which ``problem`` may leave something out. In
     the impacts ``turned`` the direction of the line of centres is an unknown angle, which is
-    ``acute`` where that is known.
+    ``acute`` where that is known. It is measured from **i**; in the impacts ``paths``, from the
+    direction of the path of the first sphere, to the side on which the other one lies.
     Raises what the telling of a story raises.
     """
     sample = dict(branch.sample)
@@ -53,7 +55,7 @@ def model(
     lets = {k: v for k, v in lets_of(problem, part).items() if k not in protected}
     built = Model(problem, part, branch, unknowns, {}, {}, [], final, sample)
     _letter_values(built)
-    frames = _Frames(built, names, turned, ACUTE if acute else DIRECTION)
+    frames = _Frames(built, names, turned, ACUTE if acute else DIRECTION, paths or {})
     built.story = Story(problem, part, Symbolic(), unknowns, lets, frames)
     return built
 
@@ -66,6 +68,7 @@ class _Frames:
     names: Mapping[tuple[int, str], str]
     turned: frozenset[int]
     angle: Role = DIRECTION
+    paths: Mapping[int, Vector] = field(default_factory=dict)
 
     def standing(self, story: Story, number: int, step: Impact) -> Mapping[str, Standing]:
         self.model.story = story  # it is asked while it is being told
@@ -73,7 +76,7 @@ class _Frames:
 
     def resolved(self, story: Story, happening: Happening) -> Happening:
         self.model.story = story
-        return _in_letters(self.model, happening, self.names, self.turned, self.angle)
+        return _in_letters(self.model, happening, self.names, self)
 
 
 def _by_values(model: Model, number: int, step: Impact) -> dict[str, Standing]:
@@ -146,16 +149,17 @@ def _in_letters(
     model: Model,
     happening: Happening,
     names: Mapping[tuple[int, str], str],
-    turned: frozenset[int],
-    angle: Role,
+    frames: _Frames,
 ) -> Happening:
     """An impact with letters for the components after it that it changes."""
     story, put = model.story, model.final
     number, step = happening.number, happening.step
     assert isinstance(step, Impact)
     frame = _frame(model, number, step, happening, put)
-    if number in turned and frame.axis is None:
-        frame = _at_an_angle(model, frame, angle)
+    if number in frames.paths:
+        frame = _beside_a_path(model, frame, frames.paths[number])
+    elif number in frames.turned and frame.axis is None:
+        frame = _at_an_angle(model, frame, frames.angle)
     model.frames[number] = frame
     after: dict[str, Vector] = {}
     for body in (step.first, step.second):
@@ -252,16 +256,11 @@ def _frame(
 
 def _at_an_angle(model: Model, frame: Frame, role: Role) -> Frame:
     """The same frame with a letter for the angle between its line, or the wall, and **i**."""
-    unknowns = model.unknowns
-    name = next(n for n in ("theta", "phi", "psi", "delta", "beta") if n not in unknowns.roles)
-    unknowns.roles = {**unknowns.roles, name: role}
-    theta = role.symbol(name)
     line = frame.n if frame.wall is None else frame.t
     value = sp.atan(tidy(line.y / line.x))
     if model.sign(line.x) < 0:
         value += sp.pi if model.sign(line.y) >= 0 else -sp.pi
-    model.final[theta] = tidy_angle(value)
-    model.sample[name] = model.number(value)
+    theta = _letter_of_an_angle(model, role, ("theta", "phi", "psi", "delta", "beta"), value)
     along = Vector(sp.cos(theta), sp.sin(theta))
     across = Vector(-along.y, along.x)
     if frame.wall is None:
@@ -269,6 +268,30 @@ def _at_an_angle(model: Model, frame: Frame, role: Role) -> Frame:
     side = model.sign(frame.n.dot(Vector(-line.y, line.x)))
     n = across if side > 0 else -across
     return replace(frame, n=n, t=along, by_values=False, angle=theta)
+
+
+def _beside_a_path(model: Model, frame: Frame, path: Vector) -> Frame:
+    """The same frame with a letter for the acute angle between its line and a path."""
+    side = path.turned_left()
+    if model.sign(frame.n.dot(side)) < 0:
+        side = -side
+    value = sp.asin(tidy(sp.sympify(frame.n.dot(side), strict=True).xreplace(model.final)))
+    phi = _letter_of_an_angle(model, ACUTE, ("phi", "theta", "psi", "beta"), value)
+    along = path * sp.cos(phi) + side * sp.sin(phi)
+    return replace(frame, n=along, t=along.turned_left(), by_values=False, angle=phi)
+
+
+def _letter_of_an_angle(
+    model: Model, role: Role, names: Sequence[str], value: sp.Expr
+) -> sp.Symbol:
+    """A letter that the question does not use, for an angle with that value."""
+    unknowns = model.unknowns
+    name = next(each for each in names if each not in unknowns.roles)
+    unknowns.roles = {**unknowns.roles, name: role}
+    letter = role.symbol(name)
+    model.final[letter] = tidy_angle(value)
+    model.sample[name] = model.number(value)
+    return letter
 
 
 def _of_either_sign(component: sp.Expr) -> bool:

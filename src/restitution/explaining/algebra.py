@@ -368,7 +368,7 @@ class World:
         seen = 0
         while tree in self.directions and seen < MOST_GENERATORS:
             tree, seen = self.directions[tree], seen + 1
-        return self.is_angle(tree)
+        return self.is_angle(tree) or (isinstance(tree, Polar) and tree.size == Number(Fraction(1)))
 
     def _quantity(self, tree: Quantity) -> Value:
         match tree.kind:

@@ -9,6 +9,7 @@ from itertools import pairwise, product
 from typing import Any
 
 from restitution.explaining.derivation import FLIPPED, Event, Link, Relation, Sign, whole_of
+from restitution.explaining.offset_angles import named_angles
 from restitution.explaining.quotients import Plane, Quotient
 from restitution.explaining.step import Step
 from restitution.explaining.trees import settled
@@ -645,7 +646,12 @@ def _unit(axis: str) -> Expression:
 
 
 def _between_directions(step: Step, event: Event | None) -> Iterator[Link]:
-    """The angles between velocities, at any two times, or lines, for which letters are cited."""
+    """The angles between velocities, at any two times, or lines, for which letters are cited.
+
+    Of a line of centres by an offset, the sine of the angle with the path.
+    """
+    for meaning, own in named_angles(step.lets, step.links, step.setting):
+        yield Link(Apply("sin", meaning.quantity), "=", own.sine)
     for angle in (
         *(meaning.quantity for meaning in step.lets),
         *(side for link in step.links for side in (link.left, link.right)),

@@ -170,6 +170,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     "offset.angle": (
         "The angle between the line of centres and {path} has sine {sine} and cosine {cosine}:"
     ),
+    "offset.letter": (
+        "At the impact the centres are {apart} apart, and the centre of {other} is {offset} to the "
+        "{side} of {path}. Let {letter} be the angle between the line of centres and that path:"
+    ),
     "offset.none": (
         "At the impact the centre of {other} is on {path}. So the line of centres is along that "
         "path:"

@@ -12,6 +12,7 @@ import sympy as sp
 
 from restitution.explaining.algebra import Identity, Value, World
 from restitution.explaining.derivation import Event, Link, Meaning, Move, Relation, whole_of
+from restitution.explaining.offset_angles import named_angles
 from restitution.explaining.quotients import CONSTANT, NotComparableError, Plane, Quotient
 from restitution.explaining.rules import Rules
 from restitution.explaining.setting import Cited, Known, Setting, is_angle, is_direction
@@ -194,6 +195,9 @@ class Step:
                 if is_direction(left, self.setting) and left not in self.opaque:
                     yield left, right
                     break
+        for meaning, own in named_angles(self.lets, self.links, self.setting):
+            if own.axis not in self.opaque:
+                yield own.axis, own.at(meaning.letter)
 
     def _axis_of(self, quantity: Expression) -> Iterator[tuple[Expression, Expression]]:
         """The line of centres by an impulse: on the second body along it, on the first against."""

@@ -24,6 +24,7 @@ from restitution.planning.desk import NotPlannedError, Source, together
 from restitution.planning.either_side import frame_on_one_side, write_sides
 from restitution.planning.forms import tree_of, vector
 from restitution.planning.frames import Frame, frame_of
+from restitution.planning.offsets import frame_by_offset
 from restitution.planning.premises import background
 from restitution.planning.radii import frame_by_places, is_by_places
 from restitution.planning.scene import GivenEquation, Scene
@@ -43,6 +44,8 @@ def frame_at(scene: Scene, number: int) -> Frame:
     if own is None:
         return frame_of(scene.model, scene.facts, number)
     if f"axis {number}" in scene.facts:
+        if number in scene.desk.paths:
+            return frame_by_offset(scene, number)
         return _beside_the_path(scene, number)
     if (sided := frame_on_one_side(scene, number)) is not None:
         return sided

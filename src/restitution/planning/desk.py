@@ -32,6 +32,7 @@ from restitution.explaining.trees import statement_of
 from restitution.explaining.trials import names_in
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity
 from restitution.planning.forms import UnwrittenError, alike
+from restitution.vector import Vector
 
 # These moves start from the line that is cited first.
 _FROM_A_LINE = frozenset(
@@ -173,6 +174,8 @@ class Desk:
     """The ends of items without such facts, by item, where these say more of their answers."""
     waiting: dict[Any, Any] = field(default_factory=dict)
     """What a `Solver` without these facts has left to one with them."""
+    paths: Mapping[int, Vector] = field(default_factory=dict)
+    """The paths with which the line of centres of an impact makes an angle that has a letter."""
     version: int = 0
     """How often what is known has changed."""
     _sources: dict[Expression, list[Source]] = field(default_factory=dict)

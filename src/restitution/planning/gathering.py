@@ -11,6 +11,7 @@ from collections.abc import Callable, Hashable, Sequence
 from dataclasses import replace
 
 from restitution.explaining.derivation import Derivation, Line, Meaning, Note, Relation
+from restitution.explaining.offset_angles import letter_of_offset
 from restitution.explaining.trees import trees_of
 from restitution.expression.tree import Letter, Name, Quantity, letters
 
@@ -158,6 +159,9 @@ class _Gathering:
                 self._raise_to_its_roots(line)
         for line in tuple(self._order):
             self._lower_to_its_use(line)
+        for line in tuple(self._order):
+            if letter_of_offset(line) is not None:
+                self._raise_to_the_start(line)
         return numbered_anew(self._derivation, self._order)
 
     # --- the order of the story -------------------------------------------------------------------
@@ -261,6 +265,15 @@ class _Gathering:
             target = roots[0] + 1
             if target != at and self._may_stand(line, target):
                 order.insert(target, order.pop(at))
+
+    def _raise_to_the_start(self, line: Line) -> None:
+        """Puts a line that rests on data alone, and the letters in it, at the start of its item."""
+        order = self._order
+        lets = [each for each in order if each.number in line.premises]
+        start = next(n for n, each in enumerate(order) if each.item == line.item)
+        for each in reversed((*lets, line)):
+            order.remove(each)
+            order.insert(start, each)
 
     def _lower_to_its_use(self, line: Line) -> None:
         """Puts the letter of an angle, or of a time, above the first line that has it.

@@ -59,6 +59,7 @@ from restitution.planning.lines_between import (
     sine_of_the_offset,
 )
 from restitution.planning.named_angles import tangent_line
+from restitution.planning.offsets import is_sine_of_an_offset, write_sine
 from restitution.planning.premises import background
 from restitution.planning.quantities import formula
 from restitution.planning.scene import GivenEquation, Scene
@@ -113,6 +114,8 @@ _RECORDS = {
 def write_given(scene: Scene, each: GivenEquation) -> int:
     """Writes the line in which a fact becomes an equation, and returns its number."""
     own = each.link
+    if is_sine_of_an_offset(each):
+        return write_sine(scene, each)
     subject = each.fact.relation.only[0].left
     if isinstance(subject, Letter) and f"let {subject.name}" in scene.facts:
         for quantity in (subject, Apply("tan", subject)):

@@ -200,6 +200,8 @@ def by_scalar_product(
     value, refs = tidy(value), together(source.refs, more, frame.refs)
     move = Move("define", "component", frame.number, (body,))
     last = tree_of(value)
+    if form is None and frame.number in scene.desk.paths:
+        form = _with_a_ratio(exact)  # by the angle with the path
     if form is None and more and not scene.last_event(body, frame.number - 1):
         form = _with_a_ratio(exact)
     by: MoveId = "rearrange" if form is None or letters(form) == letters(last) else "define"

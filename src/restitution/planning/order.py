@@ -326,10 +326,16 @@ class Solver:
         zero = [factor for factor in factors if model.sign(model.in_data(factor)) == 0]
         return frozenset(s for each in zero or [put] for s in self.scene.unknown(each))
 
-    def _vanishing(self, symbols: frozenset[sp.Symbol]) -> frozenset[sp.Symbol]:
-        """Those that are zero in the solution."""
+    def _vanishing(self, symbols: frozenset[sp.Symbol], own: Candidate) -> frozenset[sp.Symbol]:
+        """Those that are zero in the solution, where an equation holds by that alone."""
         model = self.scene.model
-        return frozenset(each for each in symbols if model.sign(model.in_data(each)) == 0)
+        put = [self.scene.with_values(each)[0] for each in own.residuals]
+        return frozenset(
+            each
+            for each in symbols
+            if model.sign(model.in_data(each)) == 0
+            and all(model.identically_zero(x.subs(each, 0)) for x in put)
+        )
 
     def _is_of_direction(self, own: Candidate) -> bool:
         """Whether a fact tells the direction of a body that moves along the line of centres."""
@@ -443,7 +449,7 @@ class Solver:
                 continue
             open_ = self._open(own)
             if len(open_) == 2 and tied(given.link) is not None:
-                open_ = self._vanishing(open_)
+                open_ = self._vanishing(open_, own)
             if len(open_) != 1:
                 continue
             (symbol,) = open_

@@ -59,6 +59,7 @@ from restitution.planning.gathering import gathered, numbered_anew
 from restitution.planning.given_terms import turn_round
 from restitution.planning.items import write_item
 from restitution.planning.late_facts import write_with_facts
+from restitution.planning.offsets import given_by_offsets, paths_beside
 from restitution.planning.open_lines import write_open_lines
 from restitution.planning.order import Solver
 from restitution.planning.out_of_range import write_out_of_range
@@ -97,6 +98,16 @@ def plan(solution: Solution, route: int = 1, *, partial: bool = False) -> Deriva
     """
     problem = solution.problem
     desk = Desk(events_of(problem), facts_of(problem), route)
+    written: Desk | None = None
+    if paths := paths_beside(solution, desk):
+        with suppress(*UNPLANNED):
+            written = _written(solution, replace(desk, paths=paths), partial=False)
+    return _finished(problem, written or _written(solution, desk, partial))
+
+
+def _written(solution: Solution, desk: Desk, partial: bool) -> Desk:
+    """The desk with the lines of all parts."""
+    problem = solution.problem
     for part in solution.parts.values():
         try:
             _require_plain(solution)
@@ -105,6 +116,11 @@ def plan(solution: Solution, route: int = 1, *, partial: bool = False) -> Deriva
             if not partial:
                 raise _not_planned(error) from error
             desk = _noted(problem, part, desk)
+    return desk
+
+
+def _finished(problem: Problem, desk: Desk) -> Derivation:
+    """The derivation of a desk, without what nobody needs, and with all that is needed."""
     whole = pruned(
         Derivation(
             desk.facts,
@@ -324,7 +340,7 @@ def _drafts(
         told, part = early.problem, early.part
     protected = protected_letters(part.part)
     models = [
-        model(told, part.part, branch, part.roles, protected, question=problem)
+        model(told, part.part, branch, part.roles, protected, question=problem, paths=desk.paths)
         for branch in part.branches
     ]
     if turned:
@@ -338,6 +354,7 @@ def _drafts(
         draft = desk.fork()
         others = tuple(models) if len(models) > 1 else ()
         scene = Scene(problem, own, part, model_, draft, others, find_frame=frame_at)
+        scene.of_offsets = given_by_offsets(scene)
         scene.sided, scene.turned = len(one_side), turned
         _write_items(scene, ways, last)
         drafts.append(draft)
@@ -401,10 +418,17 @@ def _in_letters_of(scene: Scene, index: int) -> Scene | None:
     if not wanted or scene.turned or scene.others or scene.desk.withheld:
         return None
     (branch,) = scene.solution.branches
-    own = model(scene.problem, scene.part, branch, scene.solution.roles, frozenset(wanted))
+    own = model(
+        scene.problem,
+        scene.part,
+        branch,
+        scene.solution.roles,
+        frozenset(wanted),
+        paths=scene.desk.paths,
+    )
     if not turn_round(own, frozenset(wanted)):
         return None
-    return Scene(
+    turned = Scene(
         scene.problem,
         scene.part,
         scene.solution,
@@ -413,6 +437,8 @@ def _in_letters_of(scene: Scene, index: int) -> Scene | None:
         turned=True,
         find_frame=frame_at,
     )
+    turned.of_offsets = given_by_offsets(turned)
+    return turned
 
 
 def _require_short(lines: Iterable[Line]) -> None:

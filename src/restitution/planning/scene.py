@@ -86,6 +86,8 @@ class Scene:
     ties: dict[str, Relation] = field(default_factory=dict)
     """What the facts say of such letters, by the id of the fact, as lines say it."""
     find_frame: Callable[[Scene, int], Frame] | None = None
+    of_offsets: tuple[GivenEquation, ...] = ()
+    """What offsets say of angles of lines of centres that have letters."""
     kept: frozenset[sp.Symbol] = frozenset()
     """Angles of which no ratio is put in for now."""
     _initial: dict[str, Source] = field(default_factory=dict)
@@ -415,7 +417,7 @@ class Scene:
                 lets = self.lets_in(link)
                 own = by_its_change(self.opened(link))
                 equations.append(GivenEquation(fact, own, residuals, lets))
-        return tuple(equations)
+        return (*equations, *self.of_offsets)
 
     def lets_in(self, link: Link) -> tuple[Ref, ...]:
         """The facts that let letters of a link stand for something."""

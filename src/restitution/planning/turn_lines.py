@@ -26,7 +26,7 @@ from restitution.planning.angle_ratios import given_ratio, range_of, write_other
 from restitution.planning.angles import RIGHT, STRAIGHT
 from restitution.planning.desk import chain, together
 from restitution.planning.forms import ONE, TWO, difference, product, swept, total, tree_of
-from restitution.planning.named_angles import letter_of, tangent_line
+from restitution.planning.named_angles import letter_known, letter_of, tangent_line
 from restitution.planning.premises import background
 from restitution.planning.quantities import formula
 from restitution.planning.scene import Scene
@@ -259,9 +259,20 @@ def _term(scene: Scene, side: Direction) -> Term:
     """An angle to the line of centres with its tangent."""
     if side.angle is None:
         own = formula(scene, side.named)
+        if (same := _by_its_letter(scene, side, own.value)) is not None:
+            return same
         line, letter = tangent_line(scene, side.named, own, own.move)
         return Term(Letter(letter), scene.desk.last_link(line).right, (line,))
     return term_of_data(scene, side.angle)
+
+
+def _by_its_letter(scene: Scene, side: Direction, tangent: sp.Expr) -> Term | None:
+    """The angle of a path to the line of centres in whose letter the components stand already."""
+    known = letter_known(scene, side.named)
+    symbol = None if known is None else scene.model.unknowns.letter(known[0])
+    if symbol is None or not scene.unknown(symbol) or tidy(tangent - sp.tan(symbol)) != 0:
+        return None
+    return Term(Letter(symbol.name), Apply("tan", Letter(symbol.name)))
 
 
 def term_of_data(scene: Scene, angle: Expression) -> Term:

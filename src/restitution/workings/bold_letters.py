@@ -24,6 +24,7 @@ from restitution.explaining.derivation import (
     Meaning,
     Relation,
 )
+from restitution.explaining.offset_angles import letter_of_offset
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.trials import on_either_side
 from restitution.expression.evaluate import evaluate, in_letters
@@ -373,7 +374,29 @@ def _direction(derivation: Derivation, number: int) -> Vector | None:
                 direction = _in_numbers(each.relation.only[-1].right)
                 if direction is not None:
                     return direction
-    return _beside_i(derivation, axis)
+    return _beside_i(derivation, axis) or _beside_a_path(derivation, axis)
+
+
+def _beside_a_path(derivation: Derivation, axis: Quantity) -> Vector | None:
+    """The direction of a line of centres by the letter for its angle with a path.
+
+    None where no velocity is put together in it.
+    """
+    letter = next(filter(None, map(letter_of_offset, derivation.lines)), None)
+    fact = derivation.fact(" ".join(("axis", str(axis.stage))))
+    put_together = any(
+        line.move.record == "assemble" and line.move.event == axis.stage
+        for line in derivation.lines
+    )
+    match fact and fact.relation.only[0].right:
+        case Polar(_, Apply(_, Binary("/", beside)), path) if letter and put_together and path:
+            angle = in_letters(Letter(letter))
+            own = in_letters(path, positive=True)
+        case _:
+            return None
+    own = own / sp.sqrt(tidy(sp.expand(own.dot(own))))
+    side = -own.turned_left() if isinstance(beside, Negate) else own.turned_left()
+    return Vector(*(tidy(x * sp.cos(angle) + y * sp.sin(angle)) for x, y in zip(own, side)))
 
 
 def _gives(line: Line, axis: Quantity) -> bool:

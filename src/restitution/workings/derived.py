@@ -26,6 +26,7 @@ from restitution.explaining.derivation import (
 )
 from restitution.explaining.layouts import chains
 from restitution.explaining.marks import Mark, Marks, reasoned
+from restitution.explaining.offset_angles import letter_of_offset
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.unused import lines_under, unused_facts
 from restitution.expression.tree import Letter, Quantity, is_zero
@@ -114,6 +115,10 @@ class _Writer:
         self.ends = Ends(derivation, self.problem, self.naming)
         self.notes = Notes(derivation, self.naming, self.ends)
         self.introductions = Introductions(derivation, self.naming)
+        # These are introduced where the offset is.
+        for letter in filter(None, map(letter_of_offset, derivation.lines)):
+            self.naming.introduced_early.add(letter)
+            self.naming.knows(derivation.meanings[letter].quantity, letter)
         self.leads = Leads(derivation, self.naming, self.sources, self.reasons)
         self.meetings = dict(meetings(derivation, self.ends, self.naming))
         self.angles = DataAngles(derivation, self.naming)

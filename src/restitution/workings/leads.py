@@ -17,6 +17,7 @@ from restitution.explaining.derivation import (
     Meaning,
     Relation,
 )
+from restitution.explaining.offset_angles import letter_of_offset
 from restitution.explaining.principles import RECORDS
 from restitution.explaining.saying import Sentence, say, slots_of
 from restitution.explaining.trees import rebuilt, trees_of
@@ -45,7 +46,11 @@ from restitution.workings.flights import chord_title, distance_title, flight_tit
 from restitution.workings.in_any_case import range_behind
 from restitution.workings.lines_around import is_rest
 from restitution.workings.measured import worth
-from restitution.workings.offsets import angle_of_offset, is_offset, offset_sentence
+from restitution.workings.offsets import (
+    angle_of_offset,
+    is_offset,
+    offset_sentence,
+)
 from restitution.workings.source_leads import SourceLeads
 from restitution.workings.turn_leads import BY, TurnLeads
 
@@ -254,6 +259,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         record = RECORDS.get(line.move.record or "")
         if line.move.id not in TITLED or record is None or record.id == "component":
             return None
+        if letter_of_offset(line) is not None:
+            return None
         if record.id == "parallel" and (_read_off(line) or self._since_nothing(line)) is not None:
             return None
         if self._turned(line) is not None or self._along_the_line(line) is not None:
@@ -401,6 +408,12 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 self._given.add(offset.id)
             else:
                 yield say("given.data")
+            return
+        letter = letter_of_offset(line)
+        if letter is not None:
+            offset = next(e for ref in line.premises if (e := self._derivation.fact(str(ref))))
+            self._given.add(offset.id)
+            yield offset_sentence(offset, self._naming, given=True, letter=letter)
             return
         if line.move.record == "component" and line.move.id == "define":
             title = self.resolved(line)

@@ -10,7 +10,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.derivation import Fact, Link
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Apply, Binary, Expression, Negate, Polar, Quantity
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Negate, Polar, Quantity
 from restitution.planning.forms import tree_of
 from restitution.render import layout as lay
 from restitution.workings.measured import vector_worth, with_its_unit, worth
@@ -45,10 +45,10 @@ def angle_of_offset(fact: Fact, known: Mapping[str, sp.Expr], naming: Naming) ->
     return say("offset.angle", path=_path(naming, one, other, origin), **sides)
 
 
-def offset_sentence(fact: Fact, naming: Naming, given: bool) -> Sentence:
+def offset_sentence(fact: Fact, naming: Naming, given: bool, letter: str | None = None) -> Sentence:
     """How an offset gives a line of centres: by the sine of the angle to the path.
 
-    Where the angle is ``given``, that is said next.
+    Where the angle is ``given``, that is said next; it may have a ``letter``.
     """
     match fact.relation.only[0].right:
         case Polar(_, Apply(_, Binary("/", beside, apart)), origin):
@@ -74,6 +74,9 @@ def offset_sentence(fact: Fact, naming: Naming, given: bool) -> Sentence:
         "side": say("offset.right" if right else "offset.left"),
         "sine": sides[0] if sides[0] == sides[1] else lay.Relation(sides, ("=",)),
     }
+    if letter is not None:
+        del slots["sine"]
+        return say("offset.letter", letter=naming.layout(Letter(letter)), **slots)
     if given:
         return say("offset.sine-alone", **slots)
     angle = sp.asin(sine) if sine.is_number else sp.nan
@@ -106,4 +109,4 @@ def _path(naming: Naming, one: str, other: str, origin: Expression | None) -> Se
     return say("offset.path", body=one)
 
 
-__all__ = ["is_offset", "offset_sentence"]
+__all__ = ["angle_of_offset", "is_offset", "offset_sentence"]

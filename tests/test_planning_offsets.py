@@ -1,0 +1,151 @@
+"""Centres beside each other's path: the angle of the line of centres, by its sine."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from workings import planned
+
+from restitution.explaining.awarding import awarded
+from restitution.explaining.derivation import Derivation, Meaning, Relation
+from restitution.explaining.follower import follow
+from restitution.explaining.notation import read_relation, write_relation
+from restitution.expression.tree import Letter, Quantity, walk
+from restitution.oracle import Oracle
+from restitution.problem import Problem
+from restitution.solving.letters import roles
+from restitution.workings.derived import explanation_of
+from restitution.workings.text import to_text
+
+TURNED_BACK = """
+sphere A: mass m, velocity u i, radius r
+sphere B: mass 3m, at rest, radius r
+A hits B: offset d, e = 7/9
+given deflection(A) = 90°
+find d, speed(A)
+"""
+AGAINST_I = """
+sphere A: mass m, velocity -3u i, radius r
+sphere B: mass 2m, velocity u i, radius r
+A hits B: offset d, e = 1/2
+given speed(A) = 3u/2
+find d, speed(B), energy_lost
+"""
+TO_THE_RIGHT = """
+sphere A: mass m, velocity u i, radius r
+sphere B: mass 2m, at rest, radius r
+A hits B: offset -d, e = 1/2
+given direction(B) = -45°
+find d, velocity(A), velocity(B)
+"""
+SLANTING = """
+sphere A: mass 2, velocity 3i + 4j, radius 2
+sphere B: mass 3, at rest, radius 2
+A hits B: offset d, e = 1/4
+given speed(B) = 2
+find d, speed(A), energy_lost
+"""
+WITH_A_RADIUS = """
+sphere A: mass m, velocity u i, radius r
+sphere B: mass m, at rest, radius r
+A hits B: offset 1, e = 1
+given direction(A) = -60°
+find r, speed(A)
+"""
+TWICE = """
+sphere A: mass m, velocity u i, radius a
+sphere B: mass m, at rest, radius a
+A hits B: offset d, e = 1/2
+given deflection(A) = 30°
+find d
+"""
+
+
+def printed(problem: Problem, derivation: Derivation) -> str:
+    """The working as text."""
+    return to_text(explanation_of(awarded(derivation), problem))
+
+
+@pytest.mark.parametrize(
+    ("text", "answer"),
+    [
+        (TURNED_BACK, "d = r"),
+        (AGAINST_I, "d = √10 r/4"),
+        (TO_THE_RIGHT, "d = √2 r"),
+        (SLANTING, "d = 12/5"),
+        (WITH_A_RADIUS, "r = 1 m"),
+        (TWICE, "d = (√33 − 3)a/6"),
+    ],
+)
+def test_no_root_of_the_offset_is_carried(text: str, answer: str) -> None:
+    problem, derivation = planned(text)
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    working = " ".join(printed(problem, derivation).split())
+    assert "Let φ be the angle between the line of centres and that path: sin φ = " in working
+    assert answer in working
+    open_ = {letter for letter in ("d", "r") if letter in answer.split(" = ")[0]}
+    for line in derivation.lines:
+        for tree in () if isinstance(line.relation, Meaning) else _sides(line.relation):
+            roots = [each for each in walk(tree) if getattr(each, "function", "") == "sqrt"]
+            inside = {
+                node.name for each in roots for node in walk(each) if isinstance(node, Letter)
+            }
+            assert not inside & open_
+
+
+def _sides(relation: Relation) -> list[object]:
+    return [
+        side for links in relation.options for link in links for side in (link.left, link.right)
+    ]
+
+
+def test_the_sine_is_that_of_the_offset_alone() -> None:
+    problem, derivation = planned(TURNED_BACK)
+    names = {body: "sphere" for body in "AB"}
+    (sine,) = (
+        line
+        for line in derivation.lines
+        if isinstance(line.relation, Relation) and line.move.record == "scalar-angle"
+    )
+    assert isinstance(sine.relation, Relation)
+    assert write_relation(sine.relation) == "sin(phi) = d/(2r)"
+    for other in ("sin(phi) = d/r", "cos(phi) = d/(2r)", "sin(phi) = 2r/d"):
+        false = replace(sine, relation=read_relation(other, names))
+        lines = tuple(false if each is sine else each for each in derivation.lines)
+        complaints = follow(replace(derivation, lines=lines), Oracle(roles(problem)))
+        assert any(each.line == sine.number for each in complaints)
+
+
+def test_a_component_is_on_the_side_of_the_offset() -> None:
+    problem, derivation = planned(TO_THE_RIGHT)
+    names = {body: "sphere" for body in "AB"}
+    (across,) = (
+        line
+        for line in derivation.lines
+        if line.move.record == "component"
+        and isinstance(line.relation, Relation)
+        and isinstance(line.relation.only[0].left, Quantity)
+        and line.relation.only[0].left.kind == "across"
+    )
+    false = read_relation("across(velocity(A, 0), line_of_centres(1)) = -sqrt(2) u/2", names)
+    lines = tuple(replace(e, relation=false) if e is across else e for e in derivation.lines)
+    complaints = follow(replace(derivation, lines=lines), Oracle(roles(problem)))
+    assert any(each.line == across.number for each in complaints)
+
+
+def test_an_offset_that_may_be_on_either_side_has_no_letter_for_its_angle() -> None:
+    text = TURNED_BACK.replace("offset d", "offset d - r").replace("find d", "given d > 0\nfind d")
+    problem, derivation = planned(text)
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    assert not any(
+        isinstance(line.relation, Meaning) and line.relation.angle == "acute"
+        for line in derivation.lines
+    )
+
+
+def test_where_a_sphere_is_sent_across_the_line_of_centres_that_comes_of_the_laws() -> None:
+    problem, derivation = planned(WITH_A_RADIUS)
+    working = " ".join(printed(problem, derivation).split())
+    assert working.index("v = 0") < working.index("It is given that the angle from")
+    assert "tan φ = √3/3" in working
