@@ -102,7 +102,7 @@ def _sides(relation: Relation) -> list[object]:
 
 def test_the_sine_is_that_of_the_offset_alone() -> None:
     problem, derivation = planned(TURNED_BACK)
-    names = {body: "sphere" for body in "AB"}
+    names = dict.fromkeys("AB", "sphere")
     (sine,) = (
         line
         for line in derivation.lines
@@ -119,7 +119,7 @@ def test_the_sine_is_that_of_the_offset_alone() -> None:
 
 def test_a_component_is_on_the_side_of_the_offset() -> None:
     problem, derivation = planned(TO_THE_RIGHT)
-    names = {body: "sphere" for body in "AB"}
+    names = dict.fromkeys("AB", "sphere")
     (across,) = (
         line
         for line in derivation.lines
