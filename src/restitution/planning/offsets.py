@@ -112,7 +112,7 @@ def given_by_offsets(scene: Scene) -> tuple[GivenEquation, ...]:
 
 def is_sine_of_an_offset(each: GivenEquation) -> bool:
     """Whether a given equation is the sine of the angle by an offset."""
-    return each.fact.id.startswith("axis ")
+    return each.fact.id.partition(" ")[0] == "axis"
 
 
 def write_sine(scene: Scene, each: GivenEquation) -> int:
