@@ -104,7 +104,7 @@ SAYS = {
             "A hits B: along i, e = 1/3\nfind maximum of deflection(A) over k"
         ),
         [
-            "increases with k and tan δ tends to 2 as k grows",
+            "tan δ < 2, as k/(3 + k) = 1 − 3/(3 + k) < 1",
             "as k → ∞, so there is no greatest value",
         ],
     ),

@@ -41,7 +41,7 @@ from restitution.planning.degrees_by_ratios import bound_by_a_ratio, bound_that_
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.directions_bounded import write_of_direction, write_of_wide_angle
 from restitution.planning.forms import ONE, ZERO, tree_of
-from restitution.planning.gaps import is_left, is_plain, write_difference
+from restitution.planning.gaps import has_root, is_left, is_plain, write_difference
 from restitution.planning.inequalities import (
     is_monic,
     same,
@@ -120,7 +120,8 @@ class Claims:
         base = [*lines, *facts, *lets]
         if base:
             for each in lines:
-                line = self.monotone(each, relation)
+                line = self._by_difference_of_squares(each, relation)
+                line = self.monotone(each, relation) if line is None else line
                 if line is not None:
                     return line
             if len(lines) != 1 or is_plain(self.scene, lines[0], relation):
@@ -158,6 +159,17 @@ class Claims:
             self.ties.clear()
             self.conditions.clear()
         raise NotPlannedError("an inequality")
+
+    def _by_difference_of_squares(self, line: int, relation: Relation) -> int | None:
+        """A strict bound of a root, where the difference of squares is a product of plain signs.
+
+        What only grows with a letter approaches such a bound, and a limit is no reason for it.
+        """
+        if len(relation.only) > 1 or relation.only[0].sign not in ("<", ">"):
+            return None
+        if not has_root(self.worths.value(self.scene.desk.last_link(line).right)):
+            return None
+        return write_difference(self, line, relation)
 
     def _of_letter(self, relation: Relation) -> int | None:
         """An inequality that stands already of the letter for its quantity, said of that."""

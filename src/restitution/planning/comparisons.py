@@ -22,6 +22,7 @@ from restitution.planning.desk import NotPlannedError, Source, chain
 from restitution.planning.forms import swept, tree_of
 from restitution.planning.impacts import by_scalar_product
 from restitution.planning.polynomials import cancelled, factored
+from restitution.planning.separations import separation_known
 from restitution.planning.velocity_formulas import frame_after
 from restitution.solving.letters import roles
 from restitution.vector import Vector
@@ -38,6 +39,9 @@ class Comparison:
 
     def write(self, link: Link) -> tuple[int, Relation]:
         """An inequality between components along one line, as letters say it."""
+        apart = self._by_separation(link)
+        if apart is not None:
+            return apart
         sides: list[Expression] = []
         values: list[sp.Expr] = []
         lines: list[Ref] = []
@@ -78,6 +82,48 @@ class Comparison:
             if number_ is not None:
                 return number_, relation
         raise NotPlannedError("who is the faster")
+
+    def _by_separation(self, link: Link) -> tuple[int, Relation] | None:
+        """Who is the faster after an impact of the two, by how fast they separate.
+
+        The law of restitution alone tells that; None where something else is compared, or where
+        what they were is known already.
+        """
+        scene = self.scene
+        match link:
+            case Link(
+                Quantity("along", (Quantity("velocity", (Name(one),), int(stage)), axis)),
+                "<" | "<=" | ">" | ">=",
+                Quantity("along", (Quantity("velocity", (Name(other),), int(late)), other_axis)),
+            ) if axis == other_axis:
+                event = scene.last_event(one, stage)
+            case _:
+                return None
+        components = [scene.model.components.get((event, each)) for each in (one, other)]
+        if scene.last_event(other, late) != event or None in components:
+            return None
+        symbols = [each.symbol for each in components if each is not None]
+        if not all(scene.unknown(each) for each in symbols):
+            return None
+        frame = scene.frame(event)
+        wanted = scene.model.story.direction(axis, scene.events)
+        if tidy(wanted.cross(frame.n)) != 0:
+            return None
+        mark = self.worths.mark()
+        self.claims.solver.determine([symbols[0] - symbols[1]])
+        apart = separation_known(scene, frame)
+        if apart is not None:
+            ahead = scene.model.sign(wanted.dot(frame.n)) * frame.letter_sign
+            sign = link.sign if ahead > 0 else FLIPPED[link.sign]
+            first, second = (Letter(each.name) for each in symbols)
+            relation = Relation(((Link(first, sign, second),),))
+            conditions = self.claims.conditions
+            for more in (lambda: (), conditions.lines, conditions.story):
+                line = self.claims.compared((*apart.refs, *more()), relation)
+                if line is not None:
+                    return line, relation
+        self.worths.back(mark)
+        return None
 
     @staticmethod
     def _is_plain(values: Sequence[sp.Expr]) -> bool:

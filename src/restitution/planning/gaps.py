@@ -10,7 +10,7 @@ import sympy as sp
 from restitution.components.verdicts import proved_sign
 from restitution.errors import StatementError
 from restitution.exact import tidy
-from restitution.explaining.derivation import FLIPPED, Link, Move, Relation, Sign
+from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
 from restitution.explaining.trees import rebuilt
 from restitution.expression.tree import Apply, Binary, Expression, Number, Quantity, walk
 from restitution.planning.comparing import Comparing
@@ -50,7 +50,7 @@ def is_plain(scene: Scene, line: int, relation: Relation) -> bool:
             return False
         if any(len(factor.free_symbols) > 1 for factor in sp.Mul.make_args(ratio)):
             return False
-        if any(_has_root(factor) for factor in sp.Mul.make_args(ratio)):
+        if any(has_root(factor) for factor in sp.Mul.make_args(ratio)):
             return False
         if not all(_is_monotone(scene, ratio, symbol) for symbol in ratio.free_symbols):
             return False
@@ -86,7 +86,8 @@ def is_left(worths: Worths, tree: Expression, value: sp.Expr) -> bool:
     return False
 
 
-def _has_root(x: sp.Expr) -> bool:
+def has_root(x: sp.Expr) -> bool:
+    """Whether letters stand below a root."""
     return any(p.free_symbols and not p.exp.is_Integer for p in x.atoms(sp.Pow))
 
 
@@ -114,7 +115,7 @@ def write_difference(claims: Comparing, line: int, relation: Relation) -> int | 
     mark = worths.mark()
     sides: list[Expression] = [other, whole.left]
     start: int | None = line
-    if _has_root(value) or _has_root(most):
+    if has_root(value) or has_root(most):
         start = _squared_line(claims, line)
         sides = [_squared(scene, other), square(whole.left)]
         value, most = value**2, most**2
@@ -131,10 +132,25 @@ def write_difference(claims: Comparing, line: int, relation: Relation) -> int | 
         if difference is None:
             continue
         last = claims.compared([difference], relation)
+        if last is None:
+            last = claims.judge.write(
+                (Move("sign"),), [difference, *_ranges(scene, form)], relation
+            )
         if last is not None:
             return last
     worths.back(mark)
     return None
+
+
+def _ranges(scene: Scene, x: sp.Expr) -> Iterator[Ref]:
+    """What may be cited of letters, both ends of a coefficient of restitution as one range."""
+    known = roles(scene.problem)
+    for name in sorted(each.name for each in x.free_symbols if each.name in known):
+        role = known[name]
+        if role.kind == "restitution" and (role.low, role.high, *role.closed) == (0, 1, True, True):
+            yield f"0 <= {name} <= 1"
+        else:
+            yield from scene.judge.known([name])
 
 
 def _squared_line(claims: Comparing, line: int) -> int | None:

@@ -58,7 +58,7 @@ from restitution.workings.later_times import later_than
 from restitution.workings.naming import Naming
 from restitution.workings.plain_signs import are_squares, positive_letters
 from restitution.workings.right_angles import RightAngles
-from restitution.workings.seen import growth_said
+from restitution.workings.seen import growth_said, less_than_its_limit
 from restitution.workings.sources import Sources, bound_broken, root_of_a_square
 
 _REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
@@ -119,6 +119,7 @@ class Reasons:
             return (say("derived.as", reasons=(would,)),)
         reasons = (
             *self._monotone(line),
+            *self._at_its_end(line),
             *self._shape(line),
             *self._known(line),
             *self._silent(line),
@@ -458,6 +459,8 @@ class Reasons:
         """That a quantity increases, or decreases, between the ends that are cited."""
         if line.move.id != "monotone":
             return
+        if any(self._square_of_a_ratio(line)):
+            return  # a limit says no more than that
         growths = [
             own.relation
             for ref in line.premises
@@ -500,8 +503,13 @@ class Reasons:
             letter_ = Letter(name)
             letter = self._naming.layout(letter_)
             said, itself = growth_said(whole, name, sense, ends, self._roles, self._naming.layout)
-            yield said
             far = _far_end(line.relation, above[0].left, name, sense, ends)
+            if far is not None and self._is_no_range(line):
+                less = less_than_its_limit(whole, name, sense, ends, self._roles)
+                if less is not None:
+                    yield say("derived.fact", fact=self._laid(less))
+                    return
+            yield said
             limit: tuple[Expression | None, Expression | None] = far, None
             near: tuple[Sentence, ...] = ()
             if name in positive and far is not None:
@@ -531,6 +539,45 @@ class Reasons:
                 )
                 # What falls "and tends to 0" is named once: nothing stands between.
                 yield from () if named else near
+
+    def _at_its_end(self, line: Line) -> Iterator[Sentence]:
+        """How a bound goes with a letter that is in it twice, where its end is put in for that."""
+        assert isinstance(line.relation, Relation)
+        cited = [self._relation_of(ref) for ref in line.premises if isinstance(ref, int)]
+        match line.relation.options, cited:
+            case [((Link(subject, sign_, bound),),), [Relation(((Link(own, first, worth),),))]]:
+                pass
+            case _:
+                return
+        if line.move.id != "compare" or subject != own or sign_[0] != first[0] or sign_ == "=":
+            return
+        ends = [
+            link
+            for ref in line.premises
+            if isinstance(ref, str) and isinstance(said := self._reason(ref, line), Relation)
+            for link in said.options[0]
+        ]
+        names = [node.name for node in walk(worth) if isinstance(node, Letter)]
+        for name in sorted(letters(worth) - letters(bound)):
+            sense = way_of(worth, name, ends, Relation(((Link(worth, sign_, bound),),)))
+            if names.count(name) > 1 and sense:
+                layout = self._naming.layout
+                yield growth_said(worth, name, sense, ends, self._roles, layout)[0]
+
+    def _is_no_range(self, line: Line) -> bool:
+        """Whether a line leads to what is shown, or to a value that is only approached.
+
+        Where a range is asked, its ends are limits.
+        """
+        above = {line.number}
+        for each in self._derivation.lines:
+            if above & set(each.premises):
+                above.add(each.number)
+        end = next((each for each in self._derivation.items if each.line in above), None)
+        if end is None:
+            return False
+        last = self._derivation.line(end.line)
+        return end.shown or (last is not None and last.move.record == "approached")
 
     def _shape(self, line: Line) -> tuple[Sentence, ...]:
         """What bounds a value by its form, the plainest that fits."""
@@ -669,7 +716,7 @@ class Reasons:
         """That the square of a sine or cosine is at most 1, which gives a bound of a value."""
         assert isinstance(line.relation, Relation)
         links = line.relation.options[0]
-        if line.move.id != "sign" or len(links) != 1:
+        if line.move.id not in ("sign", "monotone") or len(links) != 1:
             return
         most = Number(Fraction(1))
         for own in map(self._relation_of, line.premises):
@@ -678,8 +725,11 @@ class Reasons:
             whole = own.options[0][-1].right
             for node in walk(whole):
                 match node:
-                    case Binary("^", Apply("sin" | "cos"), Number(value=power)) if power == 2:
-                        if is_bound_by(whole, node, most, links[0].right):
+                    case Binary("^", Apply("sin" | "cos", x), Number(value=power)) if power == 2:
+                        alone = sum(each == x for each in walk(whole)) == 1
+                        if (alone or line.move.id == "sign") and is_bound_by(
+                            whole, node, most, links[0].right
+                        ):
                             strict = links[0].sign in ("<", ">")
                             bound = Relation(((Link(node, "<" if strict else "<=", most),),))
                             yield say("derived.fact", fact=self._laid(bound))

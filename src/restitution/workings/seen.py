@@ -15,7 +15,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
-from restitution.explaining.derivation import FLIPPED, Link
+from restitution.explaining.derivation import FLIPPED, Link, Relation
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import Expression, Letter, has_quantity
@@ -86,6 +86,27 @@ def growth_said(
         quantity = lay.Relation(sides, ("=",))
     id_ = "derived.increases" if sense > 0 else "derived.decreases"
     return say(id_, quantity=quantity, letter=letter), own is None or own.form is None
+
+
+def less_than_its_limit(
+    tree: Expression, name: str, sense: int, ends: Sequence[Link], roles: Mapping[str, Role]
+) -> Relation | None:
+    """That a tree is a number less something, where it grows to that number without limit.
+
+    None where no form of it shows that.
+    """
+    own = shown(tree, name, sense, ends, roles)
+    if own is None or own.form is None or sense < 0:
+        return None
+    symbol = roles.get(name, REAL).symbol(name)
+    most, rest = own.form.as_independent(symbol, as_Add=True)
+    if most.free_symbols or not rest.is_rational_function(symbol) or rest.is_Add:
+        return None
+    above, below = sp.fraction(sp.together(rest))
+    if sp.degree(above, symbol) >= sp.degree(below, symbol):
+        return None
+    form = tree_of(own.form, as_it_is=True)
+    return Relation(((Link(tree_of(own.value), "=", form), Link(form, "<", tree_of(most))),))
 
 
 def _read(tree: Expression, roles: Mapping[str, Role]) -> sp.Expr:
@@ -242,4 +263,4 @@ def _together(ways: Sequence[int | None]) -> int | None:
     return None if len(own) > 1 else next(iter(own), 0)
 
 
-__all__ = ["Shown", "growth_said", "shown"]
+__all__ = ["Shown", "growth_said", "less_than_its_limit", "shown"]

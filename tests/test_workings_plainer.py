@@ -1,0 +1,86 @@
+"""Workings that take the plainer of two courses, each on a statement of its own."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+import pytest
+
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
+
+FASTER = """
+sphere A: mass 2, velocity 3i + j
+sphere B: mass 1, velocity -i
+A hits B: along i, e = 1/2
+show along(velocity(B), i) > along(velocity(A), i)
+"""
+FASTER_FROM_BEHIND = """
+sphere A: mass m, velocity u i
+sphere B: mass k m, velocity i
+A hits B: along i, e = 1/3
+given u > 0
+show along(velocity(A), i) < along(velocity(B), i)
+"""
+SLOWER_THAN_BEFORE = """
+sphere A: mass 2m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+show speed(A) < u
+"""
+SUM_OF_SQUARES = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 3m, at rest
+A hits B: along i, e = 1/3
+show speed(A)^2 + 3speed(B)^2 < u^2
+"""
+NO_GREATEST = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i, e = 1/2
+find maximum of impulse over k
+"""
+END_OF_A_BOUND = """
+sphere A: mass 3m, velocity u i
+sphere B: mass m, velocity -v i
+A hits B: along i
+given along(velocity(A), i) < 0
+show v > u
+"""
+
+# Statement, and words of its working, worked out by hand.
+SAYS = [
+    (FASTER, "w − v = ½(3 + 1) = 2 M1 A1 w > v (as required)"),
+    (FASTER_FROM_BEHIND, "Newton's experimental law: w − v = (u − 1)/3"),
+    # u² − (2 − e)²u² cos²α/9 − u² sin²α = (1 + e)(5 − e)u² cos²α/9
+    (SLOWER_THAN_BEFORE, "u² − (speed of A)² = (1/9)(1 + e)(5 − e)u² cos²α"),
+    (SLOWER_THAN_BEFORE, "speed of A < u, as α is acute and 0 ≤ e ≤ 1 (as required)"),
+    (SUM_OF_SQUARES, "as sin²α < 1 and α is acute"),
+    (NO_GREATEST, "as k/(1 + k) = 1 − 1/(1 + k) < 1 and α is acute"),
+    # v > (3 − e)u/(1 + e), which is u for e = 1
+    (END_OF_A_BOUND, "as (3 − e)u/(1 + e) decreases as e increases and 0 ≤ e ≤ 1"),
+]
+SAYS_NOT = [
+    (FASTER, "Conservation of momentum"),
+    (FASTER_FROM_BEHIND, "Eliminating"),
+    (SLOWER_THAN_BEFORE, "tends to"),
+    (SUM_OF_SQUARES, "tends to"),
+    (NO_GREATEST, "tends to"),
+]
+
+
+@cache
+def in_a_row(statement: str) -> str:
+    return re.sub(r"\s+", " ", to_text(explain(solve(parse(statement)))))
+
+
+@pytest.mark.parametrize(("statement", "words"), SAYS, ids=[each for _, each in SAYS])
+def test_a_working_says(statement: str, words: str) -> None:
+    assert words in in_a_row(statement)
+
+
+@pytest.mark.parametrize(("statement", "words"), SAYS_NOT, ids=[each for _, each in SAYS_NOT])
+def test_a_working_does_not_say(statement: str, words: str) -> None:
+    assert words not in in_a_row(statement)
