@@ -149,3 +149,29 @@ def test_where_a_sphere_is_sent_across_the_line_of_centres_that_comes_of_the_law
     working = " ".join(printed(problem, derivation).split())
     assert working.index("v = 0") < working.index("It is given that the angle from")
     assert "tan φ = √3/3" in working
+
+
+def test_an_angle_that_the_offset_gives_is_not_worked_out_again() -> None:
+    problem, derivation = planned(
+        """
+sphere A: mass m, velocity v i, radius R
+sphere B: mass m, at rest, radius R
+A hits B: offset R, e = 1
+find speed(A), deflection(A)
+"""
+    )
+    working = printed(problem, derivation)
+    assert "δ = 90° − 30° = 60°" in working
+    assert "tan" not in working
+
+
+def test_a_line_of_centres_beside_a_slanting_path_is_that_path_turned() -> None:
+    problem, derivation = planned(
+        """
+sphere A: mass 1, velocity 3i, radius 2
+sphere B: mass 1, velocity -4j, radius 2
+A hits B: offset 2, e = 1/2
+find line_of_centres
+"""
+    )
+    assert "(cos 30°)((3𝐢 + 4𝐣)/5) + (sin 30°)((−4𝐢 + 3𝐣)/5)" in printed(problem, derivation)

@@ -123,6 +123,8 @@ def letter_of_offset(line: Line) -> str | None:
     """The letter for the angle of a line of centres with a path, in the line of its sine."""
     if line.move.record != "scalar-angle" or not isinstance(line.relation, Relation):
         return None
+    if line.shown == "silent":
+        return None
     by_fact = any(str(ref).partition(" ")[0] == "axis" for ref in line.premises)
     match line.relation.options[0][0].left:
         case Apply("sin", Letter(name)) if by_fact:

@@ -20,9 +20,9 @@ from restitution.expression.tree import (
     Quantity,
     walk,
 )
-from restitution.planning.desk import NotPlannedError, Source, together
+from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.either_side import frame_on_one_side, write_sides
-from restitution.planning.forms import tree_of, vector
+from restitution.planning.forms import product, total, tree_of, vector
 from restitution.planning.frames import Frame, frame_of
 from restitution.planning.offsets import frame_by_offset
 from restitution.planning.premises import background
@@ -252,11 +252,39 @@ def write_axis(scene: Scene, number: int) -> int:
     else:
         own, _ = whole_direction(own)
         move = Move("rearrange")
-    relation = Relation(((Link(centres, link.sign, tree_of(tuple(map(tidy, own)))),),))
+    final = tree_of(tuple(map(tidy, own)))
+    relation = Relation(((Link(centres, link.sign, final),),))
+    if (turned := _turned_from_the_path(scene, link.right)) is not None:
+        relation = chain(centres, (turned, None), (final, "rearrange"))
     premises = together((fact.id,), refs)
     names = {each.name for x in own for each in sp.sympify(x, strict=True).free_symbols}
     enough = scene.judge.enough(move, premises, relation, background(scene, names))
     return scene.desk.write(move, premises if enough is None else enough, relation)
+
+
+def _turned_from_the_path(scene: Scene, given: Expression) -> Expression | None:
+    """A line of centres by an offset as the direction of a slanting path, turned by an angle.
+
+    That is its cosine times one unit vector and its sine times the other. None of a path along
+    **i** or **j**, or with letters.
+    """
+    match given:
+        case Polar(_, Apply("arcsin", sine), path) if path is not None:
+            turn, direction = tidy(sp.asin(scene.scalar(sine))), scene.vector(path)
+        case _:
+            return None
+    whole, length = whole_direction(direction)
+    if turn == 0 or turn.free_symbols or not all(whole) or any(x.free_symbols for x in whole):
+        return None
+    angle = tree_of(turn, angle=True)
+    ratios: list[Expression] = [Apply(name, angle) for name in ("cos", "sin")]
+    if not (turn / sp.pi).is_Rational:
+        ratios = [tree_of(tidy(ratio(turn))) for ratio in (sp.cos, sp.sin)]
+    units = (tree_of(whole), tree_of(whole.turned_left()))
+    return total(
+        product(ratio, Binary("/", unit, tree_of(length)))
+        for ratio, unit in zip(ratios, units, strict=True)
+    )
 
 
 # --- impulses that are given --------------------------------------------------------------------

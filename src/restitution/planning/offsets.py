@@ -19,6 +19,7 @@ from restitution.expression.tree import Apply, Letter, Name, Quantity, letters, 
 from restitution.planning.desk import Desk
 from restitution.planning.forms import tree_of
 from restitution.planning.frames import Frame
+from restitution.planning.named_angles import free_letter
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.solving.letters import roles
 from restitution.solving.solution import Solution
@@ -124,7 +125,37 @@ def write_sine(scene: Scene, each: GivenEquation) -> int:
     )
 
 
+def angle_of_an_offset(scene: Scene, asked: Quantity) -> int | None:
+    """The angle of a path with the line of centres, where the words above that line say it.
+
+    That is so where the offset gives it in degrees. None of any other angle.
+    """
+    match asked:
+        case Quantity("angle", (Quantity("velocity", _, 0), Quantity(_, (), int(number)))):
+            fact = scene.facts.get(f"axis {number}")
+        case _:
+            return None
+    link = None if fact is None else fact.relation.only[0]
+    own = None if link is None else offset_angle(link, roles(scene.problem))
+    sine = None if own is None or asked.arguments[1] != own.axis else scene.scalar(own.sine)
+    if sine is None or not (sp.asin(tidy(sine)) / sp.pi).is_Rational:
+        return None
+    assert fact is not None
+    letter = free_letter(scene, "angle")
+    let = scene.desk.write(Move("let"), (), Meaning(letter, asked, angle="acute"), "silent")
+    ratio = scene.desk.write(
+        Move("define", "scalar-angle", number),
+        (let, fact.id),
+        Relation(((Link(Apply("sin", Letter(letter)), "=", tree_of(tidy(sine))),),)),
+        "silent",
+    )
+    value = tree_of(sp.asin(tidy(sine)), angle=True)
+    relation = Relation(((Link(Letter(letter), "=", value),),))
+    return scene.desk.write(Move("inverse"), (ratio, f"acute: {letter}"), relation, "silent")
+
+
 __all__ = [
+    "angle_of_an_offset",
     "frame_by_offset",
     "given_by_offsets",
     "is_sine_of_an_offset",

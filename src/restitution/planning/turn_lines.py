@@ -27,6 +27,7 @@ from restitution.planning.angles import RIGHT, STRAIGHT
 from restitution.planning.desk import chain, together
 from restitution.planning.forms import ONE, TWO, difference, product, swept, total, tree_of
 from restitution.planning.named_angles import letter_known, letter_of, tangent_line
+from restitution.planning.offsets import angle_of_an_offset
 from restitution.planning.premises import background
 from restitution.planning.quantities import formula
 from restitution.planning.scene import Scene
@@ -195,7 +196,7 @@ def _in_numbers(
     ratio = tidy(side.across.value / side.along.value)
     if ratio.free_symbols and not letters_too:
         return None
-    line = angle_line(scene, side.named)
+    line = angle_of_an_offset(scene, side.named) or angle_line(scene, side.named)
     return scene.desk.last_link(line).right, (line, letter_of(scene, side.named)[1])
 
 
