@@ -328,6 +328,15 @@ def _at_sight(work: Work, line: Line) -> bool:
     )
 
 
+def _of_one_component(work: Work, line: Line) -> bool:
+    """It rests on a component, or the letter for one, and on no velocity as a vector."""
+    cited = [e.relation for e in work.cited(line) if isinstance(e.relation, Relation)]
+    lefts = [relation.options[0][0].left for relation in cited]
+    return bool(lefts) and not any(
+        isinstance(left, Quantity) and left.kind == "velocity" for left in lefts
+    )
+
+
 def _of_a_product(work: Work, line: Line) -> bool:
     """It rests on a scalar product of the same item, or on velocities that stand as vectors."""
     cited = tuple(work.cited(line))
@@ -429,11 +438,31 @@ def _new_inequality(work: Work, line: Line) -> bool:
         return False
     if isinstance(line.relation, Relation) and _tells_a_quadrant(line.relation):
         return False
+    if line.move.id == "sign" and _is_sum_that_is_positive(line) and not [*work.cited(line)]:
+        return False
     return _unequal(line) and not any(
         _unequal(each)
+        and work.part(each) == work.part(line)
         and not (isinstance(each.relation, Relation) and _tells_a_quadrant(each.relation))
+        and not _says_a_quantity_is_positive(each)
         for each in work.cited(line)
     )
+
+
+def _is_sum_that_is_positive(line: Line) -> bool:
+    """Whether it is only said that a sum of letters is positive, as 1 − e² is."""
+    match line.relation:
+        case Relation((((Link(Binary("+" | "-"), ">", right)),),)):
+            return right == Number(Fraction(0))
+    return False
+
+
+def _says_a_quantity_is_positive(line: Line) -> bool:
+    """Whether it is only said that a quantity, such as a loss, is not zero."""
+    match line.relation:
+        case Relation((((Link(Quantity("energy_lost" | "total_energy_lost"), ">", right)),),)):
+            return right == Number(Fraction(0))
+    return False
 
 
 def _tells_a_quadrant(relation: Relation) -> bool:
@@ -546,6 +575,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "by-its-letter": _by_its_letter,
     "of-facts": _of_facts,
     "at-sight": _at_sight,
+    "of-one-component": _of_one_component,
     "inline": lambda work, line: line.shown == "inline",
     "of-angles": _of_angles,
     "in-letters": _in_letters,

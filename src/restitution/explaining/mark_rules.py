@@ -125,6 +125,7 @@ RULES: tuple[Rule, ...] = (
     # Facts closed into equations, and what is asked.
     _rule("angle-of-the-data", ("define",), "", ("scalar-angle",), ("of-facts", "of-a-number")),
     _rule("distance-at-another-time", ("define",), "", ("distance",), ("another-time",)),
+    _rule("product-read-off", ("define",), "", ("product",), ("of-one-component",)),
     _rule(
         "speed-size-angle-distance",
         ("define",),

@@ -419,6 +419,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.cosine": "An angle with cosine {value} has sine {sine}.",
     "given.fact-along": ("It is given that {fact}, and {body} moves along the line of centres:"),
     "given.fact": "It is given that {fact}:",
+    "given.fact-from": "It is given that {fact}. So from {equations:and}:",
     "given.fact-sense": "It is given that {fact}, and {sense}, as {bound}:",
     "given.and": "It is given that {fact}.",
     "given.by-what-changes": "By the component that changes:",

@@ -20,7 +20,7 @@ from restitution.expression.tree import (
     is_zero,
     walk,
 )
-from restitution.planning.desk import NotPlannedError, Source, together
+from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import (
     difference,
     negative,
@@ -207,7 +207,12 @@ def velocity_as_a_line(scene: Scene, body: str, stage: int) -> Source:
 
 
 def product_formula(scene: Scene, quantity: Quantity) -> Formula:
-    """The scalar product of two vectors, each as a line has it."""
+    """The scalar product of two vectors, each as a line has it.
+
+    That of a velocity and the unit vector along the line of centres is a component.
+    """
+    if (own := _product_along_the_line(scene, quantity)) is not None:
+        return own
     refs: list[Ref] = []
     vectors: list[Vector] = []
     bodies: list[str] = []
@@ -233,6 +238,30 @@ def product_formula(scene: Scene, quantity: Quantity) -> Formula:
     move = Move("define", "product", late or None, tuple(dict.fromkeys(bodies)))
     right = total((product(a, c), product(b, d)))
     return Formula(move, itself, quantity, right, value, together(refs))
+
+
+def _product_along_the_line(scene: Scene, quantity: Quantity) -> Formula | None:
+    """A scalar product that is a component along the line of centres, where that is known."""
+    match quantity.arguments:
+        case (Quantity("velocity", (Name(),), int()) as velocity, axis) | (
+            axis,
+            Quantity("velocity", (Name(),), int()) as velocity,
+        ):
+            body, stage = body_and_stage(scene, velocity)
+        case _:
+            return None
+    if axis != Quantity("line_of_centres", (), stage) or stage not in scene.model.frames:
+        return None
+    frame = scene.frame(stage)
+    known = scene.desk.known(frame.component("along", body, stage))
+    if known is None or scene.unknown(known.value):
+        return None
+    own = in_direction(scene, "along", body, stage, frame)
+    move = Move("define", "product", stage, (body,))
+    right = tree_of(own.value)
+    pool = together(known.whole, own.whole, frame.refs, frame.unit_free)
+    refs = scene.judge.needed(move, pool, chain(quantity, (right, None)))
+    return None if refs is None else Formula(move, itself, quantity, right, own.value, refs)
 
 
 def _to_the_line(

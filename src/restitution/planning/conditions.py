@@ -51,6 +51,7 @@ from restitution.planning.squares import (
     write_speeds,
 )
 from restitution.planning.standard_conditions import as_quadratic, in_factors
+from restitution.planning.standing_ratios import write_by_a_ratio
 from restitution.planning.velocity_formulas import body_and_stage, frame_after
 from restitution.planning.wall_ends import is_of_a_path, write_between, write_first_hit
 from restitution.planning.worths import Worths
@@ -155,6 +156,10 @@ class Conditions:
         bounded = self._by_cotangent(fact, link)
         if bounded is not None:
             return self.finished(*bounded, wanted)
+        if (ratio := write_by_a_ratio(self.worths, fact, link)) is not None:
+            bound = self.scene.desk.last_link(ratio)
+            gap = expanded(self.worths.value(bound.left) - self.worths.value(bound.right))
+            return self.finished(ratio, bound.sign, gap, wanted)
         gap = self.gap(link)
         own = without_signs(self.scene, gap, link.sign)
         if own is None or own[1].has(sp.atan2):

@@ -31,7 +31,7 @@ from restitution.planning.angle_sums import is_sum, stated, write_sum
 from restitution.planning.between import terms_between
 from restitution.planning.candidates import Candidate
 from restitution.planning.deflections import cosine_of_deflection, write_deflection
-from restitution.planning.desk import NotPlannedError, Source, chain, link, together
+from restitution.planning.desk import NotPlannedError, chain, link, together
 from restitution.planning.equal_angles import write_equal_angles
 from restitution.planning.expressions import outermost, size_of
 from restitution.planning.forms import (
@@ -62,6 +62,7 @@ from restitution.planning.named_angles import tangent_line
 from restitution.planning.offsets import is_sine_of_an_offset, write_sine
 from restitution.planning.premises import background
 from restitution.planning.quantities import formula
+from restitution.planning.quoted import QUOTED, has_root, quoted, quoted_as
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.separations import relative_speed
 from restitution.planning.square_roots import without_equal_squares
@@ -119,9 +120,9 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
     subject = each.fact.relation.only[0].left
     if isinstance(subject, Letter) and f"let {subject.name}" in scene.facts:
         for quantity in (subject, Apply("tan", subject)):
-            quoted = _quoted_as(scene, each, quantity)
-            if quoted is not None:
-                return quoted
+            standing = quoted_as(scene, each, quantity)
+            if standing is not None:
+                return standing
     if own.sign in ("perpendicular to", "parallel to") or _is_right(scene, own):
         return write_tie(scene, each)
     if is_sum(scene, each):
@@ -129,9 +130,9 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
     if not has_quantity(own.left) and not has_quantity(own.right):
         return _between_letters(scene, each)
     if isinstance(own.left, Quantity):
-        quoted = _quoted(scene, each, own.left)
-        if quoted is not None:
-            return quoted
+        standing = quoted(scene, each, own.left)
+        if standing is not None:
+            return standing
         if own.left.kind == "angle" and not is_moving(own.left.arguments[0]):
             line = sine_of_the_offset(scene, each)
             if line is not None:
@@ -174,76 +175,8 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
     return _of_several(scene, each)
 
 
-_QUOTED = ("speed", "energy", "energy_lost", "total_energy_lost", "impulse")
-
-
 _LOSSES = ("energy-lost", "total-lost", "energy", "total")
 _ENERGIES = ("energy", "energy_lost", "total_energy_lost")
-
-
-def _quoted(scene: Scene, each: GivenEquation, quantity: Quantity) -> int | None:
-    """What is given of a quantity that stands in letters already: the two are equal."""
-    turned = quantity.kind in ("angle", "deflection")
-    if quantity.kind not in _QUOTED and not turned:
-        return None
-    return _quoted_as(scene, each, Apply("tan", quantity) if turned else quantity)
-
-
-def _has_root(value: sp.Expr) -> bool:
-    """Whether letters stand below a root: then the squares of components are simpler."""
-    roots = sp.sympify(value, strict=True).atoms(sp.Pow)
-    return any(root.exp.is_Rational and root.exp.q == 2 and root.free_symbols for root in roots)
-
-
-def _quoted_as(scene: Scene, each: GivenEquation, subject: Expression) -> int | None:
-    """The same of what stands as a quantity, as its tangent, or as a letter for it."""
-    turned = isinstance(subject, Apply)
-    if has_quantity(each.link.right):
-        return None
-    known = scene.desk.known(subject)
-    if known is None or not scene.unknown(known.value):
-        return None
-    if _has_root(known.value):
-        return _squared_as(scene, each, subject, known)
-    value, refs = scene.put(known.value)
-    right, more = scene.put(scene.scalar(each.link.right))
-    if turned and (more or right == sp.pi / 2):
-        return None
-    tree = each.link.right if not more else tree_of(right)
-    tree = tree_of(tidy(sp.tan(right))) if turned else tree
-    relation = chain(tree, (tree_of(value), None))
-    lines = [ref for ref in known.refs if isinstance(ref, int)]
-    names = {name for each in lines for name in letters(scene.desk.last_link(each).right)}
-    lets = tuple(f"let {name}" for name in sorted(names) if f"let {name}" in scene.facts)
-    premises = scene.judge.enough(
-        Move("put"),
-        (*known.refs, each.fact.id),
-        relation,
-        together(each.lets, lets, refs, more),
-    )
-    return None if premises is None else scene.desk.write(Move("put"), premises, relation)
-
-
-def _squared_as(
-    scene: Scene, each: GivenEquation, subject: Expression, known: Source
-) -> int | None:
-    """What is given of a speed that stands as one root: the squares are equal; None of another."""
-    value, refs = scene.put(known.value)
-    squared = tidy(value**2)
-    _, more = scene.put(scene.scalar(each.link.right))
-    lines = [ref for ref in known.refs if isinstance(ref, int)]
-    if refs or more or _has_root(squared) or len(lines) != 1:
-        return None
-    if not isinstance(subject, Quantity) or subject.kind != "speed":
-        return None
-    names = {symbol.name for symbol in squared.free_symbols}
-    pool = (lines[0], *background(scene, names))
-    relation = chain(square(subject), (tree_of(squared), None))
-    line = scene.judge.write((Move("rearrange"),), pool, relation)
-    if line is None:
-        return None
-    relation = chain(square(each.link.right), (tree_of(squared), None))
-    return scene.judge.write((Move("put"),), (line, each.fact.id, *each.lets), relation)
 
 
 def _in_cosines(each: GivenEquation) -> GivenEquation:
@@ -361,7 +294,7 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
         relation = chain(square(left), (swept(right), None))
     else:
         relation = chain(own.of(left), (swept(own.right), None))
-        if own.move.record in _LOSSES and not _has_root(own.value):
+        if own.move.record in _LOSSES and not has_root(own.value):
             right, final = swept(own.right), tree_of(own.value)
             steps = (*terms_between(scene, right, final), final)
             worth = chain(own.of(left), (right, None), *((each, "rearrange") for each in steps))
@@ -671,7 +604,7 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
                 if node.kind == "angle":
                     raise NotPlannedError("a relation with angles")
                 continue
-            known = scene.desk.known(node) if node.kind in _QUOTED else None
+            known = scene.desk.known(node) if node.kind in QUOTED else None
             if known is not None and not isinstance(known.value, Vector):
                 value, more = scene.with_values(known.value)
                 values[node] = tree_of(value)
@@ -680,7 +613,7 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
             formula_ = formula(scene, node)
             if formula_.left != node:
                 raise NotPlannedError(f"a relation with {node.kind}s")
-            if node.kind in _ENERGIES and not _has_root(formula_.value):
+            if node.kind in _ENERGIES and not has_root(formula_.value):
                 # What an energy comes to is compared, and not how it is made.
                 refs.append(write_formula(scene, formula_))
                 values[node] = tree_of(formula_.value)

@@ -138,7 +138,7 @@ def tangent_line(scene: Scene, asked: Quantity, own: Formula, move: Move) -> tup
 
 
 def _tangent_with_values(scene: Scene, subject: Expression, own: Formula) -> int | None:
-    """The line of a tangent that stands, with the values of its letters put in."""
+    """The line of a tangent that stands, with the values of its letters put in if they have any."""
     desk = scene.desk
     for line in reversed(desk.lines):
         if isinstance(line.relation, Meaning) or not desk.holds(line.number):
@@ -150,8 +150,10 @@ def _tangent_with_values(scene: Scene, subject: Expression, own: Formula) -> int
             continue
         value = scene.scalar(links[-1].right)
         put, refs = scene.put(value)
-        if not refs or not scene.model.identically_zero(put - own.value):
+        if not scene.model.identically_zero(put - own.value):
             continue
+        if not refs:
+            return line.number
         relation = chain(subject, (tree_of(in_tangents(put)), None))
         premises = scene.judge.enough(Move("put"), (line.number, *refs), relation)
         if premises is not None:

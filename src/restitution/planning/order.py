@@ -432,14 +432,30 @@ class Solver:
         """A coefficient that is given as a number is known before a law takes it."""
         for own in left:
             given, open_ = self.equations.givens.get(own.id), self._open(own)
-            if given is None or len(open_) != 1 or not self._is_value(given):
+            if given is None or not self._is_value(given) or not self._are_coefficients(open_):
                 continue
-            (symbol,) = open_
-            role = self.scene.model.unknowns.roles.get(symbol.name)
-            is_coefficient = role is not None and role.kind == "restitution"
-            if is_coefficient and self._take_value(given, symbol):
+            if len(open_) == 2 and self._take_equal(given, open_):
+                return (own,)
+            if len(open_) == 1 and self._take_value(given, *open_):
                 return (own,)
         return None
+
+    def _are_coefficients(self, symbols: frozenset[sp.Symbol]) -> bool:
+        """Whether letters are coefficients of restitution."""
+        known = self.scene.model.unknowns.roles
+        kinds = (known[each.name].kind for each in symbols if each.name in known)
+        return [*kinds] == ["restitution"] * len(symbols)
+
+    def _take_equal(self, given: GivenEquation, open_: frozenset[sp.Symbol]) -> bool:
+        """Takes one of two letters that are equal for the other, which is wanted, from here on."""
+        if given.link.sign != "=" or not isinstance(given.link.right, Letter):
+            return False
+        kept, other = sorted(open_, key=self._wanted_later, reverse=True)
+        relation = chain(Letter(other.name), (Letter(kept.name), None))
+        line = self.scene.judge.write((Move("fact"),), (given.fact.id,), relation)
+        if line is not None:
+            self.scene.desk.know(Letter(other.name), kept, (line,))
+        return line is not None
 
     def _fact_expresses(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """A fact with one unknown, which is a component, or a letter that it names."""

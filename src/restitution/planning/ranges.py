@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
@@ -12,6 +13,7 @@ from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
+    Letter,
     Quantity,
     has_quantity,
     letters,
@@ -20,8 +22,9 @@ from restitution.planning.angles_at_ends import AngleAtEnds, is_angle_of_motion,
 from restitution.planning.claims import Claims
 from restitution.planning.desk import NotPlannedError
 from restitution.planning.forms import tree_of
-from restitution.planning.inequalities import turned
+from restitution.planning.inequalities import solve_linear, turned, without_signs
 from restitution.planning.order import Solver
+from restitution.planning.polynomials import expanded
 from restitution.planning.scene import Scene
 from restitution.solving.solution import ItemResult
 
@@ -44,6 +47,8 @@ def write_range(
             line = earlier
         elif not shown and (bounded := _by_a_bound_above(claims, relation)) is not None:
             line = bounded
+        elif not shown and (solved := _by_an_earlier_bound(claims, relation)) is not None:
+            line = solved
         elif len(relation.options) > 1:
             line = claims.write_parts(asked, relation)
         else:
@@ -131,6 +136,49 @@ def _by_a_bound_above(claims: Claims, relation: Relation) -> int | None:
             written = claims.judge.write((Move("compare"),), pool, relation)
             if written is not None:
                 return written
+    return None
+
+
+def _by_an_earlier_bound(claims: Claims, relation: Relation) -> int | None:
+    """A range by a bound of letters that leads to the answer of an item above.
+
+    What these letters have come to since is put into it, and it is solved for the letter that is
+    asked: ``e > 1/k`` with e = ⅖ gives k > 5/2. None where it does not come to the range.
+    """
+    scene, desk = claims.scene, claims.scene.desk
+    ends = {*relation.only, *map(turned, relation.only)} if len(relation.options) == 1 else set()
+    wanted = next((s for each in ends for s in (each.left, each.right) if letters(s)), None)
+    above = {ref for end in desk.ends if desk.holds(end.line) for ref in desk.under(end.line)}
+    for number in sorted((e for e in above if isinstance(e, int)), reverse=True):
+        own = desk.line(number).relation
+        if not isinstance(own, Relation) or len(own.options) != 1 or len(own.only) != 1:
+            continue
+        (bound,) = own.only
+        names = letters(bound.left) | letters(bound.right)
+        if not isinstance(wanted, Letter) or wanted.name not in names or len(names) < 2:
+            continue
+        if bound.sign not in ("<", "<=", ">", ">=") or has_quantity(bound.left):
+            continue
+        if has_quantity(bound.right) or not desk.holds(number):
+            continue
+        mark, values = claims.worths.mark(), [scene.scalar(e) for e in (bound.left, bound.right)]
+        with suppress(NotPlannedError):
+            claims.solver.determine(values)
+        sides = [scene.put(each) for each in values]
+        refs = [ref for _, own_refs in sides for ref in own_refs]
+        stripped = without_signs(scene, expanded(sides[0][0] - sides[1][0]), bound.sign)
+        solved = None if stripped is None else solve_linear(scene, *stripped, wanted)
+        if not refs or solved not in ends:
+            claims.worths.back(mark)
+            continue
+        put = Link(tree_of(sides[0][0]), bound.sign, tree_of(sides[1][0]))
+        line = claims.judge.write((Move("put"),), (number, *refs), Relation(((put,),)))
+        moves, known = (Move("rearrange"), Move("compare")), claims.judge.known(names)
+        for last in (Relation(((solved,),)), relation) if line is not None else ():
+            line = line and claims.judge.write(moves, (line, *known), last)
+        if line is not None:
+            return line
+        claims.worths.back(mark)
     return None
 
 

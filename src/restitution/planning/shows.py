@@ -180,6 +180,8 @@ def _quotable(scene: Scene, line: int, relation: Relation) -> None:
             scene.desk.know(link.left, vector, (line,))
         case Letter(name) if f"let {name}" in scene.facts:
             scene.desk.know(link.left, scene.scalar(link.right), (line,))
+        case Apply("tan", Letter(name)) if f"let {name}" in scene.facts:
+            scene.desk.know(link.left, scene.scalar(link.right), (line,))
         case Apply("tan", Quantity("angle" | "deflection", _, int() | None)):
             scene.desk.know(link.left, scene.scalar(link.right), (line,))
         case left if not has_quantity(left) and not scene.lets_in(link):

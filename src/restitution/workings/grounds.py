@@ -73,6 +73,18 @@ def _is_sum_with_a_root(tree: Expression) -> bool:
     return is_sum and not letters(tree) and not has_quantity(tree) and any(roots)
 
 
+def compared_quantities(derivation: Derivation, line: Line) -> Fact | None:
+    """The given inequality of two quantities that a line compares by what lines above say."""
+    cited = [ref for ref in line.premises if isinstance(ref, int)]
+    if line.move.id != "compare" or len(cited) < 2:
+        return None
+    for ref in line.premises:
+        fact = derivation.fact(ref) if isinstance(ref, str) else None
+        if fact is not None and fact.kind == "given" and len(fact.relation.options) == 1:
+            return fact if all(map(has_quantity, trees_of(fact.relation))) else None
+    return None
+
+
 def motion_of(fact: Fact | None) -> tuple[str, Expression] | None:
     """Which body moves in which direction, where that is given and tells a component's sign."""
     if fact is None or fact.id.partition(" ")[0] != "sense":

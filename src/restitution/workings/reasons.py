@@ -52,7 +52,7 @@ from restitution.workings.bounding_parts import (
 )
 from restitution.workings.equality import divisor_left_out, place_of_zero
 from restitution.workings.factors import factor_cancelled, factor_left
-from restitution.workings.grounds import grounds_of, motion_of
+from restitution.workings.grounds import compared_quantities, grounds_of, motion_of
 from restitution.workings.growing import growth, limit_at_an_end, way_of
 from restitution.workings.later_times import later_than
 from restitution.workings.naming import Naming
@@ -308,6 +308,8 @@ class Reasons:
         fact = self._derivation.fact(ref)
         if fact is not None and line.move.id == "put":
             return None
+        if fact is not None and fact == compared_quantities(self._derivation, line):
+            return None  # it stands before the line
         if fact is not None:
             signs = {each.sign for links in fact.relation.options for each in links}
             ordered = signs and signs <= {*_UP, *_DOWN, "!="}

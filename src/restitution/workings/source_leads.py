@@ -23,7 +23,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.render import layout as lay
-from restitution.workings.grounds import motion_of
+from restitution.workings.grounds import compared_quantities, motion_of
 from restitution.workings.lines_around import LinesAround
 from restitution.workings.meetings import condition_of, passing_of
 from restitution.workings.sources import Source
@@ -120,7 +120,12 @@ class SourceLeads(LinesAround):
                 elif equations:
                     yield say("derived.add", equations=equations)
             case _:
-                if equations:
+                compared = compared_quantities(self._derivation, line)
+                if compared is not None and equations:
+                    self._given.add(compared.id)
+                    words = self._naming.fact(compared)
+                    yield say("given.fact-from", fact=words, equations=equations)
+                elif equations:
                     yield say("derived.add", equations=equations)
 
     def _written(self, line: Line) -> lay.Layout | None:
