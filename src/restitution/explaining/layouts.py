@@ -8,7 +8,7 @@ from dataclasses import fields, replace
 from fractions import Fraction as Ratio
 from functools import lru_cache, reduce
 from math import isqrt
-from typing import Any
+from typing import Any, TypeGuard
 
 from restitution.explaining.derivation import Link, Relation
 from restitution.explaining.trees import rebuilt
@@ -102,7 +102,7 @@ class Forms:
 
     ``typed`` are trees of the statement: a number that stands there with a root below a line is
     printed like that everywhere, and where there are decimals, a fraction is a decimal if it has an
-    end and was not typed itself. A half, unless it was typed as 0.5, may be that of an energy.
+    end and was not typed itself. A half that is that of an energy stays one.
     """
 
     def __init__(self, typed: Iterable[Expression] = ()) -> None:
@@ -112,8 +112,12 @@ class Forms:
         self._fractions = {Ratio(1, 2)}
         decimals: set[Ratio] = set()
         for tree in typed:
+            # A percentage of a quantity makes no decimals of other numbers.
+            shares = [node.left for node in walk(tree) if _is_share_of_a_quantity(node)]
             for node in walk(tree):
                 match node:
+                    case Number(value) if node in shares:
+                        shares.remove(node)
                     case Number(value) if value.denominator > 1:
                         self._decimal = True
                         decimals.add(value)
@@ -137,6 +141,19 @@ class Forms:
                 return left
             case Binary("/", Number(a), Number(b)) if self._is_decimal(a, b):
                 return Number(a / b)
+            case Binary("*", Number(factor) as half, squares) if factor == _HALF and _has_a_square(
+                squares
+            ):
+                return Binary("*", _halved(half), squares)
+            case Binary("*", Binary("*", Number(factor) as half, mass), squares) if (
+                factor == _HALF
+                and (
+                    isinstance(mass, Number)
+                    or (isinstance(mass, Letter) and _is_of_squares(squares))
+                )
+                and _has_a_square(squares)
+            ):
+                return Binary("*", Binary("*", _halved(half), mass), squares)
             case Binary(
                 "/", Binary("+" | "-"), Apply("sqrt") | Binary("*", Number(), Apply("sqrt"))
             ):
@@ -185,6 +202,37 @@ class Forms:
             if not second
             else Binary("/", whole, reduce(lambda a, b: Binary("*", a, b), second))
         )
+
+
+_HALF, _TWO = Ratio(1, 2), Number(Ratio(2))
+
+
+def _halved(half: Number) -> Expression:
+    """A half as a fraction."""
+    return Binary("/", Number(Ratio(half.value.numerator)), Number(Ratio(half.value.denominator)))
+
+
+def _has_a_square(tree: Expression) -> bool:
+    """Whether there is a square in a tree."""
+    return any(isinstance(e, Binary) and e.op == "^" and e.right == _TWO for e in walk(tree))
+
+
+def _is_of_squares(tree: Expression) -> bool:
+    """Whether a tree is a square, or a sum or difference of them: ½m(u² − v²) is an energy."""
+    match tree:
+        case Binary("+" | "-", left, right):
+            return _is_of_squares(left) and _is_of_squares(right)
+        case Binary("^", _, exponent):
+            return exponent == _TWO
+    return False
+
+
+def _is_share_of_a_quantity(node: Expression) -> TypeGuard[Binary]:
+    """Whether a part of a quantity is typed in decimals, or as a percentage: 0.25 energy(0)."""
+    match node:
+        case Binary("*", Number(value), Quantity("energy" | "energy_lost" | "total_energy_lost")):
+            return 0 < value < 1
+    return False
 
 
 class AsTyped(Forms):

@@ -152,10 +152,11 @@ def _tangent_with_values(scene: Scene, subject: Expression, own: Formula) -> int
         put, refs = scene.put(value)
         if not scene.model.identically_zero(put - own.value):
             continue
-        if not refs:
+        lets = scene.lets_in(desk.last_link(line.number))
+        if not refs and not lets:
             return line.number
         relation = chain(subject, (tree_of(in_tangents(put)), None))
-        premises = scene.judge.enough(Move("put"), (line.number, *refs), relation)
+        premises = scene.judge.enough(Move("put"), (line.number, *refs), relation, lets)
         if premises is not None:
             return desk.write(Move("put"), premises, relation)
     return None

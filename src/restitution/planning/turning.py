@@ -230,8 +230,7 @@ def _by_inverse(scene: Scene, own: Ratio) -> int:
         named = (range_of(scene, right.right.name),)  # of 90° − α
     refs = together((own.line, own.extent), own.side, named)
     relation, move = chain(Letter(own.letter), (right, None)), Move("inverse")
-    others = (*scene.lets_in(scene.desk.last_link(own.line)), *background(scene, letters(right)))
-    refs = scene.judge.enough(move, refs, relation, others) or refs
+    refs = scene.judge.enough(move, refs, relation, background(scene, letters(right))) or refs
     return scene.desk.write(move, refs, relation)
 
 
