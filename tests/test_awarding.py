@@ -410,6 +410,22 @@ a: 3 speed(P, 1) = 1/3 u
 b: 4 deflection(P, 1) = 180°
 c: 5 direction(P, 1) = 90°
 """,
+    # A scalar product with the unit vector along the line of centres is a component.
+    "a-component": """
+sphere A: mass 1, velocity 3i
+sphere B: mass 1, at rest
+A hits B: along i, e = 1/3
+find along(velocity(A), i), dot(velocity(A), line_of_centres)
+---
+1 a | let | | let v = along(velocity(A, 1), line_of_centres(1))
+2 a | let | | let w = along(velocity(B, 1), line_of_centres(1))
+3 a | law momentum 1 A B | mass A, velocity A, axis 1, mass B, velocity B, 1, 2 | 3 = v + w
+4 a | law restitution 1 A B | e 1, velocity A, axis 1, velocity B, 1, 2 | w - v = 1/3 * 3
+5 a | combine w | 3, 4 | v = 1
+6 b | define product 1 A | 5, 1 | dot(velocity(A, 1), line_of_centres(1)) = 1
+a: 5 v = 1
+b: 6 dot(velocity(A, 1), line_of_centres(1)) = 1
+""",
     # The relative speed is the same at every time.
     "two-times": """
 sphere A: mass 2, velocity 3i - 4j
@@ -474,6 +490,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("condition", "rejected-root", 7, "DM1", "DM1 A1", "DM1"),
     ("difference-of-angles", "greatest-deflection", 9, "", "", ""),
     ("angle-read-off", "straight-back", 4, "A1ft", "A1ft", "A1ft"),
+    ("product-read-off", "a-component", 6, "A1ft", "A1ft", "A1ft"),
     ("direction-read-off", "straight-back", 5, "A1ft", "A1ft", "A1ft"),
     ("angle-by-a-difference", "equal-elastic", 10, "DM1 A1ft", "DM1 A1ft", "DM1 A1ft"),
     ("data", "corner", 8, "", "", ""),
