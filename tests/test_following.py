@@ -191,6 +191,15 @@ find velocity(P)
 """
 
 
+SPEED_SQUARED = """
+wall W: along j
+sphere P: mass m, velocity u at theta
+P hits W
+given speed(P)^2 = u^2 (1 - 2e)^2
+find theta
+"""
+
+
 def complaints(statement: str, working: str) -> list[str]:
     """What is wrong with the lines of a working, by reason."""
     problem = parse(statement)
@@ -406,6 +415,15 @@ def test_what_only_looks_right_is_refused(statement: str, working: str, expected
 )
 def test_what_is_right_is_followed(statement: str, working: str) -> None:
     assert complaints(statement, working) == []
+
+
+@pytest.mark.parametrize(
+    ("root", "right"),
+    [("abs(1 - 2e) u", True), ("(1 - 2e) u", False), ("-(1 - 2e) u", False), ("(2 - e) u", False)],
+)
+def test_a_speed_is_the_root_of_its_square_that_is_not_negative(root: str, right: bool) -> None:
+    working = f"1 a | rearrange | given 1 | speed(P, 1) = {root}"
+    assert (complaints(SPEED_SQUARED, working) == []) == right
 
 
 def test_what_rests_on_a_fact_of_another_part_may_be_said_again() -> None:

@@ -171,6 +171,34 @@ def _chords(step: Step, event: Event | None) -> Iterator[Link]:
         yield Link(Quantity("across", (velocity, here)), "=", across)
     for speed in _speeds(velocity, radial):
         yield Link(Binary("*", chord, speed), "=", Binary("*", double, Negate(along)))
+    if since:
+        yield from _chord_as_before(step, body, (since, number), circle)
+
+
+def _chord_as_before(
+    step: Step, body: Name, ends: tuple[int, int], circle: tuple[Expression | None, Expression]
+) -> Iterator[Link]:
+    """The times of a chord and of the one before it: as 2r times a component over speed squared."""
+    since, number = ends
+    own = [e.number for e in step.setting.events if body.name in e.bodies[:2]]
+    before = max((each for each in own if each < since), default=0)
+    if before and _circle(step, body, before) != circle:
+        return
+    if not before and _radius_to(step, body, 0, *circle) is None:
+        return
+    sizes = []
+    radial = Quantity("line_of_centres", (), since)
+    for stage in (before, since):
+        velocity = Quantity("velocity", (body,), stage)
+        along, across = (Quantity(kind, (velocity, radial)) for kind in ("along", "across"))
+        sizes.append((along, _sum([_squared(along), _squared(across)])))
+    (towards, early), (away, late) = sizes
+    first, second = (
+        Binary("-", Quantity("time", (), b), Quantity("time", (), a))
+        for a, b in ((before, since), (since, number))
+    )
+    left = Binary("*", Binary("*", second, late), towards)
+    yield Link(left, "=", Binary("*", Binary("*", first, early), Negate(away)))
 
 
 def _speeds(velocity: Quantity, radial: Expression) -> Iterator[Expression]:

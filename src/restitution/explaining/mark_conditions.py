@@ -145,13 +145,27 @@ def _zero(work: Work, line: Line) -> bool:
 
 
 def _another_chord(work: Work, line: Line) -> bool:
-    """A component on a chord, below another one in the part: the angles are equal once more."""
+    """A component on a chord, below another one in the part: the angles are equal once more.
+
+    Or the time on a chord, as that on the one before.
+    """
+    if _is_as_before(line):
+        return True
     match subject_of(line):
         case Quantity("along" | "across"):
             pass
         case _:
             return False
     return any(each.move.record == "chord" for each in work.above(line))
+
+
+def _is_as_before(line: Line) -> bool:
+    """Whether a line says that a time is another one."""
+    assert isinstance(line.relation, Relation)
+    match line.relation.options[0][0].right:
+        case Quantity("time") | Binary("-", Quantity("time"), Quantity("time")):
+            return True
+    return False
 
 
 def _at_another_time(work: Work, line: Line) -> bool:

@@ -197,6 +197,11 @@ SENTENCES: Mapping[SentenceId, str] = {
         "A chord subtends 180° less twice its angle with the radii at the centre, and the three "
         "subtend 360°, so their three angles make 90°"
     ),
+    "round.title-same": (
+        "The impacts change the size of neither component, so all three chords make the same angle "
+        "with the radii at their ends. Each subtends 180° less twice that angle at the centre, and "
+        "the three subtend 360°, so the three angles make 90°"
+    ),
     "round.why": (
         "A chord and the radii to its ends form an isosceles triangle, so at the centre the chord "
         "subtends 180° less twice its angle with the radii. Three chords that close subtend 360° "
@@ -213,6 +218,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "chord.through": "{body} moves through the centre",
     "chord.time": "Time = length of the chord ÷ speed",
+    "chord.as-before": (
+        "The impact changes the size of neither component, so the next chord is as long, and takes "
+        "as long"
+    ),
     "derived.chord": "length of the chord",
     "chord.why": (
         "The radius to the point of impact is perpendicular to the wall there. Two radii and "

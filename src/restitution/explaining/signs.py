@@ -173,7 +173,7 @@ def ratio(world: World, line: Quotient, expected: Quotient) -> Quotient | None:
     """
     if line.vanishes or expected.vanishes or _strangers(world, line, expected):
         return None
-    by_root = _ratio_of_leads(world, line, expected)
+    by_root = _ratio_of_leads(world, line, expected) or _ratio_with_a_divisor(world, line, expected)
     if by_root is not None:
         return by_root
     above, below = without_common(line.above, expected.above)
@@ -220,6 +220,26 @@ def _ratio_of_leads(world: World, line: Quotient, expected: Quotient) -> Quotien
     if world.reduced(Quotient(a * lead_b - b * lead_a, a.ring.one)).vanishes:
         above, below = without_common(lead_a * expected.below, lead_b * line.below)
         return Quotient(above, below)
+    return None
+
+
+def _ratio_with_a_divisor(world: World, line: Quotient, expected: Quotient) -> Quotient | None:
+    """K where one of two is the other times what is printed below a line and has roots in it."""
+    if not world.squares:
+        return None
+    one, roots = line.above.ring.one, set(world.squares)
+    for divisor in dict.fromkeys(world.denominators):
+        if len(divisor) < 2 or roots.isdisjoint(world.keys(divisor)):
+            continue
+        for a, b in ((divisor, one), (one, divisor)):
+            sides = [
+                world.reduced(Quotient(each.above * times, one))
+                for each, times in ((line, a), (expected, b))
+            ]
+            k = _ratio_of_leads(world, *sides)
+            if k is not None:
+                above, below = k.above * b * expected.below, k.below * a * line.below
+                return Quotient(*without_common(above, below))
     return None
 
 

@@ -26,6 +26,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angle_ratios import write_other_ratio
 from restitution.planning.collecting import multiplied_out
+from restitution.planning.crossing import multiplied_across
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import (
     ZERO,
@@ -78,7 +79,7 @@ def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
     number = _by_sine_and_cosine(scene, number, symbol)
     number = _without_common_sums(scene, root_taken(scene, number, symbol), symbol)
     if not (is_square_of_sum(scene, number, symbol) or is_product_of_sums(scene, number, symbol)):
-        number = multiplied_out(scene, number, symbol)
+        number = multiplied_out(scene, multiplied_across(scene, number, symbol), symbol)
     for shape in SHAPES:
         try:
             source = shape(scene, number, symbol)

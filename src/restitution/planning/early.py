@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 from restitution.errors import RestitutionError
 from restitution.explaining.derivation import Fact
 from restitution.explaining.facts import facts_of
-from restitution.expression.tree import has_quantity
+from restitution.explaining.trees import trees_of
+from restitution.expression.tree import Quantity, has_quantity, walk
 from restitution.problem import Find, Given, Part, Problem, Show, Value
 from restitution.solving import solve
 from restitution.solving.solution import ItemResult, PartSolution, Solution
@@ -85,7 +86,7 @@ def _without(
             break
         if same:
             ended.add(index)
-        in_terms = of_motion or terms(part.part, index) is not None
+        in_terms = terms(part.part, index) is not None or (of_motion and _serves(alone, late))
         if alone.kind == "show" if same else in_terms:
             count = index
     ended = {each for each in ended if each <= count}
@@ -120,6 +121,19 @@ def _is_same(alone: ItemResult, whole: ItemResult) -> bool:
     if alone.kind == "show":
         return bool(alone.holds) and bool(whole.holds)
     return _answers(alone) == _answers(whole)
+
+
+def _serves(result: ItemResult, late: tuple[Fact, ...]) -> bool:
+    """Whether the facts below an item may close by it: an energy or an impulse is no way to another
+    quantity.
+    """
+    item = result.item
+    match item.expression if isinstance(item, Value) else None:
+        case Quantity("energy" | "energy_lost" | "total_energy_lost" | "impulse" as kind):
+            said = (tree for each in late for tree in trees_of(each.relation))
+            nodes = (node for tree in said for node in walk(tree))
+            return any(isinstance(node, Quantity) and node.kind == kind for node in nodes)
+    return True
 
 
 def _answers(result: ItemResult) -> list[object]:

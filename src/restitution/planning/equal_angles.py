@@ -16,6 +16,8 @@ from restitution.planning.named_angles import letter_of
 from restitution.planning.quantities import formula
 from restitution.planning.scalar_angles import write_cosine
 from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.turn_lines import write_turn_tangent
+from restitution.planning.turns import turns_of
 
 
 def write_equal_angles(scene: Scene, each: GivenEquation) -> int:
@@ -24,13 +26,14 @@ def write_equal_angles(scene: Scene, each: GivenEquation) -> int:
     if len(angles) != 2:
         raise NotPlannedError("equal angles without tangents")
     right_angles = any(scene.model.sign(sp.cos(scene.scalar(angle))) == 0 for angle in angles)
-    for lines in (_cosines,) if right_angles else (_tangents, _squared_tangents):
+    for lines in (_cosines,) if right_angles else (_by_turns, _tangents, _squared_tangents):
         mark = scene.desk.mark()
         refs = lines(scene, angles)
         if refs is not None:
             left, right = (scene.desk.last_link(ref).right for ref in refs)
             relation = Relation(((Link(left, "=", right),),))
-            equal = _named(scene, each, angles) if right_angles else each.fact.id
+            named = lines in (_cosines, _by_turns)
+            equal = _named(scene, each, angles) if named else each.fact.id
             premises = scene.judge.enough(Move("put"), [*refs, equal], relation)
             if premises is not None:
                 return scene.desk.write(Move("put"), premises, relation)
@@ -58,6 +61,21 @@ def _formulas(scene: Scene, angles: Sequence[Quantity]) -> list[Formula]:
     if any(own.move.record not in _BY_TANGENTS for own in formulas):
         raise NotPlannedError("equal angles without tangents")
     return formulas
+
+
+def _by_turns(scene: Scene, angles: Sequence[Quantity]) -> list[int] | None:
+    """Deflections by the angles of both velocities to one line; None of other angles."""
+    if any(own.move.record != "tan-deflection" for own in _formulas(scene, angles)):
+        return None
+    refs: list[int] = []
+    for angle in angles:
+        letter, _ = letter_of(scene, angle)
+        tangents = (write_turn_tangent(scene, e, Letter(letter)) for e in turns_of(scene, angle))
+        line = next((each for each in tangents if each is not None), None)
+        if line is None:
+            return None
+        refs.append(line)
+    return refs
 
 
 def _tangents(scene: Scene, angles: Sequence[Quantity]) -> list[int] | None:

@@ -5,15 +5,17 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move
+from restitution.explaining.derivation import Meaning, Move, Relation
 from restitution.explaining.trees import exchanged
 from restitution.expression.tree import (
     Apply,
+    Degrees,
     Expression,
     Letter,
     Quantity,
     has_quantity,
     letters,
+    walk,
 )
 from restitution.planning.desk import Source, chain, together
 from restitution.planning.forms import square, tree_of
@@ -44,6 +46,8 @@ def quoted_as(scene: Scene, each: GivenEquation, subject: Expression) -> int | N
     if has_quantity(each.link.right):
         return None
     known = scene.desk.known(subject)
+    if known is None and isinstance(subject, Apply):
+        return _by_its_tangent(scene, each, subject.argument)
     if known is None or not scene.unknown(known.value):
         return None
     if has_root(known.value):
@@ -66,6 +70,52 @@ def quoted_as(scene: Scene, each: GivenEquation, subject: Expression) -> int | N
         together(each.lets, lets, refs, more),
     )
     return None if premises is None else scene.desk.write(Move("put"), premises, relation)
+
+
+def _by_its_tangent(scene: Scene, each: GivenEquation, angle: Expression) -> int | None:
+    """The value of an angle that is given, put into a line that has its tangent in letters."""
+    value, more = scene.put(scene.scalar(each.link.right))
+    tangent = tidy(sp.tan(value))
+    if more or has_quantity(each.link.right) or not tangent.is_number or not tangent.is_finite:
+        return None
+    for meaning in scene.desk.lines:
+        if not isinstance(meaning.relation, Meaning) or meaning.relation.quantity != angle:
+            continue
+        letter = Letter(meaning.relation.letter)
+        line = _standing_tangent(scene, Apply("tan", letter))
+        if line is None:
+            continue
+        left = scene.desk.last_link(line).right
+        if not scene.unknown(scene.scalar(left)):
+            continue
+        mark = scene.desk.mark()
+        equal = chain(letter, (each.link.right, None))
+        pool = each.fact.id, meaning.number
+        fact = scene.judge.write((Move("fact"),), pool, equal)
+        relation = chain(left, (tree_of(tangent), None))
+        if isinstance(each.link.right, Degrees):
+            own = Apply("tan", each.link.right)
+            relation = chain(left, (own, None), (tree_of(tangent), "rearrange"))
+        put = fact and scene.judge.write((Move("put"),), (line, fact), relation)
+        if put:
+            return put
+        scene.desk.back(mark)
+    return None
+
+
+def _standing_tangent(scene: Scene, tangent: Apply) -> int | None:
+    """The last line in force that gives a tangent in letters."""
+    for line in reversed(scene.desk.lines):
+        own = line.relation
+        if not isinstance(own, Relation) or len(own.options) > 1 or own.only[0].left != tangent:
+            continue
+        plain = all(each.sign == "=" for each in own.only)
+        if plain and not has_quantity(own.only[-1].right) and scene.desk.holds(line.number):
+            ratios = [node for node in walk(own.only[-1].right) if isinstance(node, Apply)]
+            meant = scene.desk.meanings([line.number])
+            named = {scene.desk.line(each).relation.letter for each in meant}  # type: ignore[union-attr]
+            return None if any(named & letters(node) for node in ratios) else line.number
+    return None
 
 
 def _without_its_root(scene: Scene, each: GivenEquation, known: Source) -> int | None:

@@ -10,7 +10,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import Apply, Binary, Expression, Name, Negate, Polar, Quantity
-from restitution.planning.circles import circle_of, from_centre
+from restitution.planning.circles import chord_from, circle_of, from_centre
 from restitution.planning.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.flights import added
 from restitution.planning.forms import difference, product, square, swept, total, tree_of
@@ -27,6 +27,9 @@ def time_on_a_chord(scene: Scene, body: str, number: int, since: int, flight: Ex
 
     It is written as the value of ``flight``.
     """
+    again = _as_before(scene, body, number, since, flight) if since else None
+    if again is not None:
+        return again
     begin: tuple[Ref, ...] = () if since else ("start",)
     speed = _speed_on_a_chord(scene, body, since)
     length = _chord(scene, body, number, since, speed)
@@ -41,6 +44,47 @@ def time_on_a_chord(scene: Scene, body: str, number: int, since: int, flight: Ex
         ),
     )
     return scene.desk.know(flight, value, (line,))
+
+
+def _as_before(
+    scene: Scene, body: str, number: int, since: int, flight: Expression
+) -> Source | None:
+    """The time on a chord as that on the one before, where both components keep their sizes.
+
+    None where they do not, or no line gives that time.
+    """
+    before = chord_from(scene, body, since)
+    earlier: Expression = time_tree(since)
+    if before:
+        earlier = difference(earlier, time_tree(before))
+    known = scene.desk.known(earlier)
+    if before is None or known is None:
+        return None
+    frame = scene.frame(since)
+    sources: list[Source] = []
+    for kind in ("along", "across"):
+        component = scene.desk.known(frame.component(kind, body, before))
+        late = after(scene, kind, body, frame)
+        if component is None or tidy(_put(scene, component) ** 2 - _put(scene, late) ** 2) != 0:
+            return None
+        sources += [component, late]
+    relation = chain(flight, (earlier, None), (tree_of(known.value), "put"))
+    pool = together(
+        ("start", f"position {body}", f"contact {since}", f"contact {number}"),
+        (f"contact {before}",) if before else (),
+        *(together(each.whole, scene.put(each.value)[1]) for each in sources),
+        background(scene, {s.name for each in sources for s in each.value.free_symbols}),
+        known.refs,
+    )
+    move = Move("define", "chord", number, (body,))
+    refs = scene.judge.needed(move, pool, relation, known.refs)
+    if refs is None:
+        return None
+    return scene.desk.know(flight, known.value, (scene.desk.write(move, refs, relation),))
+
+
+def _put(scene: Scene, source: Source) -> sp.Expr:
+    return sp.sympify(scene.put(source.value)[0], strict=True)
 
 
 def _chord(scene: Scene, body: str, number: int, since: int, speed: Source) -> Source:

@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, Ref
+from restitution.explaining.derivation import Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    letters,
     walk,
 )
 from restitution.planning.assembling import put_together
@@ -228,7 +229,26 @@ def speed_formula(scene: Scene, quantity: Quantity) -> Formula:
         # Products of ratios of several angles are longer multiplied out.
         size = min(size, _with_factor_outside(value), key=lambda each: each.count_ops())
     right = tree if value == 0 else Apply("sqrt", tree)
-    return Formula(move, itself, quantity, right, size, refs)
+    own = Formula(move, itself, quantity, right, size, refs)
+    return _by_its_square(scene, own) or own
+
+
+def _by_its_square(scene: Scene, own: Formula) -> Formula | None:
+    """A speed by a line that gives its square; None where there is none."""
+    subject, final = square(own.quantity), tree_of(own.value)
+    relation = chain(own.quantity, (final, None))
+    for line in scene.desk.lines:
+        above = line.relation
+        if not isinstance(above, Relation) or not scene.desk.holds(line.number):
+            continue
+        if len(above.options) > 1 or above.only[0].left != subject or above.only[0].sign != "=":
+            continue
+        known = scene.judge.known(letters(final))
+        for move in (Move("rearrange"), Move("identity", "pythagoras")):
+            refs = scene.judge.enough(move, (line.number,), relation, known)
+            if refs is not None:
+                return replace(own, move=move, right=final, refs=refs)
+    return None
 
 
 def _by_its_angle(
@@ -288,8 +308,6 @@ def _of_one_square(scene: Scene, tree: Expression) -> sp.Expr | None:
     if not isinstance(tree, Binary) or tree.op != "^":
         return None
     base = scene.scalar(tree.left)
-    if any(not each.exp.is_Integer and each.free_symbols for each in base.atoms(sp.Pow)):
-        return None
     sign = proved_sign(scene.model.ground, base) if base.free_symbols else None
     return tidy(sign * base) if sign else None
 

@@ -41,7 +41,11 @@ def extreme(
     if line.move.record != "approached":
         called = operand(naming.extreme(link.left, greatest=greatest))
         where = tuple(naming.relation(Relation(((place,),))) for place in places)
-        return called, "=", (say("derived.for", places=where),) if where else ()
+        reasons: tuple[Sentence, ...] = (say("derived.for", places=where),) if where else ()
+        bound = _bound_above(derivation, line)
+        if bound is not None:
+            reasons += (say("derived.as", reasons=(naming.relation(bound),)),)
+        return called, "=", reasons
     none: SentenceId = "extremum.no-greatest" if greatest else "extremum.no-least"
     name: SentenceId = "extremum.approached" if shown else none
     return (
@@ -52,6 +56,17 @@ def extreme(
             for place, behind in reached_there
         ),
     )
+
+
+def _bound_above(derivation: Derivation, line: Line) -> Relation | None:
+    """The bound that a value reaches, where that is the answer of an earlier item."""
+    ends = {end.line for end in derivation.items}
+    for ref in line.premises:
+        own = derivation.line(ref) if isinstance(ref, int) else None
+        bound = None if own is None or own.number not in ends else own.relation
+        if isinstance(bound, Relation) and bound == line.relation:
+            return bound
+    return None
 
 
 def value_reached(

@@ -60,9 +60,9 @@ def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
     Inside it, a component along the wall is counted to the left of the radius.
     """
     assert isinstance(line.relation, Relation)
-    left = line.relation.options[0][0].left
+    left, right = line.relation.options[0][0].left, line.relation.options[0][0].right
     if is_time(left):
-        return say("chord.time")
+        return say("chord.as-before") if is_time(right) else say("chord.time")
     if isinstance(left, Quantity) and left.kind == "distance":
         return _length_title(derivation, line, wall)
     if _is_on_a_diameter(derivation, line):

@@ -289,6 +289,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 return None
             case "perpendicular", _ if last.sign in FLIPPED:
                 return None
+            case "round", Binary("+", left, right) if left == right and left in walk(last.right):
+                return say("round.title-same")
             case "speed", Binary("*"):
                 return say("derived-speed.resolved", body=bodies[0])
             case "speed", Quantity() if _is_by_an_angle(first.right):

@@ -10,7 +10,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
-from restitution.explaining.derivation import Derivation, Line, Link, Ref, Relation, Sign
+from restitution.explaining.derivation import Derivation, Line, Link, Ref, Relation, Sign, whole_of
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.trees import rebuilt
 from restitution.expression.evaluate import in_letters
@@ -55,10 +55,11 @@ class RightAngles:
         self._naming = naming
         self._roles = roles
         self._poles: dict[int, _Pole | None] = {}
+        self._closings: dict[int, Sentence | None] = {}
 
     def of(self, line: Line) -> Sentence | None:
         """What is said behind a tangent of an angle that may be 90°, or made of such a one."""
-        return self._right_angle(line) or self._upright_too(line)
+        return self._right_angle(line) or self._upright_too(line) or self._closes(line)
 
     def sign_by_a_bound(self, value: Expression) -> tuple[Sign, Link] | None:
         """That a component is positive, or not negative, by a bound of a coefficient.
@@ -144,6 +145,76 @@ class RightAngles:
             angle=self._naming.relation(turned),
         )
 
+    def _closes(self, line: Line) -> Sentence | None:
+        """That an equation made of tangents holds too where one of these angles is a right one.
+
+        It is said of the first line in which nothing is divided by what is zero there.
+        """
+        if any(self._closing(own) is not None for own in self._above(line)):
+            return None
+        return self._closing(line)
+
+    def _closing(self, line: Line) -> Sentence | None:
+        if line.number not in self._closings:
+            self._closings[line.number] = self._closing_of(line)
+        return self._closings[line.number]
+
+    def _closing_of(self, line: Line) -> Sentence | None:
+        assert isinstance(line.relation, Relation)
+        whole = whole_of(line.relation.options[0])
+        if line.move.id not in ("put", "rearrange", "cancel") or len(line.relation.options) > 1:
+            return None
+        if whole is None or whole.sign != "=":
+            return None
+        above = list(self._above(line))
+        poles = [pole for own in above if (pole := self._pole(own)) is not None]
+        if len(poles) != 1 or not poles[0].upright or not isinstance(poles[0].angle, Letter):
+            return None
+        (pole,) = poles
+        for own in above:
+            angle = self._other_angle(own, pole.angle)
+            if angle is not None and _holds_at(whole, angle, pole.at):
+                name, value = angle
+                where = Relation(((Link(Letter(name), "=", tree_of(value, angle=True)),),))
+                at = self._naming.relation(Relation(((pole.at,),)))
+                return say("derived.upright-too", at=at, angle=self._naming.relation(where))
+        return None
+
+    def _above(self, line: Line) -> Iterator[Line]:
+        """The lines on which one rests, as far as those of its angles and their tangents."""
+        pending, seen = list(line.premises), set[Ref]()
+        while pending:
+            ref = pending.pop()
+            own = None if ref in seen else self._line(ref)
+            seen.add(ref)
+            if own is not None:
+                yield own
+                if own.move.id in ("put", "rearrange", "cancel", "identity"):
+                    pending += own.premises
+
+    def _other_angle(self, line: Line, right: Expression) -> tuple[str, sp.Expr] | None:
+        """The letter of the data in an equation of angles, with its value where one is 90°."""
+        assert isinstance(line.relation, Relation)
+        whole = whole_of(line.relation.options[0])
+        if whole is None or whole.sign != "=" or len(line.relation.options) > 1:
+            return None
+        sides = whole.left, whole.right
+        names = {name for side in sides for name in letters(side)} - letters(right)
+        if not letters(right) & {n for side in sides for n in letters(side)} or len(names) != 1:
+            return None
+        (name,) = names
+        role = self._roles.get(name)
+        trees = [rebuilt(side, lambda e: _RIGHT_ANGLE if e == right else e) for side in sides]
+        worths = [in_letters_alone(tree) for tree in trees]
+        if role is None or role.kind != "angle" or worths[0] is None or worths[1] is None:
+            return None
+        gap, symbol = sp.expand(worths[0] - worths[1]), sp.Symbol(name)
+        slope = sp.diff(gap, symbol)
+        if not slope.is_number or slope == 0 or gap.has(sp.Function):
+            return None
+        value = tidy(-gap.subs(symbol, 0) / slope)
+        return (name, value) if bool(value > 0) and bool(value < sp.pi / 2) else None
+
     def _given_in(self, value: sp.Expr, line: Line) -> sp.Expr:
         """A value in tangents of letters, those put in that a line takes from the data."""
         facts = [self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str)]
@@ -226,6 +297,23 @@ class RightAngles:
         """A line with a relation among the premises."""
         own = self._derivation.line(ref) if isinstance(ref, int) else None
         return own if own is not None and isinstance(own.relation, Relation) else None
+
+
+def _holds_at(whole: Link, angle: tuple[str, sp.Expr], at: Link) -> bool:
+    """Whether an equation holds, and nothing in it is without a value, at an angle and a pole."""
+    sides = [in_letters_alone(each) for each in (whole.left, whole.right, at.left, at.right)]
+    if any(each is None for each in sides):
+        return False
+    left, right, first, second = (each.subs(sp.Symbol(angle[0]), angle[1]) for each in sides)  # type: ignore[union-attr]
+    gap = sp.expand(first - second)
+    for symbol in sorted(gap.free_symbols, key=str):
+        slope = sp.diff(gap, symbol)
+        if slope != 0 and not slope.has(symbol):
+            root = -gap.subs(symbol, 0) / slope
+            there = [each.subs(symbol, root) for each in (left, right)]
+            finite = not any(each.has(sp.zoo, sp.nan, sp.oo) for each in there)
+            return finite and bool(tidy(there[0] - there[1]) == 0)
+    return False
 
 
 def _made_of(line: Line, turn: Letter) -> Expression | None:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from fractions import Fraction
 
 from restitution.explaining.definitions import (
     ZERO,
+    axis_of,
     tie_of,
 )
 from restitution.explaining.derivation import Event, Link, Meaning
@@ -41,7 +43,9 @@ def is_definition(step: Step, line: Link) -> bool:
         return _is_resolved(step, line)
     if step.move.record in ("perpendicular", "parallel") and tie_of(line) is not None:
         return is_tie(step, line)
-    return (step.move.record == "speed" and _is_read_off(step, line)) or is_law(step, line)
+    if step.move.record == "speed" and (_is_read_off(step, line) or _is_component(step, line)):
+        return True
+    return is_law(step, line)
 
 
 def _is_turned(step: Step, line: Link) -> bool:
@@ -104,6 +108,35 @@ def _is_read_off(step: Step, line: Link) -> bool:
                 known, right = (step.world.scalar(each) for each in (size, line.right))
                 if (known - right).vanishes and step.signs.of(known) == 1:
                     return True
+    return False
+
+
+def _is_component(step: Step, line: Link) -> bool:
+    """A speed as the size of one component of certain sign, where the other is zero.
+
+    With roots of letters in it the component is not seen in the root of its square.
+    """
+    event = step.setting.event(step.move.event)
+    if event is None or line.sign != "=" or len(step.move.bodies) != 1:
+        return False
+    velocity = Quantity("velocity", (Name(step.move.bodies[0]),), event.number)
+    if line.left != replace(velocity, kind="speed"):
+        return False
+    rules = step.rules()
+    parts = [
+        rules.put_into(step.world.value(Quantity(kind, (velocity, axis_of(event)))))
+        for kind in ("along", "across")
+    ]
+    right = step.world.value(line.right)
+    for own, other in (parts, parts[::-1]):
+        match own, other, right:
+            case Quotient(), Quotient(), Quotient() if other.vanishes:
+                pass
+            case _:
+                continue
+        for size in (right - own, right + own):
+            if step.world.reduced(size).vanishes and step.signs.of(right) == 1:
+                return True
     return False
 
 

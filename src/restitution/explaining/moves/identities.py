@@ -12,7 +12,7 @@ from restitution.explaining.moves.bases import (
     from_base,
     others_cited,
 )
-from restitution.explaining.moves.putting import by_values, matches_with
+from restitution.explaining.moves.putting import by_values, is_root_of, matches_with
 from restitution.explaining.quotients import NotComparableError, Quotient
 from restitution.explaining.rules import Rules
 from restitution.explaining.step import Step
@@ -45,7 +45,8 @@ def is_identity(step: Step, line: Link) -> bool:
     return any(
         _of_angle(chosen, line, each, rules)
         if chosen.world.is_angle(each.left)
-        else matches_with(chosen, line, expected_residual(chosen, each, rules), rules, each.sign)
+        else is_root_of(chosen, line, each)
+        or matches_with(chosen, line, expected_residual(chosen, each, rules), rules, each.sign)
         for each in base.only
     )
 

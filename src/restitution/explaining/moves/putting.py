@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Number,
     Quantity,
     walk,
 )
@@ -159,6 +160,7 @@ def is_rearrangement(step: Step, line: Link) -> bool:
     return any(
         _same_direction(step, line, each)
         or _is_squared(step, line, each)
+        or is_root_of(step, line, each)
         or matches(step, line, expected_residual(step, each, Rules(step.world)), each.sign)
         for each in flat(base.only)
         if each.sign != "≈"
@@ -178,6 +180,19 @@ def _is_squared(step: Step, line: Link, base: Link) -> bool:
     if not all(step.world.reduced(x**2 - y).vanishes for x, y in ((a, c), (b, d))):  # type: ignore[operator]
         return False
     return _never_negative(step, base.left) and _never_negative(step, base.right)
+
+
+def is_root_of(step: Step, line: Link, base: Link) -> bool:
+    """Whether a line gives a speed of which its base gives the square."""
+    match base:
+        case Link(Binary("^", Quantity("speed") as speed, Number(2)), "=", square):
+            pass
+        case _:
+            return False
+    if (line.left, line.sign) != (speed, "="):
+        return False
+    root, below = step.world.scalar(line.right), step.world.scalar(square)
+    return step.world.reduced(root**2 - below).vanishes and _never_negative(step, line.right)
 
 
 def _is_size_or_root(tree: Expression) -> bool:

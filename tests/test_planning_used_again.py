@@ -1,0 +1,142 @@
+"""What a working has already is used: a tangent, the square of a speed, a component."""
+
+from __future__ import annotations
+
+from restitution.explaining.follower import follow
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solving import solve
+from restitution.solving.letters import roles
+from restitution.workings import explain, to_text
+
+TURNED = """
+sphere A: mass m, velocity u at 45°
+sphere B: mass 3m, at rest
+A hits B: along i
+part a
+find range of deflection(A)
+part b
+given deflection(A) = 60°
+find e
+"""
+
+SQUARED = """
+wall W: along i
+sphere P: mass m, velocity u at α to W
+P hits W: e = 1/√2
+show speed(P)^2 = 1/4 u^2 (3 + cos 2α)
+find speed(P)
+"""
+
+ONE_LINE = """
+sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+A hits B: along i
+given energy_lost = 1/4 energy(0)
+find e in terms of k
+find speed(B) in terms of k, u
+find range of k
+find range of e
+find minimum of k over e
+"""
+
+EARLY = """
+wall W: along 3i + 4j
+sphere P: mass m, velocity u i
+P hits W
+find velocity(P), energy_lost
+given velocity(P) perpendicular to i
+find e
+"""
+
+TWICE = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i
+given deflection(A) = alpha
+find k in terms of e, alpha
+"""
+
+EQUAL = """
+sphere A: mass m, velocity u at 60°
+sphere B: mass 2m, velocity u at 30° from -i
+A hits B: along i
+given deflection(A) = deflection(B)
+find e
+"""
+
+
+CHORDS = """
+wall C: circle centre (0, 0) radius a
+point S: (-a, 0)
+sphere P: at (-a, 0), velocity u at alpha
+P hits C
+P hits C
+P reaches S
+given e = {}
+find alpha, time(3)
+"""
+
+
+def worked(text: str) -> str:
+    """The working of a statement, which the follower accepts."""
+    solution = solve(parse(text))
+    assert follow(plan(solution), Oracle(roles(solution.problem))) == ()
+    return to_text(explain(solution), 80)
+
+
+def test_a_tangent_that_stands_takes_the_angle_that_is_given() -> None:
+    last = worked(TURNED).partition("(b)")[2]
+    assert "3(1 + e)/(5 − 3e) = tan 60° = √3" in last
+    assert "β" not in last
+
+
+def test_a_speed_comes_of_the_line_of_its_square() -> None:
+    printed = worked(SQUARED)
+    assert "From (1), as sin² + cos² = 1:\n    speed of P = u√((2 − sin²α)/2)" in printed
+    assert printed.count("Speed, from its components") == 1
+
+
+def test_a_speed_in_one_line_is_its_component_though_that_has_roots() -> None:
+    printed = worked(ONE_LINE)
+    assert "speed of B = (2√k + √(3k − 1))u/(2(1 + k)√k)" in printed
+    assert "7k" not in printed
+
+
+def test_a_least_value_far_below_its_bound_has_that_for_its_reason() -> None:
+    assert "least value of k = ⅓, when e = 0, as k ≥ ⅓" in worked(ONE_LINE)
+
+
+def test_an_energy_does_not_stand_before_the_fact_that_closes_without_it() -> None:
+    before, _, after = worked(EARLY).partition("It is given that")
+    assert "𝐯_P = " in before and "kinetic energy lost" not in before
+    assert "½m((4u/5)² − (9u/20)²) = 7mu²/32" in after
+
+
+def test_a_right_angle_that_is_opened_is_closed_by_the_equation_without_quotients() -> None:
+    printed = worked(TWICE)
+    assert "β = 90° if 1 = ek" in printed
+    assert "(1 + k)(1 − tan²α) = 2(1 − ek), also if 1 = ek, where α = 45°" in printed
+    assert printed.count("also if") == 1
+
+
+def test_equal_deflections_go_by_angles_to_one_line_and_surds_are_multiplied_across() -> None:
+    printed = to_text(explain(solve(parse(EQUAL))), 80)
+    assert "vector product" not in printed
+    assert "tan φ = (tan θ − tan ψ)/(1 + tan θ tan ψ)" in printed
+    assert "√3(3 + √3)(5 − 2√3 − e) = 5 − √3 − (1 + √3)e" in printed
+
+
+def test_a_chord_of_the_same_components_takes_as_long_as_the_one_before() -> None:
+    printed = worked(CHORDS.format("1"))
+    assert printed.count("length of the chord =") == 1
+    assert "t₂ − t₁ = t₁ = √3 a/u\n" in printed
+    assert "t₃ − t₂ = t₂ − t₁ = √3 a/u\n" in printed
+    assert "all three chords make the same angle" in printed.replace("\n", " ")
+
+
+def test_chords_of_other_components_are_worked_out_one_by_one() -> None:
+    printed = worked(CHORDS.format("1/2"))
+    assert "as long" not in printed
+    assert printed.count("length of the chord =") == 3
