@@ -49,6 +49,19 @@ A hits B: along i
 given along(velocity(A), i) < 0
 show v > u
 """
+TO_A_WALL = """
+wall W: along 3i + 4j
+wall X: along i + j
+sphere P: mass 1, velocity 7i + j
+P hits W: e = 1/3
+find speed(P), angle(velocity(P), X)
+"""
+ACROSS = """
+sphere A: mass 2m, velocity 3u i
+sphere B: mass m, velocity u j
+A hits B: along i, e = 1/2
+find deflection(B)
+"""
 
 # Statement, and words of its working, worked out by hand.
 SAYS = [
@@ -61,6 +74,10 @@ SAYS = [
     (NO_GREATEST, "as k/(1 + k) = 1 − 1/(1 + k) < 1 and α is acute"),
     # v > (3 − e)u/(1 + e), which is u for e = 1
     (END_OF_A_BOUND, "as (3 − e)u/(1 + e) decreases as e increases and 0 ≤ e ≤ 1"),
+    (TO_A_WALL, "cos β = (5/3 + 5)/((5√10/3)√(1² + 1²)) = 2√5/5"),
+    # 2 × 3 = 2v + w and w − v = 3/2: w = 3
+    (ACROSS, "B came in the direction of 𝐣"),
+    (ACROSS, "tan δ = 3u/u = 3 DM1 δ = arctan 3"),
 ]
 SAYS_NOT = [
     (FASTER, "Conservation of momentum"),

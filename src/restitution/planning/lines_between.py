@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import sympy as sp
@@ -28,7 +29,11 @@ from restitution.planning.polynomials import expanded
 from restitution.planning.quantities import formula
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.unit_vectors import whole_direction
-from restitution.planning.velocity_formulas import body_and_stage, velocity_source
+from restitution.planning.velocity_formulas import (
+    body_and_stage,
+    size_that_stands,
+    velocity_source,
+)
 from restitution.vector import Vector
 
 
@@ -55,17 +60,29 @@ def angle_of_lines(scene: Scene, quantity: Quantity) -> Formula:
     """The cosine of the angle between two directions, by their scalar product."""
     sources = [_source(scene, argument) for argument in quantity.arguments]
     a, b = (source.value for source in sources)
-    right, value = cosine_of([(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)], a, b)
+    sizes = [
+        size_that_stands(scene, *body_and_stage(scene, each)) if is_moving(each) else None
+        for each in quantity.arguments
+    ]
+    pairs = [(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)]
+    right, value = cosine_of(pairs, a, b, sizes)
     if any(map(is_line, quantity.arguments)) and scene.model.sign(value) < 0:
         b = -b
         pairs = [(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)]
-        right, value = cosine_of(pairs, a, b)
+        right, value = cosine_of(pairs, a, b, sizes)
     moving = [
         body_and_stage(scene, argument) for argument in quantity.arguments if is_moving(argument)
     ]
     event = max((stage for _, stage in moving), default=0) or None
     move = Move("define", "scalar-angle", event, tuple(dict.fromkeys(body for body, _ in moving)))
-    return Formula(move, cosine, quantity, right, value, together(*(e.whole for e in sources)))
+    return Formula(
+        move,
+        cosine,
+        quantity,
+        right,
+        value,
+        together(*(e.whole for e in sources)),
+    )
 
 
 def _source(scene: Scene, tree: Expression) -> Source:
@@ -106,7 +123,7 @@ def cosine_of(
     pairs: list[tuple[Expression, Expression]],
     a: Any,
     b: Any,
-    known: tuple[Expression | None, Expression | None] = (None, None),
+    known: Sequence[Expression | None] = (None, None),
 ) -> tuple[Expression, sp.Expr]:
     """The cosine of the angle between two vectors: as it is written, and what it comes to.
 

@@ -80,6 +80,7 @@ from restitution.planning.velocity_formulas import (
     in_the_plane,
     known_speed,
     known_vector,
+    size_that_stands,
     velocity_source,
 )
 from restitution.planning.wall_turns import tangent_at_a_wall
@@ -467,7 +468,8 @@ def _deflection(
         if frame.wall is not None:
             refs = together(*(each.refs for each in (*early, *late)))
         pairs = [(tree_of(p.value), tree_of(q.value)) for p, q in zip(early, late, strict=True)]
-        right, value = cosine_of(pairs, a, b)
+        sizes = [size_that_stands(scene, body, stage) for stage in (event - 1, event)]
+        right, value = cosine_of(pairs, a, b, sizes)
         if wanted != "cos":
             value = sp.Integer(scene.model.sign(value))
         letter, meaning = letter_of(scene, asked)
@@ -475,7 +477,7 @@ def _deflection(
         refs = together((meaning,), refs, *(_own_size(scene, each) for each in (a, b)))
         line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
         return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
-    if wanted != "cos" and frame.is_slanted:
+    if wanted != "cos" and (frame.is_slanted or early[0].value == 0):
         from_axis = _from_an_axis(scene, body, event, asked)
         if from_axis is not None:
             return from_axis
@@ -510,16 +512,23 @@ def _deflection(
 def _from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio | None:
     """The tangent of a deflection of a body that came along **i** or **j**, by its velocity after.
 
-    None where no line says that velocity as a vector, or the tangent has letters.
+    That is a vector, or has components along and across a line of centres at right angles to which
+    the body came. None of another, and where the tangent has letters.
     """
-    late = scene.desk.known(Quantity("velocity", (Name(body),), event))
-    if late is None or not isinstance(late.value, Vector):
-        return None
     early = in_the_plane(scene, body, event - 1)
     axis = next((n for n in (0, 1) if early[1 - n].value == 0 != early[n].value), None)
     if axis is None:
         return None
-    ahead, aside = late.value[axis], late.value[1 - axis]
+    known = scene.desk.known(Quantity("velocity", (Name(body),), event))
+    if scene.frame(event).is_slanted and known is not None and isinstance(known.value, Vector):
+        late, rest = known.value, known.refs
+    elif not scene.frame(event).is_slanted and scene.frame(event).n[axis] == 0:
+        components = in_the_plane(scene, body, event)
+        late = Vector(*(each.value for each in components))
+        rest = together(*(each.whole for each in components))
+    else:
+        return None
+    ahead, aside = late[axis], late[1 - axis]
     if scene.model.sign(early[axis].value) < 0:
         ahead = -ahead
     if scene.model.sign(aside) < 0:
@@ -533,7 +542,7 @@ def _from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio
         Apply("tan", Letter(letter)),
         swept(Binary("/", tree_of(aside), tree_of(ahead))),
     )
-    whole = together((meaning,), late.refs, *(each.whole for each in early))
+    whole = together((meaning,), rest, *(each.whole for each in early))
     refs = scene.judge.needed(move, whole, chain(subject, (right, None)))
     if refs is None:
         return None

@@ -190,6 +190,14 @@ def known_speed(scene: Scene, body: str, stage: int) -> Source | None:
     return None
 
 
+def size_that_stands(scene: Scene, body: str, stage: int) -> Expression | None:
+    """The size of a velocity after an event, where a line gives it; None of one that is a sum."""
+    known = known_speed(scene, body, stage) if stage else None
+    if known is None or sp.sympify(known.value, strict=True).has(sp.Add, sp.Abs):
+        return None
+    return tree_of(known.value)
+
+
 def _bridge(frame: Frame, components: Iterable[Source]) -> tuple[Ref, ...]:
     """The axis, where one component is named by it and the other by **i** or **j**."""
     mixed = isinstance(frame.along, Quantity) and frame.across is not None
