@@ -62,6 +62,12 @@ sphere B: mass m, velocity u j
 A hits B: along i, e = 1/2
 find deflection(B)
 """
+ONE_ANGLE = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass M, at rest
+A hits B: along i
+find tan(direction(A)), tan(deflection(A))
+"""
 
 # Statement, and words of its working, worked out by hand.
 SAYS = [
@@ -78,8 +84,11 @@ SAYS = [
     # 2 × 3 = 2v + w and w − v = 3/2: w = 3
     (ACROSS, "B came in the direction of 𝐣"),
     (ACROSS, "tan δ = 3u/u = 3 DM1 δ = arctan 3"),
+    (ONE_ANGLE, "δ = θ − α"),
+    (ONE_ANGLE, "tan δ = (tan θ − tan α)/(1 + tan θ tan α)"),
 ]
 SAYS_NOT = [
+    (ONE_ANGLE, "β"),
     (FASTER, "Conservation of momentum"),
     (FASTER_FROM_BEHIND, "Eliminating"),
     (SLOWER_THAN_BEFORE, "tends to"),

@@ -365,3 +365,27 @@ def numbered_anew(derivation: Derivation, order: list[Line]) -> Derivation:
             for case in derivation.cases
         ),
     )
+
+
+def without_unprinted_angles(derivation: Derivation) -> Derivation:
+    """The same working, in which a letter for an angle that no printed line has is not let in."""
+    printed = {
+        name
+        for line in derivation.lines
+        if isinstance(line.relation, Relation) and line.shown != "silent"
+        for tree in trees_of(line.relation)
+        for name in letters(tree)
+    }
+    printed |= {
+        name for end in derivation.items for t in trees_of(end.answer) for name in letters(t)
+    }
+
+    def mended(line: Line) -> Line:
+        match line.relation:
+            case Meaning(letter, Quantity("angle" | "deflection" | "direction")) if (
+                letter not in printed
+            ):
+                return replace(line, shown="silent")
+        return line
+
+    return replace(derivation, lines=tuple(map(mended, derivation.lines)))

@@ -55,7 +55,7 @@ from restitution.planning.either_side import on_one_side, write_other_side
 from restitution.planning.extrema import only_answer, write_extremum
 from restitution.planning.facts_once import with_facts_once
 from restitution.planning.forms import tree_of
-from restitution.planning.gathering import gathered, numbered_anew
+from restitution.planning.gathering import gathered, numbered_anew, without_unprinted_angles
 from restitution.planning.given_terms import turn_round
 from restitution.planning.items import write_item
 from restitution.planning.late_facts import write_with_facts
@@ -138,7 +138,7 @@ def _finished(problem: Problem, desk: Desk) -> Derivation:
         whole = pruned(shortened(whole, oracle))
     for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):
         whole = mended(whole, oracle)
-    return gathered(with_facts_once(whole))
+    return gathered(with_facts_once(without_unprinted_angles(whole)))
 
 
 def _not_planned(error: Exception) -> NotPlannedError:

@@ -36,11 +36,15 @@ from restitution.planning.turns import NONE, Direction, Form, Turn
 
 @dataclass(frozen=True)
 class Term:
-    """An angle of which another is made: as lines say it, its tangent, and what that rests on."""
+    """An angle of which another is made: as lines say it, its tangent, and what that rests on.
+
+    ``same`` says that it is one which has a letter already.
+    """
 
     angle: Expression
     tangent: Expression
     refs: tuple[Ref, ...] = ()
+    same: tuple[Ref, ...] = ()
 
 
 def write_turn(
@@ -218,7 +222,7 @@ def write_turn_tangent(scene: Scene, turn: Turn, subject: Expression) -> int | N
     terms, tangent = terms_of(scene, turn), None
     if terms is not None:
         relation = chain(subject, (turn.made_of(*(term.angle for term in terms)), None))
-        number = made_of_angles(scene, turn, relation, ())
+        number = made_of_angles(scene, turn, relation, together(*(term.same for term in terms)))
         if number is not None:
             tangent = by_tangents(scene, number, turn.form, terms, Apply("tan", subject))
     if tangent is None:
@@ -263,8 +267,26 @@ def _term(scene: Scene, side: Direction) -> Term:
         if (same := _by_its_letter(scene, side, own.value)) is not None:
             return same
         line, letter = tangent_line(scene, side.named, own, own.move)
-        return Term(Letter(letter), scene.desk.last_link(line).right, (line,))
+        term = Term(Letter(letter), scene.desk.last_link(line).right, (line,))
+        return _with_its_first_letter(scene, term, line)
     return term_of_data(scene, side.angle)
+
+
+def _with_its_first_letter(scene: Scene, term: Term, line: int) -> Term:
+    """An angle by the letter that it has already: the lines with a second one are not printed."""
+    desk = scene.desk
+    for ref in desk.line(line).premises if desk.line(line).move.id == "put" else ():
+        own = desk.line(ref) if isinstance(ref, int) else None
+        if own is None or own.move.record != "difference" or not isinstance(ref, int):
+            continue
+        link = desk.last_link(ref)
+        if link.left != term.angle or not isinstance(link.right, Letter):
+            continue
+        for each in (line, ref):
+            desk.lines[each - 1] = replace(desk.line(each), shown="silent")
+        rest = tuple(each for each in desk.line(line).premises if each != ref)
+        return Term(link.right, term.tangent, rest, (ref,))
+    return term
 
 
 def _by_its_letter(scene: Scene, side: Direction, tangent: sp.Expr) -> Term | None:
