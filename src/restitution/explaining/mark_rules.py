@@ -102,7 +102,7 @@ RULES: tuple[Rule, ...] = (
     _rule("solved-together", ("combine",), "M A", when=("of-laws", "first"), caie=""),
     _rule("put-together-with-a-law", ("put",), "M", when=("of-laws", "first"), caie=""),
     _rule("two-values-of-a-letter", ("put",), "M", when=("of-one-letter",)),
-    _rule("another-value", ("combine",), "A", when=("of-laws", "another")),
+    _rule("another-value", ("combine", "put"), "A", when=("of-laws", "another")),
     _rule("solved-again", ("combine",), "", when=("of-laws",)),
     _rule("unknowns-of-equations", ("solve",), "M A"),
     _rule("equations-joined", ("combine", "divide", "square-add"), "M"),

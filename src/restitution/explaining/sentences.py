@@ -122,6 +122,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Components before the impact, those parallel to {wall} in the direction of {axis}:"
     ),
     "resolved.before-vector": "Components before the impact, as {vector}:",
+    "resolved.before-moved-off": (
+        "{body} was at rest, so it moved off along the line of centres: {vector}. Components "
+        "before the impact:"
+    ),
     "resolved-axes.wall": "Components along {wall} and perpendicular to it:",
     "resolved-axes.title": "Components along the axes:",
     "resolved-spheres.after-units": "Components after the impact:",
@@ -829,6 +833,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.upright-too": "also if {at}, where {angle}",
     "derived.cotangent": "the cotangent decreases from 0° to 180°",
     "derived.as": "as {reasons:and}",
+    "derived.as-because": "as {reasons:and}, because {causes:and}",
     "derived.no-root": "{value} does not satisfy {equation}",
     "derived.would": "{value} would give {result} by {equations:and}",
     "derived.the": "the {quantity}",

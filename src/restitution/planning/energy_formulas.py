@@ -36,8 +36,10 @@ from restitution.planning.formulas import Formula, itself, write_formula
 from restitution.planning.frames import Frame
 from restitution.planning.impacts import in_direction
 from restitution.planning.polynomials import expanded
+from restitution.planning.premises import background
 from restitution.planning.scene import Scene
 from restitution.planning.velocity_formulas import (
+    body_and_stage,
     known_speed,
     parts,
     speed_formula,
@@ -116,6 +118,44 @@ def _known_energy(scene: Scene, stage: int, *bodies: str) -> Source | None:
         if known is not None:
             return known
     return None
+
+
+def speed_by_its_energy(scene: Scene, speed: Quantity) -> int | None:
+    """A speed by the line of its kinetic energy; None without one, or where that is no gain.
+
+    It is none where the speed is a line, and where a body has one component alone, or a root is
+    left.
+    """
+    body, stage = body_and_stage(scene, speed)
+    if stage not in scene.model.frames or known_speed(scene, body, stage):
+        return None
+    known, move = scene.desk.known(Quantity("energy", (Name(body),), stage)), "energy"
+    if known is None and tuple(scene.model.story.spheres) == (body,):
+        known, move = scene.desk.known(Quantity("energy", (), stage)), "total"
+    if known is None or any(each.value == 0 for each in parts(scene, body, stage)):
+        return None
+    mass = scene.mass(body)
+    squared = tidy(2 * known.value / mass.value)
+    value, more = scene.put(squared)
+    size = tidy(sp.sqrt(tidy(value)))
+    if scene.unknown(value) or size.has(sp.Add) or not size.is_rational_function():
+        return None
+    own = Quantity("speed", (Name(body),), stage)
+    define = Move("define", move, stage, (body,) if move == "energy" else ())
+    relation = chain(square(own), (tree_of(squared), None))
+    pool = together(known.refs, mass.refs)
+    line = scene.judge.write((define,), pool, relation, shown="inline" if more else "line")
+    if line is not None and more:
+        relation = chain(square(own), (tree_of(tidy(value)), None))
+        line = scene.judge.write((Move("put"),), (line, *more), relation)
+    if line is None:
+        return None
+    names = {each.name for each in squared.free_symbols}
+    root = chain(own, (tree_of(size), None))
+    line = scene.judge.write((Move("rearrange"),), (line, *background(scene, names)), root, (line,))
+    if line is not None:
+        scene.desk.know(own, size, (line,))
+    return line
 
 
 def _known_value(scene: Scene, tree: Expression) -> Source | None:

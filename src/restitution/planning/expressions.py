@@ -36,7 +36,7 @@ from restitution.planning.scene import Scene
 from restitution.planning.separations import relative_speed
 from restitution.planning.squared_ratios import write_by_squares
 from restitution.planning.turning import angle_line, write_decimal
-from restitution.planning.velocity_formulas import velocity_source
+from restitution.planning.velocity_formulas import squared_speed, velocity_source
 from restitution.vector import Vector
 
 _DATA = ("mass", "restitution")
@@ -53,9 +53,9 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         inside = scene.value(asked.argument)
         if isinstance(inside, Vector):
             return _write_size(scene, asked, inside)
-    change = energy_change(scene, asked)
-    if change is not None:
-        return write_formula(scene, change), tree_of(change.value)
+    own = energy_change(scene, asked) or squared_speed(scene, asked)
+    if own is not None:
+        return write_formula(scene, own), tree_of(own.value)
     values: dict[Expression, Expression] = {}
     refs: list[Ref] = []
     ranges: list[Ref] = []

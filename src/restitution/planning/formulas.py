@@ -23,8 +23,11 @@ from restitution.expression.tree import (
 from restitution.planning.between import root_of_a_square, terms_between
 from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.forms import (
+    outer_terms,
     swept,
+    total,
     tree_of,
+    vector,
 )
 from restitution.planning.polynomials import expanded, one_fraction
 from restitution.planning.premises import background, not_negative, sign_known
@@ -67,6 +70,7 @@ def formula_of_line(scene: Scene, quantity: Quantity, number_: int, value: Any) 
 
 # A speed from components with roots is a line that people write; deeper roots are not.
 _MOST_ROOTS = 2
+_PAIR = 2
 
 
 def write_formula(scene: Scene, own: Formula) -> int:
@@ -82,7 +86,11 @@ def write_formula(scene: Scene, own: Formula) -> int:
     if isinstance(own.value, Vector):
         number = scene.desk.write(own.move, own.refs, chain(own.left, (right, None)))
         if right != final:
-            link = chain(own.left, (final, None))
+            parted = _by_coordinates(scene, right)
+            steps: list[tuple[Expression, MoveId | None]] = [(final, None)]
+            if parted is not None:
+                steps = [(parted, None), (final, "rearrange")]
+            link = chain(own.left, *steps)
             move = Move("rearrange")
             pythagoras = Move("identity", "pythagoras")
             ratios = any(sp.sympify(each, strict=True).atoms(sp.sin, sp.cos) for each in own.value)
@@ -107,6 +115,27 @@ def write_formula(scene: Scene, own: Formula) -> int:
         number = scene.desk.write(own.move, refs, relation)
     scene.desk.know(own.quantity, own.value, (number,))
     return number
+
+
+def _by_coordinates(scene: Scene, right: Expression) -> Expression | None:
+    """A sum of two vectors by their coordinates, each still a sum of two.
+
+    None where these are added in the head: where no part of them is a sum itself.
+    """
+    terms = list(outer_terms(right))
+    if len(terms) != _PAIR:
+        return None
+    parts: list[list[sp.Expr]] = [[], []]
+    for term in terms:
+        value = scene.value(term)
+        if not isinstance(value, Vector):
+            return None
+        for part, size in zip(parts, value, strict=True):
+            part.append(tidy(size))
+    sums = [size for part in parts for size in part if size.has(sp.Add)]
+    if not sums or any(size == 0 for part in parts for size in part):
+        return None
+    return vector(*(total(map(tree_of, part)) for part in parts))
 
 
 def _with_squares(scene: Scene, root: Expression) -> tuple[tuple[Expression, MoveId | None], ...]:

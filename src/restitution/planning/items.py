@@ -30,6 +30,7 @@ from restitution.planning.angle_sums import write_tangent_of_sum
 from restitution.planning.axes import write_axis, write_wall
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.either_side import write_sides
+from restitution.planning.energy_formulas import speed_by_its_energy
 from restitution.planning.expressions import outermost, write_expression
 from restitution.planning.forms import ONE, difference, product, square, tree_of
 from restitution.planning.formulas import write_formula
@@ -104,6 +105,8 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             scene.desk.end(name, line_, chain(subject, (_right(scene, line_), None)))
         case Quantity() if (written := _written(scene, asked)) is not None:
             scene.desk.end(name, written, chain(asked, (_right(scene, written), None)))
+        case Quantity("speed") if (by_energy := speed_by_its_energy(scene, asked)) is not None:
+            scene.desk.end(name, by_energy, chain(asked, (_right(scene, by_energy), None)))
         case Quantity() if (squared := write_by_squares(scene, asked, formula)) is not None:
             scene.desk.end(name, squared, chain(asked, (_right(scene, squared), None)))
         case Quantity():

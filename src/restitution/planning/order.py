@@ -42,6 +42,7 @@ from restitution.planning.impacts import (
     restitution,
     settled,
 )
+from restitution.planning.laws_solved import put_into_restitution, tidied_law
 from restitution.planning.pairs import close_two
 from restitution.planning.polynomials import expanded, factor_powers, factored, one_fraction
 from restitution.planning.premises import background
@@ -767,7 +768,11 @@ class Solver:
         frame = scene.frame(number)
         for body in scene.spheres(number):
             after(scene, "along", body, frame)
-        lines = self._law_of("momentum", number), self._law_of("restitution", number)
+        laws = [
+            tidied_law(scene, self._law_of(kind, number), tuple(bodies))
+            for kind in ("momentum", "restitution")
+        ]
+        lines = laws[0], laws[1]
         for symbol in bodies:
             self.waiting[symbol] = frame, lines, tuple(bodies)
 
@@ -807,6 +812,12 @@ class Solver:
                     line = scene.desk.write(Move("put"), refs, relation)
                     scene.desk.know(letter, put, (line,))
                     return
+        if (
+            known is not None
+            and not scene.others
+            and put_into_restitution(scene, symbol, other, known, lines[1])
+        ):
+            return
         move = Move("combine", eliminated=other.name)
         relation = without(symbol, other, residuals, value)
         # Of what is zero no denominator says what was divided by.

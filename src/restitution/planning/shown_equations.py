@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning.angles_by_letters import write_by_equal_letters
 from restitution.planning.between import terms_between
 from restitution.planning.claims import Claims
 from restitution.planning.conditions import has_quantity_in
@@ -129,13 +130,16 @@ class Equation:
         ]
         if len(angles) != len(sides):
             return None
-        refs: list[Ref] = []
+        lines: list[int] = []
+        names: list[Ref] = []
         try:
             for each in angles:
                 self.claims.worths.determine(each)
-                refs += [angle_line(self.scene, each), *self.claims.worths.name_of(each)]
+                lines.append(angle_line(self.scene, each))
+                names += self.claims.worths.name_of(each)
         except NotPlannedError:
             return None
+        refs = [*(write_by_equal_letters(self.scene, lines) or lines), *names]
         return self.judge.write((Move("put"),), [*refs, *self._lets_of(*angles)], self.relation)
 
     def _lets_of(self, *angles: Quantity) -> list[int]:

@@ -16,6 +16,7 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Name,
+    Number,
     Polar,
     Quantity,
     Unit,
@@ -257,6 +258,25 @@ def _by_its_square(scene: Scene, own: Formula) -> Formula | None:
             if refs is not None:
                 return replace(own, move=move, right=final, refs=refs)
     return None
+
+
+def squared_speed(scene: Scene, asked: Expression) -> Formula | None:
+    """The square of a speed by its components, without its root.
+
+    None of anything else, where the speed is known or asked by itself, or is no root of a sum.
+    """
+    match asked:
+        case Binary("^", Quantity("speed", _, int()) as speed, Number(2)):
+            pass
+        case _:
+            return None
+    if speed in scene.asked_alone or known_speed(scene, *body_and_stage(scene, speed)):
+        return None
+    own = speed_formula(scene, speed)
+    if not isinstance(own.right, Apply) or own.right.function != "sqrt":
+        return None
+    value = tidy(expanded(scene.scalar(own.right.argument)))
+    return replace(own, quantity=asked, right=own.right.argument, value=value)
 
 
 def _by_its_angle(

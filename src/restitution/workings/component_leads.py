@@ -20,7 +20,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.workings.lines_around import LinesAround
-from restitution.workings.one_component import vector_resolved
+from restitution.workings.one_component import struck_at_rest, vector_resolved
 
 # Components before the impact, or after it: at a wall, and of spheres.
 _RESOLVED = {
@@ -66,6 +66,9 @@ class ComponentLeads(LinesAround):
             return say("resolved-spheres.before-turned")
         vector = vector_resolved(self._derivation, self._naming, line, event)
         if vector is not None:
+            struck = struck_at_rest(self._derivation, self._naming, line)
+            if struck is not None:
+                return say("resolved.before-moved-off", body=struck, vector=vector)
             return say("resolved.before-vector", vector=vector)
         return say(_RESOLVED[event.wall, stage < event.number])
 

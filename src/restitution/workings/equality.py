@@ -8,7 +8,7 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import FLIPPED, Derivation, Link, Relation, Sign
+from restitution.explaining.derivation import FLIPPED, Derivation, Line, Link, Relation, Sign
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, letters
 from restitution.oracle import Role
@@ -66,4 +66,22 @@ def divisor_left_out(above: Relation, line: Relation, roles: Mapping[str, Role])
     return Link(below, sign, Number(Fraction(1))) if rest.is_positive else None
 
 
-__all__ = ["divisor_left_out", "place_of_zero"]
+def equal_tangents(derivation: Derivation, line: Line) -> Relation | None:
+    """That the tangents of two angles are equal, by which a line says that the angles are."""
+    match line.relation:
+        case Relation(((Link(Letter() as one, "=", Letter() as other),),)):
+            pass
+        case _:
+            return None
+    cited = [derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
+    for own in cited:
+        match own.relation if own is not None and own.move.id == "inverse" else None:
+            case Relation(((Link(Letter(), "=", Apply("arctan")),),)):
+                pass
+            case _:
+                return None
+    equal = Link(Apply("tan", one), "=", Apply("tan", other))
+    return Relation(((equal,),)) if cited else None
+
+
+__all__ = ["divisor_left_out", "equal_tangents", "place_of_zero"]

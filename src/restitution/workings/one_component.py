@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from restitution.explaining.derivation import Derivation, Event, Line, Link, Meaning, Relation
-from restitution.expression.tree import Expression, Letter, Quantity, Unit, is_zero
+from restitution.expression.tree import Expression, Letter, Name, Pair, Quantity, Unit, is_zero
 from restitution.render import layout as lay
 from restitution.workings.measured import vector_worth
 from restitution.workings.naming import Naming
@@ -49,6 +49,28 @@ def vector_resolved(
     term = lay.product(size, unit_vector)
     vector = term if sign == way else lay.negative(term)
     return lay.Relation((naming.layout(velocity), vector), ("=",))
+
+
+def struck_at_rest(derivation: Derivation, naming: Naming, line: Line) -> str | None:
+    """The body whose velocity a line resolves, where an impact set it going from rest.
+
+    None where it met something before that.
+    """
+    assert isinstance(line.relation, Relation)
+    match line.relation.options[0][0].left:
+        case Quantity(_, (Quantity("velocity", (Name(body),), int(stage)), _)) if stage:
+            pass
+        case _:
+            return None
+    fact = derivation.fact(" ".join(("velocity", body)))
+    match None if fact is None else fact.relation.options[0][-1].right:
+        case Pair(x, y) if is_zero(x) and is_zero(y):
+            pass
+        case _:
+            return None
+    events = naming.events.items()
+    met = [number for number, event in events if body in event.bodies and number <= stage]
+    return body if met == [stage] and not naming.events[stage].wall else None
 
 
 def _component_of(naming: Naming, tree: Expression) -> Expression:

@@ -50,7 +50,7 @@ from restitution.workings.bounding_parts import (
     squares_of_terms,
     wave_of,
 )
-from restitution.workings.equality import divisor_left_out, place_of_zero
+from restitution.workings.equality import divisor_left_out, equal_tangents, place_of_zero
 from restitution.workings.factors import factor_cancelled, factor_left
 from restitution.workings.grounds import compared_quantities, grounds_of, motion_of
 from restitution.workings.growing import growth, limit_at_an_end, way_of
@@ -59,6 +59,7 @@ from restitution.workings.naming import Naming
 from restitution.workings.plain_signs import are_squares, positive_letters
 from restitution.workings.right_angles import RightAngles
 from restitution.workings.seen import growth_said, less_than_its_limit
+from restitution.workings.signs_of_factors import signs_of_factors
 from restitution.workings.sources import Sources, bound_broken, root_of_a_square
 
 _REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
@@ -105,6 +106,9 @@ class Reasons:
         since = later_than(self._derivation, self._naming, line)
         if since is not None:
             return (since,)
+        tangents = equal_tangents(self._derivation, line)
+        if tangents is not None:
+            return (say("derived.as", reasons=(self._laid(tangents),)),)
         grounds = tuple(map(self._ground, grounds_of(self._derivation, self._roles, line)))
         reasoned = line.move.id in _REASONED or self._ordered(line) or self._is_root(line)
         reasoned = reasoned or any(self._cleared(line)) or any(self._dropped(line))
@@ -136,6 +140,9 @@ class Reasons:
         if line.move.id == "reject" and not reasons:
             reasons = tuple(self._positive(line))
         reasons = (*(each for each in grounds if each not in reasons), *reasons)
+        signs = tuple(map(self._laid, signs_of_factors(self._derivation, line, self._roles)))
+        if signs and reasons:
+            return (say("derived.as-because", reasons=signs, causes=reasons),)
         if reasons and self._by_a_cotangent(line):
             reasons = (say("derived.cotangent"), *reasons)
         return (say("derived.as", reasons=reasons),) if reasons else ()
