@@ -20,6 +20,7 @@ from restitution.explaining.arrangement import (
 )
 from restitution.explaining.derivation import Fact, FactKind, Link, Relation, Sign
 from restitution.explaining.first_hits import hits
+from restitution.explaining.one_line import axis_of_all, side_along, with_lines_of_centres
 from restitution.explaining.quotients import Plane
 from restitution.explaining.trees import rebuilt, settled
 from restitution.expression.quantities import KINDS
@@ -68,7 +69,7 @@ _OF_AN_EVENT = frozenset(word for word in _STAGED if KINDS[word].of_an_event)
 
 def facts_of(problem: Problem) -> tuple[Fact, ...]:
     """What a problem gives, part by part. Made of the statement alone, once a problem."""
-    maker = FactsOf(problem)
+    maker = FactsOf(with_lines_of_centres(Arrangement(problem)))
     return tuple(maker.facts())
 
 
@@ -257,20 +258,17 @@ class FactsOf(Arrangement):
             return theirs
         met = {body for each in self.events[: number - 1] for body in each.bodies}
         places = [each.position for each in (first, second)]
-        if met & {first.name, second.name} or not isinstance(self.radius, Expression):
+        if not isinstance(self.radius, Expression):
             return None
-        if step.along not in (Unit("i"), Unit("j")):
+        if met & {first.name, second.name} and axis_of_all(self) is None:
+            return None
+        axis = step.along.operand if isinstance(step.along, Negate) else step.along
+        if axis not in (Unit("i"), Unit("j")):
             return self._beside_on_a_slant(step, theirs, places)
-        if all(isinstance(place, Pair) for place in places):
-            part = "x" if step.along == Unit("i") else "y"
-            side = self.sign(Binary("-", *(getattr(place, part) for place in reversed(places))))
-        elif any(isinstance(place, Pair) for place in places):
-            return None
-        else:
-            side = self.approach(first, second, step.along)
+        side = side_along(self, step, axis)
         if side is None:
             return None
-        apart = Binary("*", Binary("*", Number(Fraction(2)), self.radius), step.along)
+        apart = Binary("*", Binary("*", Number(Fraction(2)), self.radius), axis)
         return Binary("-" if side > 0 else "+", theirs, apart)
 
     def _beside_on_a_slant(

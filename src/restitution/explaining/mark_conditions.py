@@ -616,6 +616,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "of-laws": lambda work, line: bool(events_solved(work, line)),
     "first": lambda work, line: not _solved_before(work, line),
     "of-one-letter": _of_one_letter,
+    "of-a-letter": lambda work, line: isinstance(subject_of(line), Letter),
     "another": lambda work, line: len(_solved_before(work, line)) == 1,
     "on-the-way": lambda work, line: line.number not in work.ends,
     "justified": lambda work, line: line.item in work.justify,

@@ -535,6 +535,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{one} approaches {other} in the direction of {way}, and at the impact their centres are "
         "{distance} apart. So {other} is then at {place}."
     ),
+    "touch.gap": "When {one} and {other} touch, their centres are {distance} apart.",
     "touch.at": "The {position} is {place}.",
     "touch.origin": "The {position} is the origin.",
     "touch.meet": "{one} and {other} meet when their coordinates are equal:",

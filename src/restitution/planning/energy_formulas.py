@@ -49,12 +49,12 @@ from restitution.planning.velocity_formulas import (
 from restitution.vector import Vector
 
 
-def _half(mass: Expression, squares: Expression) -> Expression:
+def half(mass: Expression, squares: Expression) -> Expression:
     """Half of a mass times squares of speeds, in this order: ½ × 2(3² − 1²)."""
     if is_zero(squares):
         return squares
     if isinstance(squares, Negate):
-        return Negate(_half(mass, squares.operand))
+        return Negate(half(mass, squares.operand))
     factor: Expression = Binary("/", number(1), number(2))
     if mass != number(1):
         factor = Binary("*", factor, mass)
@@ -85,7 +85,7 @@ def energy_formula(scene: Scene, quantity: Quantity) -> Formula:
         if stage and stage != quantity.stage:
             own = together(own, scene.frame(stage).unit_free)
         mass = scene.mass(body)
-        terms.append(_half(tree_of(mass.value), tree))
+        terms.append(half(tree_of(mass.value), tree))
         values.append(mass.value * value / 2)
         refs += [*(() if value == 0 else mass.refs), *own]
     move = Move("define", "energy" if names else "total", quantity.stage or None, tuple(names))
@@ -266,7 +266,7 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
         mass = scene.mass(body)
         squared = [square(tree_of(each.value)) for each in (early, late)]
         change = difference(*squared)
-        terms.append(_half(tree_of(mass.value), change))
+        terms.append(half(tree_of(mass.value), change))
         values.append(mass.value * (early.value**2 - late.value**2) / 2)
         own = () if values[-1] == 0 else mass.refs
         refs += [*own, *early.whole, *late.whole]
@@ -313,7 +313,7 @@ def energy_change(scene: Scene, asked: Expression) -> Formula | None:
     value = mass.value * (ends[0].value ** 2 - ends[1].value ** 2) / 2
     refs = together(frame.names_axis("along"), mass.refs, *(end.whole for end in ends))
     move = Move("define", "energy-change", event, (body,))
-    right = _half(tree_of(mass.value), squared)
+    right = half(tree_of(mass.value), squared)
     return Formula(move, itself, asked, right, tidy(expanded(value)), refs)
 
 
@@ -332,7 +332,7 @@ def _lost_by_speeds(
         early, late = (known(scene, body, k) for k in (event - 1, event))
         if early is None or late is None:
             return None
-        halves = [_half(tree_of(mass.value), square(tree_of(e.value))) for e in (early, late)]
+        halves = [half(tree_of(mass.value), square(tree_of(e.value))) for e in (early, late)]
         terms.append(difference(*halves))
         values.append(mass.value * (early.value**2 - late.value**2) / 2)
         refs += [*mass.refs, *early.refs, *late.refs]

@@ -27,6 +27,7 @@ from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.energy_formulas import energy_change
 from restitution.planning.forms import outer_terms, square, swept, total, tree_of
 from restitution.planning.formulas import write_formula
+from restitution.planning.losses_by_products import write_loss_by_products
 from restitution.planning.named_angles import letter_of
 from restitution.planning.place_trees import is_duration
 from restitution.planning.polynomials import expanded
@@ -222,6 +223,8 @@ def _value_of(scene: Scene, node: Expression) -> Source | None:
         return Source(value, (number,))
     if isinstance(node, Quantity):
         if write_by_squares(scene, node, formula) is not None:
+            return scene.desk.known(node)
+        if write_loss_by_products(scene, node) is not None:
             return scene.desk.known(node)
         own = formula(scene, node)
         return Source(own.value, (write_formula(scene, own),))

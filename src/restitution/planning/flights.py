@@ -94,14 +94,17 @@ def time_quotient(
     first: sp.Expr,
     pace: sp.Expr,
     form: Expression | None = None,
+    end: Expression | None = None,
 ) -> Expression:
     """A distance over a speed, both positive as far as their values tell.
 
-    ``form`` is how the size of the speed is written, where that is not by its value.
+    ``form`` is how the size of the speed is written, and ``end`` how the coordinate at the end is,
+    where that is not by the value.
     """
+    ends = [tree_of(last) if end is None else end, tree_of(first)]
     if scene.model.sign(pace) < 0:
-        last, first, pace = first, last, -pace
-    distance = difference(tree_of(last), tree_of(first))
+        ends, pace = ends[::-1], -pace
+    distance = difference(*ends)
     return Binary("/", distance, tree_of(pace) if form is None else form)
 
 

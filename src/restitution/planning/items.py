@@ -35,6 +35,7 @@ from restitution.planning.expressions import outermost, write_expression
 from restitution.planning.forms import ONE, difference, product, square, tree_of
 from restitution.planning.formulas import write_formula
 from restitution.planning.impacts import after
+from restitution.planning.losses_by_products import write_loss_by_products
 from restitution.planning.momenta import write_by_momentum, write_total_kept
 from restitution.planning.order import Solver
 from restitution.planning.quantities import formula
@@ -109,6 +110,8 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             scene.desk.end(name, by_energy, chain(asked, (_right(scene, by_energy), None)))
         case Quantity() if (squared := write_by_squares(scene, asked, formula)) is not None:
             scene.desk.end(name, squared, chain(asked, (_right(scene, squared), None)))
+        case Quantity("energy_lost") if (lost := write_loss_by_products(scene, asked)) is not None:
+            scene.desk.end(name, lost, chain(asked, (_right(scene, lost), None)))
         case Quantity():
             own = formula(scene, asked)
             if scene.unknown(own.value):

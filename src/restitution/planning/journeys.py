@@ -22,7 +22,7 @@ from restitution.planning.places import (
 )
 from restitution.planning.scene import Scene
 from restitution.planning.steady import time_at_one_pace
-from restitution.planning.whereabouts import are_apart, standing, without_walls
+from restitution.planning.whereabouts import are_apart, last_move, standing, without_walls
 from restitution.vector import Vector
 
 
@@ -43,7 +43,25 @@ def goals(scene: Scene, asked: Expression) -> list[sp.Expr]:
             return [without_walls(scene, sp.sympify(x, strict=True)) for v in both for x in v]
     value = scene.value(asked)
     parts = list(value) if isinstance(value, Vector) else [value]
+    match asked:
+        case Quantity("time", (), int(number)):
+            parts += _on_the_way(scene, number)
     return [without_walls(scene, sp.sympify(part, strict=True)) for part in parts]
+
+
+def _on_the_way(scene: Scene, number: int) -> list[sp.Expr]:
+    """The velocities by which spheres come to an impact, where their centres are apart then.
+
+    The time of that is known by numbers, and says nothing of the letters that it comes of.
+    """
+    bodies = scene.bodies(number)
+    if not number or len(scene.spheres(number)) != len(bodies) or not are_apart(scene, number):
+        return []
+    own: list[sp.Expr] = []
+    for body in bodies:
+        since = last_move(scene, body, number)
+        own += [*scene.velocity(body, since), *_on_the_way(scene, since)]
+    return own
 
 
 def write(scene: Scene, asked: Expression) -> tuple[int, Any]:

@@ -552,11 +552,12 @@ def _flight(
     since: int,
     axis: Axis,
     begin: tuple[Ref, ...],
+    end: Expression | None = None,
 ) -> Source:
     first, last = ends
     pace = velocity(scene, body, since, axis)
     tree = time_quotient(
-        scene, last.value, first.value, pace.value, _by_degrees(scene, body, since, axis)
+        scene, last.value, first.value, pace.value, _by_degrees(scene, body, since, axis), end
     )
     value = tidy((last.value - first.value) / pace.value)
     refs = together(
@@ -668,7 +669,9 @@ def _leg_to_resting(scene: Scene, number: int, body: str, other: str) -> tuple[i
     begin = _begin(scene, since)
     axis = axis_of_approach(scene, number, body, other)
     first, last = coordinate(scene, body, since, axis), coordinate(scene, body, number, axis)
-    return since, _flight(scene, number, body, (first, last), since, axis, begin)
+    theirs = tree_of(tidy(last.value - offset_at(scene, body, number, axis)))
+    end = with_the_gap(scene, body, number, axis, theirs)
+    return since, _flight(scene, number, body, (first, last), since, axis, begin, end)
 
 
 def _leg_of_two(scene: Scene, number: int, body: str, other: str) -> tuple[int, Source]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Derivation, Event, Fact, Line, Link
+from restitution.explaining.derivation import Derivation, Event, Fact, Line, Link, Relation
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.tree import Binary, Expression, Quantity, Unit
 from restitution.planning.forms import tree_of
@@ -15,6 +15,16 @@ from restitution.render import layout as lay
 from restitution.vector import Vector
 from restitution.workings.measured import vector_worth, with_its_unit, worth
 from restitution.workings.naming import Naming
+
+
+def _is_of_time(line: Line) -> bool:
+    """Whether a line says how long a flight takes."""
+    assert isinstance(line.relation, Relation)
+    left = line.relation.only[0].left
+    return all(
+        isinstance(each, Quantity) and each.kind == "time"
+        for each in ((left.left, left.right) if isinstance(left, Binary) else (left,))
+    )
 
 
 class Radii:
@@ -64,11 +74,26 @@ class Radii:
             place=self._length(self._naming.layout(tree_of(place))),
         )
 
+    def _of_a_gap(self, event: Event, fact: Fact) -> Sentence | None:
+        """How far apart the centres of two spheres are that touch, before the time of that."""
+        match fact.relation.only[0].right:
+            case Binary("+" | "-", Quantity("position"), gap):
+                away = vector_worth(gap)
+            case _:
+                return None
+        if away is None or not any(away):
+            return None
+        one, other = event.bodies
+        size = self._naming.layout(tree_of(tidy(sp.sqrt(away.dot(away)))))
+        return say("touch.gap", one=one, other=other, distance=self._length(size))
+
     def _sentence(self, line: Line, ref: str) -> Sentence | None:
         fact = self._derivation.fact(ref)
         event = self._naming.events.get(int(ref.partition(" ")[2]))
         if fact is None or event is None:
             return None
+        if not event.wall and _is_of_time(line):
+            return self._of_a_gap(event, fact)
         if not event.wall:
             second = "origin" in line.premises and line.move.bodies == event.bodies[1:]
             return self._of_spheres(event, fact) if second else None
