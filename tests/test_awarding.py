@@ -468,6 +468,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("put-together-with-a-law", "parallel-afterwards", 8, "DM1", "DM1", ""),
     ("two-values-of-a-letter", "both", 7, "DM1", "DM1", "DM1"),
     ("another-value", "both-reversed", 6, "A1", "A1", "A1"),
+    ("another-value-put-in", "heavier-sphere-before-a-wall", 12, "A1", "A1", "A1"),
     ("solved-again", "repeated", 11, "", "", ""),
     ("equations-joined", "half-the-angle-out", 4, "M1", "DM1", "M1"),
     ("unknowns-of-equations", "together", 6, "DM1 A1", "DM1 A1", "DM1 A1"),

@@ -103,3 +103,69 @@ def test_the_factors_of_a_difference_have_their_signs() -> None:
     assert "as 1 − ek > 0 and e − k > 0, because k < e and e ≤ 1" in text or (
         "as 1 − ek > 0 and e − k > 0, because k < e ≤ 1" in text
     )
+
+
+def test_the_loss_of_two_moving_spheres_is_a_product() -> None:
+    solution, derivation = planned(
+        "sphere A: mass 2m, velocity u at alpha\nsphere B: mass 3m, velocity v at beta from -i\n"
+        "A hits B: along i\nfind energy_lost"
+    )
+    lines = [each for each in said(derivation) if each.startswith("energy_lost(1) = ")]
+    assert lines[-1].endswith("= 3m (1 - e^2) (u cos(alpha) + v cos(beta))^2/5 [rearrange]")
+    assert not any("cos(alpha)^2" in each or "cos^2" in each for each in lines)
+    assert "½ × 3m(x + v cos β)(u cos α + w − (x − v cos β))" in to_text(explain(solution))
+
+
+ROAD = (
+    "wall W: along j, through (12, 0)\nsphere A: mass 2, at (0, 0), velocity 3i, radius 1/2\n"
+    "sphere B: mass 1, at (9, 0), velocity -i, radius 1/2\n"
+    "A hits B: e = 1/2\nB hits W: e = 1/2\nA hits B: e = 1/2\n"
+)
+
+
+def test_spheres_on_a_line_meet_by_distances() -> None:
+    _, derivation = planned(f"{ROAD}find time(1), time(3), velocity(A)")
+    lines = said(derivation)
+    assert not any("^2" in each for each in lines)
+    assert "3time(1) = 9 - time(1) - 1" in lines
+    assert any(each.endswith("= 47/10 [rearrange]") for each in lines)
+
+
+def test_where_a_sphere_at_rest_is_struck_both_radii_are_taken_off() -> None:
+    text = text_of(
+        "sphere A: mass m, at (0, 0), velocity u j, radius r\n"
+        "sphere B: mass 2m, at (0, d), at rest, radius r\n"
+        "given d > 2r\nA hits B\nfind time(1)"
+    )
+    assert "When A and B touch, their centres are 2r apart." in text
+    assert "t = (d − 2r)/u" in text
+
+
+def test_spheres_off_a_line_have_the_line_of_centres_of_their_places() -> None:
+    text = text_of(
+        "sphere A: mass 1, at (0, 0), velocity 2i, radius 1\n"
+        "sphere B: mass 1, at (6, 1), at rest, radius 1\nA hits B: e = 1/2\nfind time(1)"
+    )
+    assert "A and B touch when their centres are 2 m apart" in text
+
+
+def test_a_given_speed_has_its_sense_by_a_bound_of_e() -> None:
+    text = text_of(
+        "sphere A: mass 2m, velocity 3u i\nsphere B: mass 3m, velocity u i\nA hits B: along i\n"
+        "given speed(B) = 2u\nfind e"
+    )
+    assert "It is given that the speed of B is 2u, and w > 0, as e ≥ 0:" in text
+
+
+def test_a_square_stands_alone_where_a_given_sign_lets_it() -> None:
+    text = text_of(
+        "sphere A: mass m, velocity u i + v j\nsphere B: mass m, velocity -u i + v j\n"
+        "A hits B: along i\ngiven energy_lost = 1/4 energy(0), u > 0\nfind e\nfind range of v/u"
+    )
+    assert "e² = (3u² − v²)/(4u²), as u > 0 (3)" in text
+    assert "(3u² − v²)/(4u²) ≥ 0, as e² ≥ 0" in text
+
+
+def test_what_holds_of_any_coefficient_is_shown_by_that() -> None:
+    text = text_of("wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\nshow e <= 1")
+    assert "e ≤ 1, as a coefficient of restitution is at most 1 (as required)" in text

@@ -258,8 +258,6 @@ class FactsOf(Arrangement):
             return theirs
         met = {body for each in self.events[: number - 1] for body in each.bodies}
         places = [each.position for each in (first, second)]
-        if not isinstance(self.radius, Expression):
-            return None
         if met & {first.name, second.name} and axis_of_all(self) is None:
             return None
         axis = step.along.operand if isinstance(step.along, Negate) else step.along

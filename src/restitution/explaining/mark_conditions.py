@@ -488,7 +488,12 @@ def _tells_a_quadrant(relation: Relation) -> bool:
 
 
 def _claim_without_method(work: Work, line: Line) -> bool:
-    """A claim is settled by comparing what stands: nothing else in its item is a method."""
+    """A claim is settled by comparing what stands: nothing else in its item is a method.
+
+    What holds of a letter anyway is nothing that stands.
+    """
+    if not any(True for _ in (*work.cited(line), *work.facts(line))):
+        return False
     end = work.ends.get(line.number)
     if line.number not in work.ends or (end is not None and line.number not in work.shown):
         return False

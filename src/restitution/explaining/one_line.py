@@ -77,9 +77,10 @@ def side_along(given: Arrangement, step: Impact, axis: Expression) -> int | None
 
 
 def with_lines_of_centres(given: Arrangement) -> Problem:
-    """The problem in which spheres on one axis have it as their line of centres, where none is told.
+    """The problem in which spheres that lie on one axis have it as their line of centres.
 
-    It leads from the first to the second. On a line they stay in their order.
+    It is that only where none is told, and it leads from the first to the second: they stay in
+    their order.
     """
     problem = given.problem
     steps = [step for step in problem.events if isinstance(step, Impact)]

@@ -732,6 +732,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.velocities": "velocities of {bodies:and}",
     "derived.meanings": "{letters:and} be the {quantity}",
     "derived.coefficient": "coefficient of restitution",
+    "derived.not-negative": "a coefficient of restitution is not negative",
+    "derived.at-most-one": "a coefficient of restitution is at most 1",
     "derived.speed": "speed of {of:and}",
     "derived.energy": "kinetic energy",
     "derived.energy-of": "kinetic energy of {bodies:and}",

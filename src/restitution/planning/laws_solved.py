@@ -86,7 +86,8 @@ def put_into_restitution(
     if slope not in (1, -1) or sp.diff(own, other) != -slope or not _is_plain(known.value):
         return False
     apart = tidy(one_fraction(-own.subs({symbol: 0, other: 0}) * slope))
-    if apart == 0 or scene.unknown(apart):
+    components = {each.symbol for each in scene.model.components.values()}
+    if apart == 0 or apart.free_symbols & components:
         return False
     lead = apart.as_coeff_Mul()[0].is_negative
     tree = tree_of(known.value)

@@ -335,6 +335,12 @@ def in_standard_form(
     names_ = {symbol.name for symbol in residual(scene, number).free_symbols}
     refs = scene.judge.enough(move, (number,), relation, background(scene, names_))
     if refs is None and pure:
+        # A given fact may tell that what it is divided by is not zero.
+        given = [each for each in scene.judge.known(names_) if each in scene.facts]
+        refs = scene.judge.enough(Move("cancel"), (number,), relation, given) if given else None
+        if refs is not None:
+            return scene.desk.write(Move("cancel"), refs, relation)
+    if refs is None and pure:
         # What it is divided by may be zero: that stands on the side of the square.
         sides = (polynomial.nth(2), -polynomial.nth(0))
         minus = scene.model.sign(scene.model.in_data(sides[1])) < 0

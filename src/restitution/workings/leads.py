@@ -167,12 +167,17 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         return next((each.right for each in links if each.left == own), axis)
 
     def _and_its_sense(self, line: Line, fact: Sentence | lay.Layout) -> Sentence | None:
-        """A given angle to a line, of which the tangent has a component of a certain sign below."""
+        """A given angle to a line, of which the tangent has a component of a certain sign below.
+
+        Or a given speed of what has one component, which has a certain sign.
+        """
         assert isinstance(line.relation, Relation)
-        match line.relation.options[0][0]:
-            case Link(left, "=", Binary("/", _, below)) if line.move.record == "tan":
+        match line.relation.options[0]:
+            case (Link(left, "=", Binary("/", _, below)), *_) if line.move.record == "tan":
                 if letters(left):
                     return None
+            case (Link(left, "=", below),) if line.move.record == "speed":
+                pass
             case _:
                 return None
         for own in map(self._cited, line.premises):

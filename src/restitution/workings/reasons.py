@@ -67,6 +67,7 @@ _OF_SQUARES = frozenset({"speed", "size", "energy", "total"})
 # A longer expression is told by the name of what it is worth.
 _LONGEST = 24
 ZERO = Number(Fraction(0))
+SQUARED = 2
 _UP, _DOWN = ("<", "<="), (">", ">=")
 _WEAK = ("<=", ">=")
 
@@ -117,7 +118,7 @@ class Reasons:
         if line.move.id == "cancel" and factor_cancelled(self._derivation, line) is not None:
             return ()  # the words before the line say it
         if self.is_own_range(line):
-            return ()
+            return tuple(self._as_it_is(line))
         would = self._would(line)
         if would is not None:
             return (say("derived.as", reasons=(would,)),)
@@ -256,6 +257,16 @@ class Reasons:
         assert isinstance(line.relation, Relation)
         reasons = self._known(line) if line.move.id in ("sign", "compare") else ()
         return reasons == (self._laid(line.relation),)
+
+    def _as_it_is(self, line: Line) -> Iterator[Sentence]:
+        """What holds of any coefficient of restitution, where no more than that is to be shown."""
+        assert isinstance(line.relation, Relation)
+        shown = any(end.line == line.number and end.shown for end in self._derivation.items)
+        match line.relation.options:
+            case ((Link(Letter(name), ">=" | "<=" as sign, Number()),),) if shown:
+                if name in self._roles and self._roles[name].kind == "restitution":
+                    bound = "derived.not-negative" if sign == ">=" else "derived.at-most-one"
+                    yield say("derived.as", reasons=(say(bound),))
 
     def known(self, line: Line) -> tuple[Sentence | lay.Layout, ...]:
         """What is known of letters on which a line rests."""
@@ -653,18 +664,23 @@ class Reasons:
                         return
 
     def _positive_square(self, line: Line) -> Iterator[Sentence]:
-        """That the square of a ratio is positive, where what it is equal to has to be so."""
+        """That a square is not negative, or that of a ratio positive, as what it is equal to is."""
         assert isinstance(line.relation, Relation)
         match line.relation.options:
-            case ((Link(_, ">" | "<", right),),) if right == ZERO and line.move.id == "sign":
+            case ((Link(_, ">" | "<" | ">=" | "<=" as sign, right),),) if (
+                right == ZERO and line.move.id == "sign"
+            ):
                 pass
             case _:
                 return
         own = [self._relation_of(ref) for ref in line.premises]
+        strict = sign in ("<", ">")
         match own:
-            case [Relation(((Link(Binary("^", Apply(), _) as square, "=", _),),))]:
-                positive = Relation(((Link(square, ">", ZERO),),))
-                yield say("derived.fact", fact=self._laid(positive))
+            case [Relation(((Link(Binary("^", base, Number(power)) as square, "=", _),),))] if (
+                power == SQUARED and isinstance(base, Apply if strict else Apply | Letter)
+            ):
+                bound = Relation(((Link(square, ">" if strict else ">=", ZERO),),))
+                yield say("derived.fact", fact=self._laid(bound))
 
     def _is_left(self, whole: Expression, square: Expression, bound: Expression) -> bool:
         """Whether a bound is what is left of a whole without a square."""
