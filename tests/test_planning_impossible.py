@@ -166,3 +166,28 @@ def test_a_square_that_would_be_negative() -> None:
     )
     shown = working(text)
     assert "(2u)² = v² + (3u)² M1 v² = −5u² A1 This cannot be, as u is positive." in shown
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (
+            (
+                "sphere A: mass 2, velocity 2i + 3j\nsphere B: mass 1, velocity 5i - j\n"
+                "A hits B: along i, e = 1/2\nfind velocity(A)"
+            ),
+            "along 𝐢 = 2 m s⁻¹ B1 component of 𝐮_B along 𝐢 = 5 m s⁻¹ B1 So A and B are separating",
+        ),
+        (
+            (
+                "wall W: along j, through (4, 0)\nsphere P: at (0, 1), velocity -3i + 2j\n"
+                "P hits W: e = 1/2\nfind velocity(P)"
+            ),
+            "component of 𝐮_P along 𝐢 = −3 m s⁻¹ B1 So P moves away from W",
+        ),
+    ],
+)
+def test_who_does_not_approach_by_the_data(text: str, said: str) -> None:
+    shown = working(text)
+    assert said in shown
+    assert shown.endswith("what is described cannot happen.")

@@ -12,14 +12,23 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.errors import ImpossibleError, RestitutionError
-from restitution.explaining.derivation import Link, Note, Ref, Relation, Sign
+from restitution.explaining.derivation import Link, Move, Note, Ref, Relation, Sign
 from restitution.explaining.trees import settled
-from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity, walk
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Quantity,
+    Unit,
+    walk,
+)
 from restitution.planning.checking import require_true
 from restitution.planning.claims import Claims
 from restitution.planning.clashes import scene_without, with_what_is_needed
-from restitution.planning.desk import UNPLANNED, Desk, together
-from restitution.planning.forms import ZERO
+from restitution.planning.desk import UNPLANNED, Desk, chain, together
+from restitution.planning.forms import ZERO, tree_of
 from restitution.planning.order import Solver
 from restitution.planning.premises import background
 from restitution.planning.scene import Scene
@@ -64,12 +73,9 @@ def write_unreached(
 
 
 def _up_to_it(problem: Problem, part: Part) -> tuple[Problem, PartSolution, Impact, int] | None:
-    """The problem up to the first event that cannot be, solved; with that event and its number.
-
-    None where that is the first of all: the data say why.
-    """
+    """The problem up to the first event that cannot be, solved; with that event and its number."""
     story = [(s, number) for s, number, _ in problem.timeline(part) if isinstance(s, Event)]
-    for step, number in reversed(story[1:]):
+    for step, number in reversed(story):
         without = _before(problem, step)
         try:
             own = next(
@@ -116,6 +122,8 @@ def _receding(
     if fact is None:
         return None
     line = fact.relation.only[0].right
+    if isinstance(line, Negate) and isinstance(line.operand, Unit):
+        line = line.operand
     sign = _sense(scene, step, number, line)
     if sign is None:
         return None
@@ -129,8 +137,14 @@ def _receding(
     pool: list[Ref] = []
     with Claims(scene, Solver(scene)) as claims:
         for each in velocities:
-            known = claims.worths.is_data(each)
-            pool += claims.worths.data_of(each) if known else [claims.worths.quantity(each)]
+            if not claims.worths.is_data(each):
+                pool.append(claims.worths.quantity(each))
+            elif (component := _component(scene, each, line, number)) is not None:
+                pool.append(component)
+            else:
+                pool += claims.worths.data_of(each)
+    if not any(isinstance(ref, int) for ref in pool):
+        return None  # nothing would be said but that
     require_true(scene.model, desk.lines, desk.lines, desk.facts)
     require_followed(scene, desk.lines)
     own_letters = {
@@ -143,9 +157,23 @@ def _receding(
     }
     relative = velocities[0] if len(velocities) == 1 else Binary("-", *velocities)
     claim = Relation(((Link(Quantity("dot", (relative, line)), sign, ZERO),),))
+    if isinstance(line, Unit):
+        sides: list[Expression] = [Quantity("along", (each, line)) for each in velocities]
+        claim = Relation(((Link(sides[0], sign, sides[1] if len(sides) > 1 else ZERO),),))
     premises = together(pool, background(scene, own_letters))
     note = replace(desk.new_note(name, "impossible"), premises=premises, claim=claim)
     return with_what_is_needed(scene, note) if scene.judge.excludes(note) else None
+
+
+def _component(scene: Scene, velocity: Quantity, line: Expression, number: int) -> int | None:
+    """The component along **i** or **j** of a velocity of the data; None along another line."""
+    (body,) = velocity.arguments
+    if not isinstance(line, Unit) or not isinstance(body, Name):
+        return None
+    value = scene.vector(velocity).dot(scene.vector(line))
+    relation = chain(Quantity("along", (velocity, line)), (tree_of(value), None))
+    move = Move("define", "component", number, (body.name,))
+    return scene.judge.write((move,), (f"velocity {body.name}",), relation)
 
 
 def _sense(scene: Scene, step: Impact, number: int, line: Expression) -> Sign | None:

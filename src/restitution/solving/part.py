@@ -301,7 +301,11 @@ def impossible(setting: Setting, trials: Sequence[Trial], place: Place | None) -
         return ContradictionError(f"the facts clash: {reason}", line)
     values = list(dict.fromkeys(filter(None, (_value_out_of_range(t, reason) for t in named))))
     if kind != "range" or not values:
-        return ImpossibleError(str(reason), line)
+        error = ImpossibleError(str(reason), line)
+        if len(reasons) == 1 and any(t.root.values for t in named):
+            # What was sought has such values only: of others that is not said.
+            error.because = f"in every solution of the equations {reason}"
+        return error
     listed = " or ".join(values)
     error = ImpossibleError(f"{listed} rejected: {reason}", line)
     error.because = f"the data give {listed}, and {reason}"
