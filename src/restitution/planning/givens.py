@@ -40,6 +40,7 @@ from restitution.planning.forms import (
     ZERO,
     in_tangents,
     neat,
+    negative,
     product,
     square,
     swept,
@@ -63,6 +64,7 @@ from restitution.planning.offsets import is_sine_of_an_offset, write_sine
 from restitution.planning.premises import background
 from restitution.planning.quantities import formula
 from restitution.planning.quoted import QUOTED, has_root, quoted, quoted_as
+from restitution.planning.roots import senses
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.separations import relative_speed
 from restitution.planning.square_roots import without_equal_squares
@@ -337,6 +339,23 @@ def _of_one_component(
     premises = scene.judge.enough(
         own.move, together(each.refs, refs, own.refs), relation, background(scene, names)
     )
+    if premises is None:
+        return _of_a_given_sense(scene, each, own, base, left)
+    return scene.desk.write(own.move, premises, relation)
+
+
+def _of_a_given_sense(
+    scene: Scene, each: GivenEquation, own: Formula, base: Expression, left: Expression
+) -> int | None:
+    """A speed that is given, of a component whose sense is given too: the component itself."""
+    letters_ = {each.symbol.name: each.symbol for each in scene.model.components.values()}
+    symbol = letters_.get(base.name) if isinstance(base, Letter) else None
+    if symbol is None:
+        return None
+    size = negative(base) if scene.model.sign(scene.model.in_data(symbol)) < 0 else base
+    relation = chain(left, (size, None))
+    pool = (*own.refs, *senses(scene, symbol))
+    premises = scene.judge.needed(own.move, (each.fact.id, *pool), relation, (each.fact.id,))
     return None if premises is None else scene.desk.write(own.move, premises, relation)
 
 

@@ -22,7 +22,7 @@ from restitution.planning.forms import (
     total,
     tree_of,
 )
-from restitution.planning.formulas import Formula, itself
+from restitution.planning.formulas import Formula, itself, write_formula
 from restitution.planning.impacts import in_direction
 from restitution.planning.polynomials import expanded
 from restitution.planning.scene import Scene
@@ -38,6 +38,7 @@ def impulse_formula(scene: Scene, quantity: Quantity) -> Formula:
         return _impulse_vector(scene, quantity, event)
     if event not in scene.model.frames:
         return _size_of_blow(scene, quantity, event)
+    _write_vector_before(scene, event)
     whole = _size_of_impulse(scene, quantity, event)
     if whole is not None:
         return whole
@@ -82,6 +83,26 @@ def _is_open(scene: Scene, body: str, event: int) -> bool:
     """Whether the component along the line of centres after an impact is not known yet."""
     component = scene.model.components.get((event, body))
     return component is not None and bool(scene.unknown(component.symbol))
+
+
+def _write_vector_before(scene: Scene, event: int) -> None:
+    """Writes the impulse on a body before its size, where both are asked and it has no component.
+
+    It has none where both velocities of the body stand as vectors, and the line is slanting.
+    """
+    for body in scene.spheres(event) if scene.frame(event).is_slanted else ():
+        vector = Quantity("impulse", (Name(body),), event)
+        if vector not in scene.asked_alone or scene.desk.known(vector) is not None:
+            continue
+        velocities = [Quantity("velocity", (Name(body),), n) for n in (event, event - 1)]
+        late, early = (scene.desk.known(each) for each in velocities)
+        data = scene.last_event(body, event - 1) == 0
+        if late is None or (early is None and not data) or scene.unknown(late.value):
+            continue
+        own = _impulse_vector(scene, vector, event)
+        if not any(map(scene.unknown, own.value)):
+            write_formula(scene, own)
+            return
 
 
 def _size_of_impulse(scene: Scene, quantity: Quantity, event: int) -> Formula | None:

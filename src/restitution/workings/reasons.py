@@ -113,6 +113,7 @@ class Reasons:
         grounds = tuple(map(self._ground, grounds_of(self._derivation, self._roles, line)))
         reasoned = line.move.id in _REASONED or self._ordered(line) or self._is_root(line)
         reasoned = reasoned or any(self._cleared(line)) or any(self._dropped(line))
+        reasoned = reasoned or self._by_its_sense(line)
         if not reasoned and not self._of_sizes(line) and not grounds:
             return ()
         if line.move.id == "cancel" and factor_cancelled(self._derivation, line) is not None:
@@ -245,6 +246,11 @@ class Reasons:
                 return line.relation.only[0].left == base
         return False
 
+    def _by_its_sense(self, line: Line) -> bool:
+        """Whether a given speed is that of a component whose sense is given too."""
+        facts = (self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str))
+        return line.move.record == "speed" and any(map(motion_of, facts))
+
     @staticmethod
     def _ordered(line: Line) -> bool:
         """Whether values were put into an inequality."""
@@ -332,7 +338,7 @@ class Reasons:
             signs = {each.sign for links in fact.relation.options for each in links}
             ordered = signs and signs <= {*_UP, *_DOWN, "!="}
             motion = motion_of(fact)
-            if motion is not None and line.move.id == "reject":
+            if motion is not None and (line.move.id == "reject" or line.move.record == "speed"):
                 # That a sign is given by the direction of motion is said where it is used.
                 body, direction = motion
                 return say("derived.moving", body=body, way=self._naming.layout(direction))
