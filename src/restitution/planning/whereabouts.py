@@ -12,7 +12,7 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Line, Link, Ref, Relation
 from restitution.expression.tree import AtTime, Binary, Expression, Name, Quantity, has_quantity
 from restitution.planning.desk import NotPlannedError, Source, together
-from restitution.planning.place_trees import AXES, Axis, coordinate_tree, place_tree
+from restitution.planning.place_trees import AXES, Axis, coordinate_tree, place_tree, time_tree
 from restitution.planning.resolving import along_axis
 from restitution.planning.scene import Scene
 from restitution.vector import Vector
@@ -31,9 +31,23 @@ def standing(scene: Scene, tree: Expression) -> Source | None:
 
 
 def last_move(scene: Scene, body: str, number: int) -> int:
-    """The last event before another one in which a body took part; 0 for the start."""
+    """The last event before another one in which a body took part; 0 for the start.
+
+    A point that it reaches later than the other event, of which it has no part, is not before it.
+    """
     latest = scene.model.story.latest(body, number - 1)
+    while latest is not None and _is_reached_later(scene, body, latest.number, number):
+        latest = scene.model.story.latest(body, latest.number - 1)
     return 0 if latest is None else latest.number
+
+
+def _is_reached_later(scene: Scene, body: str, arrival: int, number: int) -> bool:
+    """Whether a body comes to a point only after an event that is told below that."""
+    events = {event.number: event for event in scene.desk.events}
+    if events[arrival].kind != "arrival" or number not in events or body in scene.bodies(number):
+        return False
+    gap = scene.value(Binary("-", time_tree(number), time_tree(arrival)))
+    return scene.model.sign(scene.model.in_data(gap)) < 0
 
 
 def velocity(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
