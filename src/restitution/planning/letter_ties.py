@@ -293,16 +293,20 @@ class Ties:
     def put_in(self, line: int, gone: sp.Symbol, sign: Sign) -> Link | None:
         """An equation of which one side is a letter, or a ratio of it, with its bound in place.
 
-        None for a bound of zero: that is told by the sign of the other side.
+        A bound of zero is told by the sign of the other side; that has a line of its own where it
+        is a quotient with letters below.
         """
         link = self.scene.desk.last_link(line)
         role = roles(self.scene.problem)[gone.name]
         for side, other in ((link.left, link.right), (link.right, link.left)):
+            generator = _ratio_of(side, gone)
             form = linear_in(expanded(self.worths.value(side)), gone, role.kind == "angle")
-            if form is None or form[2] != 1 or form[3] != 0 or gone.name in letters(other):
+            if generator is None and form is not None and form[2] == 1 and form[3] == 0:
+                generator = form[1]
+            if generator is None or gone.name in letters(other):
                 continue
-            ends = [bound for own, bound in bounds(role, form[1], gone) if own == sign]
-            if ends and ends[0] != 0 and letters(other):
+            ends = [bound for own, bound in bounds(role, generator, gone) if own == sign]
+            if ends and letters(other) and (ends[0] != 0 or _has_letters_below(other)):
                 return Link(other, sign, tree_of(ends[0]))
         return None
 
@@ -354,6 +358,24 @@ def is_square(tree: Expression) -> bool:
     match tree:
         case Binary("^", _, Number(Fraction(numerator=2, denominator=1))):
             return True
+    return False
+
+
+def _ratio_of(tree: Expression, angle: sp.Symbol) -> sp.Expr | None:
+    """The tangent of an angle, or its square, which stands alone on a side; None of another one."""
+    match tree:
+        case Apply("tan", Letter(name)) if name == angle.name:
+            return sp.tan(angle)
+        case Binary("^", Apply("tan", Letter(name)), Number(power)) if name == angle.name:
+            return sp.tan(angle) ** power.numerator if power == 2 else None
+    return None
+
+
+def _has_letters_below(tree: Expression) -> bool:
+    """Whether a side is a quotient with letters in its denominator."""
+    match tree:
+        case Binary("/", _, below):
+            return bool(letters(below))
     return False
 
 
