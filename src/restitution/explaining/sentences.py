@@ -301,6 +301,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{body} turns through the difference of its directions before and after:"
     ),
     "turned-wall.straight": "{body} hits {wall} at right angles, so it is sent straight back:",
+    "turned-wall.straight-as": (
+        "{body} hits {wall} at right angles and {bound}, so it is sent straight back:"
+    ),
     "turned-wall.along": (
         "{body} goes on along {wall}, so it turns through the angle that its path made with "
         "{wall} before:"
@@ -519,6 +522,11 @@ SENTENCES: Mapping[SentenceId, str] = {
     "touch.place": (
         "{one} and {other} touch when their centres are two radii apart, on the line of centres:"
     ),
+    "touch.level": (
+        "The line of centres is parallel to {axis}, so at the impact the {coordinate}-coordinates "
+        "are equal:"
+    ),
+    "touch.along": "At the impact the centres are two radii apart along the line of centres:",
     "contact.wall": "{body} is then on the line of {wall}:",
     "contact.wall-line": "{body} is then on the line of {wall}, {line}:",
     "circle.at": "{body} is then at a distance {radius} from the centre of {wall}:",
@@ -884,6 +892,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     "flight.title": "Distance = speed × time",
     "flight.title-of": "Distance = speed × time, for {body}",
     "distance.relative": "Distance apart = relative speed × time",
+    "distance.level": (
+        "Perpendicular to the line of centres {one} and {other} keep level, so distance apart = "
+        "relative speed along it × time"
+    ),
     "distance.why": (
         "The distance of two points follows from their coordinates by Pythagoras. Two bodies that "
         "were together and move on at constant velocities are apart by the size of their relative "

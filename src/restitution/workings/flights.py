@@ -108,8 +108,11 @@ def _is_on_a_diameter(derivation: Derivation, line: Line) -> bool:
     )
 
 
-def distance_title(line: Line) -> Sentence:
+def distance_title(derivation: Derivation, line: Line) -> Sentence:
     """The title of a distance: of the way of a body, of bodies that met, or by coordinates."""
+    level = _apart_along_the_line(derivation, line)
+    if level is not None:
+        return level
     match line.relation:
         case Relation(((Link(Quantity("distance", ends), "=", Binary("*")), *_),)) if (
             not line.move.event
@@ -120,6 +123,24 @@ def distance_title(line: Line) -> Sentence:
                 case (Name(body),):
                     return say("flight.title-of", body=body)
     return say("distance.relative" if line.move.event else "distance.coordinates")
+
+
+def _apart_along_the_line(derivation: Derivation, line: Line) -> Sentence | None:
+    """That two bodies that met are as far apart as they are along the line of centres.
+
+    None where they do not move across it, or not with the same component.
+    """
+    event = next((each for each in derivation.events if each.number == line.move.event), None)
+    cited = (derivation.line(ref) for ref in line.premises if isinstance(ref, int))
+    values = [
+        each.relation.only[-1].right
+        for each in cited
+        if each and isinstance(each.relation, Relation) and each.move.record == "unchanged"
+    ]
+    if event is None or len(values) != 2 or values[0] != values[1] or is_zero(values[0]):
+        return None
+    one, other = event.bodies
+    return say("distance.level", one=one, other=other)
 
 
 def _from_the_origin(derivation: Derivation, line: Line) -> bool:

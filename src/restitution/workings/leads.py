@@ -52,6 +52,7 @@ from restitution.workings.offsets import (
     offset_sentence,
 )
 from restitution.workings.source_leads import SourceLeads
+from restitution.workings.touching import touching_beside
 from restitution.workings.turn_leads import BY, TurnLeads
 
 TITLED = frozenset({"law", "define"})
@@ -280,7 +281,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         if record.id == "chord":
             return chord_title(self._derivation, line, "" if event is None else event.bodies[-1])
         if record.id == "distance":
-            return distance_title(line)
+            return distance_title(self._derivation, line)
         match record.id, first.left:
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
@@ -402,8 +403,11 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             if given and given[0].relation == line.relation and given[0].kind == "geometry":
                 return  # a direction of the data, which the row says in words
             at = self._naming.at_contact(given[0]) if given else None
+            beside = (
+                touching_beside(self._derivation, self._naming, given[0], line) if given else None
+            )
             if at is not None:
-                yield at
+                yield beside or at
             elif given and isinstance(words := self._naming.fact(given[0]), Sentence):
                 yield say("given.fact", fact=words)
             elif (offset := next(filter(is_offset, given), None)) is not None:

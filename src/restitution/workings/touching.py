@@ -4,9 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from restitution.explaining.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.derivation import Derivation, Fact, Line, Link, Relation
 from restitution.explaining.saying import Sentence, say
-from restitution.expression.tree import Expression, Name, Pair, Quantity, Unit, is_zero
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Name,
+    Pair,
+    Quantity,
+    Unit,
+    is_zero,
+)
 from restitution.planning.forms import tree_of
 from restitution.workings.measured import vector_worth, with_its_unit
 from restitution.workings.naming import Naming
@@ -67,3 +75,39 @@ class Touching:
         layout = self._naming.layout(place if vector is None else tree_of(vector))
         unit = self._naming.unit(Quantity("distance", ()))
         return say("touch.at", position=position, place=with_its_unit(layout, unit))
+
+
+def touching_beside(
+    derivation: Derivation, naming: Naming, fact: Fact, line: Line
+) -> Sentence | None:
+    """In which coordinate two centres are apart, where the line of centres is along an axis.
+
+    None of a contact that speaks of no radii, and where both coordinates are in a line.
+    """
+    match fact.relation.only:
+        case (Link(Quantity("position"), "=", Binary("+" | "-", Quantity("position"), apart)),):
+            pass
+        case _:
+            return None
+    match apart:
+        case (Unit() as axis) | Binary("*", _, Unit() as axis):
+            pass
+        case _:
+            return None
+    cited = [derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
+    lefts = [
+        each.relation.only[0].left
+        for each in cited
+        if each and isinstance(each.relation, Relation) and len(each.relation.options) == 1
+    ]
+    axes = {
+        left.arguments[1]
+        for left in lefts
+        if isinstance(left, Quantity) and left.kind == "along" and len(left.arguments) == 2
+    }
+    if len(axes) != 1:
+        return None
+    if axes == {axis}:
+        return say("touch.along")
+    coordinate = "x" if axis == Unit("j") else "y"
+    return say("touch.level", axis=naming.layout(axis), coordinate=coordinate)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from restitution.explaining.derivation import (
+    FLIPPED,
     Fact,
     Line,
     Link,
@@ -24,8 +25,10 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     Unit,
+    is_zero,
     walk,
 )
+from restitution.render import layout as lay
 from restitution.workings.lines_around import LinesAround
 
 BY = {
@@ -183,6 +186,10 @@ class TurnLeads(LinesAround):
             if line.move.record == "difference":
                 straight = first.right == Degrees(Fraction(180))
                 name = "turned-wall.straight" if straight else "turned-wall.along"
+                rebounds = self._given_to_rebound(event.number) if straight else None
+                if rebounds is not None:
+                    slots = {"body": body, "wall": event.bodies[1], "bound": rebounds}
+                    return say("turned-wall.straight-as", **slots)
             return say(name, body=body, wall=event.bodies[1])
         cited = (self._derivation.line(ref) for ref in line.premises if isinstance(ref, int))
         named = [each.relation for each in cited if each and isinstance(each.relation, Meaning)]
@@ -266,6 +273,17 @@ class TurnLeads(LinesAround):
             degrees.remove(value)
             first = min(degrees)
             return turn if value >= max(first, 90 - first) else None
+        return None
+
+    def _given_to_rebound(self, event: int) -> lay.Layout | None:
+        """The given bound by which the coefficient of a wall, which is a letter, is not zero."""
+        fact = self._derivation.fact(f"e {event}")
+        letter = None if fact is None else fact.relation.only[0].right
+        for each in self._derivation.facts if isinstance(letter, Letter) else ():
+            for link in each.relation.options[0] if each.kind == "range" else ():
+                for own in (link, Link(link.right, FLIPPED.get(link.sign, link.sign), link.left)):
+                    if own.left == letter and own.sign == ">" and is_zero(own.right):
+                        return self._naming.relation(Relation(((own,),)))
         return None
 
     def _same(self, link: Link) -> Sentence | None:
