@@ -655,7 +655,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "note.unwritten-line-from": "The steps from here are not written out:",
     "note.unwritten-from": "{item:capital} is {answer}. The steps from here are not written out.",
     "note.none-shown": "It cannot be shown that {items}, as {reason}.",
-    "note.none-either": "{items:capital} cannot be found either.",
+    "note.none-either": "{items:capital} cannot be found either, as there is no such impact.",
     "note.none-data-above-one": (
         "{items:capital} cannot be found, as a coefficient of restitution is at most 1, and not "
         "{value}."

@@ -46,7 +46,7 @@ from restitution.planning.formulas import write_formula
 from restitution.planning.frames import Frame
 from restitution.planning.scene import Scene
 from restitution.planning.unit_vectors import whole_direction
-from restitution.planning.vectors import velocity_given
+from restitution.planning.vectors import initial_as_a_line, velocity_given
 from restitution.problem import Find, Impact, Value
 from restitution.vector import Vector
 
@@ -91,6 +91,7 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
             _parallel(scene, initial.value, each) for each in (frame.n, frame.t)
         )
         if frame.is_slanted and in_a_line:
+            initial = initial_as_a_line(scene, body) if form is None else initial
             return by_scalar_product(scene, tree, initial, frame, direction, form)
         return _put(scene, Source(value, initial.refs, frame.refs, form))
     vector = scene.desk.known(Quantity("velocity", (Name(body),), last))

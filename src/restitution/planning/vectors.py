@@ -18,7 +18,7 @@ from restitution.expression.tree import (
     has_quantity,
     walk,
 )
-from restitution.planning.desk import chain, together
+from restitution.planning.desk import Source, chain, together
 from restitution.planning.forms import negative, product, tree_of, vector
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.vector import Vector
@@ -163,3 +163,21 @@ def _started(scene: Scene, tree: Expression) -> tuple[Ref, ...]:
         and isinstance(node.arguments[0], Name)
         and f"velocity {node.arguments[0].name}" in scene.facts
     )
+
+
+def initial_as_a_line(scene: Scene, body: str) -> Source:
+    """A velocity of the data by its size and an angle whose sine and cosine lines give as numbers.
+
+    It is written as a vector before its scalar products; any other one stands as the data give it.
+    """
+    source = scene.initial(body)
+    value, refs = scene.put(source.value)
+    fact = f"velocity {body}"
+    if fact not in scene.facts or not any(isinstance(ref, int) for ref in refs):
+        return source
+    if not all(sp.sympify(each, strict=True).is_Rational and each for each in value):
+        return source
+    quantity = Quantity("velocity", (Name(body),), 0)
+    relation = chain(quantity, (tree_of(Vector(*value)), None))
+    line = scene.judge.write((Move("put"),), together(source.refs, refs), relation)
+    return source if line is None else Source(Vector(*value), (line,))
