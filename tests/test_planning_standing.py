@@ -117,3 +117,74 @@ def test_a_half_is_that_of_an_energy_and_a_percentage_makes_no_decimals() -> Non
         "A hits B: along i, e = 1/2\ngiven energy_lost = 25% energy(0)\nfind alpha"
     )
     assert "v = ¼u cos α" in text
+
+
+def test_a_given_speed_with_its_sense_is_the_component() -> None:
+    text = printed(
+        "sphere A: mass 2m, velocity 3u i\nsphere B: mass m, velocity -4u i\nA hits B: along i\n"
+        "given velocity(A) opposite to i, speed(A) = u\nfind e"
+    )
+    assert "u = −v, as A moves in the direction of −𝐢" in text
+    assert "v²" not in text
+
+
+def test_an_impulse_that_is_asked_as_a_vector_has_its_size_by_that() -> None:
+    text = printed(
+        "wall W: along i + 2j\nsphere P: mass 0.5, velocity 8i\nP hits W: e = 0.5\n"
+        "find velocity(P), impulse, impulse(P)"
+    )
+    assert text.index("impulse on P") < text.index("magnitude of the impulse")
+    assert text.count("change of momentum") == 1
+
+
+def test_a_place_is_not_taken_backwards_from_a_point_reached_later() -> None:
+    text = printed(
+        "point N: (4, 3)\nwall W: along i, through (0, -2)\n"
+        "sphere A: mass 1, at (-3, 0), velocity 6i\nsphere B: mass 1, at (0, 0), at rest\n"
+        "A hits B: along 4i + 3j, e = 1/2\nB reaches N\nfind time(2)\n"
+        "A hits W: e = 1/2\nfind distance(A, B)"
+    )
+    assert "position of B at the second impact = (25/27)((72/25)𝐢 + (54/25)𝐣)" in text
+
+
+def test_a_quotient_is_positive_before_its_letter_is_bounded() -> None:
+    text = printed(
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass k m, at rest\n"
+        "A hits B: along i, e = 1/3\ngiven velocity(A) perpendicular to velocity(A, 0)\n"
+        "find range of k"
+    )
+    assert "(k − 3)/(3(1 + k)) > 0, as α is acute" in text
+
+
+def test_a_velocity_at_an_angle_that_was_found_is_a_vector_first() -> None:
+    text = printed(
+        "sphere A: mass 1, at (8, 14), velocity 26 at alpha, radius 5\n"
+        "sphere B: mass 1, at (40, 30), at rest\npoint N: (60, 45)\n"
+        "A hits B: e = 1/2\nB reaches N\nfind alpha, velocity(B)"
+    )
+    assert "𝐮_A = (24𝐢 + 10𝐣) m s⁻¹" in text
+
+
+def test_centres_have_equal_coordinates_across_their_line() -> None:
+    text = printed(
+        "sphere A: mass 1, radius 1/2, at (0, 0), velocity 2i\n"
+        "sphere B: mass 2, radius 1/2, at (4, 8), velocity v at 270°\n"
+        "A hits B: along j, e = 1/2\nfind v"
+    )
+    assert "The line of centres is parallel to 𝐣, so at the impact the x-coordinates are" in text
+    assert "At the impact the centres are two radii apart along the line of centres" in text
+
+
+def test_spheres_that_keep_level_are_apart_along_the_line() -> None:
+    text = printed(
+        "sphere A: mass 3m, velocity 2u i + u j\nsphere B: mass m, velocity -2u i + u j\n"
+        "A hits B: along i, e = 1/2\nfind distance(A, B, at t)"
+    )
+    assert "Perpendicular to the line of centres A and B keep level" in text
+
+
+def test_who_is_sent_straight_back_rebounds() -> None:
+    text = printed(
+        "wall W: along i\nsphere P: mass m, velocity -u j\nP hits W\ngiven e > 0\nfind deflection(P)"
+    )
+    assert "P hits W at right angles and e > 0, so it is sent straight back" in text
