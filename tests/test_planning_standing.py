@@ -185,6 +185,17 @@ def test_spheres_that_keep_level_are_apart_along_the_line() -> None:
 
 def test_who_is_sent_straight_back_rebounds() -> None:
     text = printed(
-        "wall W: along i\nsphere P: mass m, velocity -u j\nP hits W\ngiven e > 0\nfind deflection(P)"
+        "wall W: along i\nsphere P: mass m, velocity -u j\nP hits W\n"
+        "given e > 0\nfind deflection(P)"
     )
     assert "P hits W at right angles and e > 0, so it is sent straight back" in text
+
+
+def test_an_equation_of_the_fourth_degree_is_a_quadratic_in_the_tangent() -> None:
+    text = printed(
+        "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\n"
+        "A hits B: along i\ngiven deflection(A) = 30°, energy_lost = 1/4 energy(0)\nfind alpha, e"
+    )
+    assert "11 tan²α − 6√3 tan α + 1 = 0" in text
+    assert "sin⁴" not in text
+    assert "sin³" not in text

@@ -69,25 +69,34 @@ def places(step: Step, event: Event | None, line: Link) -> Iterator[Link]:
 
 
 def _journeys(step: Step, event: Event) -> Iterator[Link]:
-    """How a body comes to an event from its last one, where others happened in between."""
+    """How a body comes to an event from its last one, where others happened in between.
+
+    At a point that it comes to nothing changes: the way may begin at the event before that.
+    """
     for body in step.move.bodies:
-        own = [e.number for e in step.setting.events if body in e.bodies[:2]]
-        since = max((each for each in own if each < event.number), default=0)
-        if since == event.number - 1:
-            continue
-        name = Name(body)
-        last, first = (Quantity("position", (name,), each) for each in (event.number, since))
-        late, early = (Quantity("time", (), each) for each in (event.number, since))
-        velocity = Quantity("velocity", (name,), since)
-        flight = Binary("-", late, early)
-        yield Link(Binary("-", last, first), "=", Binary("*", velocity, flight))
-        ways, paces = [], []
-        for axis in "ij":
-            a, b, pace = (Quantity("along", (e, _unit(axis))) for e in (last, first, velocity))
-            ways.append(Binary("-", a, b))
-            paces.append(pace)
-            yield Link(ways[-1], "=", Binary("*", pace, flight))
-        yield Link(Binary("*", ways[1], paces[0]), "=", Binary("*", ways[0], paces[1]))
+        own = [e for e in step.setting.events if body in e.bodies[:2] and e.number < event.number]
+        while own and own[-1].kind == "arrival":
+            yield from _journey(body, own.pop().number, event)
+        yield from _journey(body, own[-1].number if own else 0, event)
+
+
+def _journey(body: str, since: int, event: Event) -> Iterator[Link]:
+    """How a body comes to an event from an earlier one that is not the one before it."""
+    if since == event.number - 1:
+        return
+    name = Name(body)
+    last, first = (Quantity("position", (name,), each) for each in (event.number, since))
+    late, early = (Quantity("time", (), each) for each in (event.number, since))
+    velocity = Quantity("velocity", (name,), since)
+    flight = Binary("-", late, early)
+    yield Link(Binary("-", last, first), "=", Binary("*", velocity, flight))
+    ways, paces = [], []
+    for axis in "ij":
+        a, b, pace = (Quantity("along", (e, _unit(axis))) for e in (last, first, velocity))
+        ways.append(Binary("-", a, b))
+        paces.append(pace)
+        yield Link(ways[-1], "=", Binary("*", pace, flight))
+    yield Link(Binary("*", ways[1], paces[0]), "=", Binary("*", ways[0], paces[1]))
 
 
 def _several_ways(step: Step, event: Event) -> Iterator[Link]:

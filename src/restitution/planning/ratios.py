@@ -25,6 +25,7 @@ from restitution.planning.forms import (
     tree_of,
 )
 from restitution.planning.impacts import residual, scene_value
+from restitution.planning.in_tangents import write_in_tangents
 from restitution.planning.polynomials import cancelled, expanded, factored, numerator
 from restitution.planning.premises import background
 from restitution.planning.roots import by_roots, known_as
@@ -238,6 +239,8 @@ def even(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     functions = _functions(scene, own, symbol)
     if functions is None or any(function.args != (symbol,) for function in functions):
         return None
+    if (written := write_in_tangents(scene, line, symbol)) is not None:
+        return _by_one(scene, *written, sp.tan, symbol)
     s, c = sp.sin(symbol), sp.cos(symbol)
     mixed = sp.Poly(numerator(_in_sines(own, symbol)), s, c)
     mixed = sp.Poly(mixed.primitive()[1].as_expr() if mixed.domain.is_QQ else mixed.as_expr(), s, c)
