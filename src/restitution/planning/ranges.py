@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.explaining.derivation import Link, Move, Relation, Sign
+from restitution.explaining.derivation import FLIPPED, Link, Move, Relation, Sign
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -146,7 +146,9 @@ def _by_an_earlier_bound(claims: Claims, relation: Relation) -> int | None:
     asked: ``e > 1/k`` with e = ⅖ gives k > 5/2. None where it does not come to the range.
     """
     scene, desk = claims.scene, claims.scene.desk
-    ends = {*relation.only, *map(turned, relation.only)} if len(relation.options) == 1 else set()
+    if len(relation.options) > 1 or any(each.sign not in FLIPPED for each in relation.only):
+        return None
+    ends = {*relation.only, *map(turned, relation.only)}
     wanted = next((s for each in ends for s in (each.left, each.right) if letters(s)), None)
     above = {ref for end in desk.ends if desk.holds(end.line) for ref in desk.under(end.line)}
     for number in sorted((e for e in above if isinstance(e, int)), reverse=True):

@@ -43,8 +43,8 @@ def last_move(scene: Scene, body: str, number: int) -> int:
 
 def _is_reached_later(scene: Scene, body: str, arrival: int, number: int) -> bool:
     """Whether a body comes to a point only after an event that is told below that."""
-    events = {event.number: event for event in scene.desk.events}
-    if events[arrival].kind != "arrival" or number not in events or body in scene.bodies(number):
+    kinds = {event.number: event.kind for event in scene.desk.events}
+    if kinds.get(arrival) != "arrival" or number not in kinds or body in scene.bodies(number):
         return False
     gap = scene.value(Binary("-", time_tree(number), time_tree(arrival)))
     return scene.model.sign(scene.model.in_data(gap)) < 0
