@@ -411,6 +411,8 @@ def _deflection_is_after() -> Iterator[_Plain]:
         (of, f"90° - {_angle(1, AXIS)}"),
         words="the angle to the common tangent after",
     )
+    words = "the obtuse angle to the line of centres after"
+    yield _result("spheres", (of, f"180° - {_angle(1, AXIS)}"), words=words)
 
 
 def _deflection_difference() -> Iterator[_Plain]:
@@ -426,6 +428,9 @@ def _deflection_difference() -> Iterator[_Plain]:
         yield _result(where, (of, f"{before} + {after}"), words="the sum of the angles")
         words = "180° less the sum of the angles"
         yield _result(where, (of, f"180° - ({before} + {after})"), words=words)
+        words = "the sum of the angles, of which one is to the other line"
+        yield _result(where, (of, f"{before} + 90° - {after}"), words=words)
+        yield _result(where, (of, f"90° - {before} + {after}"), words=words)
 
 
 def _impulse_sign() -> Iterator[_Plain]:

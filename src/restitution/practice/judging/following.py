@@ -12,12 +12,13 @@ from restitution.errors import RestitutionError
 from restitution.explaining.trees import exchanged
 from restitution.expression.tree import (
     Apply,
-    Binary,
     Expression,
     Letter,
     Negate,
+    Quantity,
     has_quantity,
     letters,
+    walk,
 )
 from restitution.practice.judgement import Verdict
 from restitution.practice.judging.angles import unnamed_in, with_angles
@@ -38,7 +39,7 @@ from restitution.practice.judging.judged_link import (
     Question,
 )
 from restitution.practice.judging.other_forms import (
-    energies_between,
+    by_energies,
     same_left,
 )
 from restitution.practice.judging.own_values import ALTERED, Naming, OwnValues
@@ -171,20 +172,24 @@ class Following(OwnValues):
         return None
 
     def _with_own_energies(self, line: ScriptLine, link: Link) -> JudgedLink | None:
-        """An energy lost that is the difference of the energies which the student has."""
+        """An energy lost, or a ratio of energies, by the energies which the student has."""
         meanings = self.meanings(line.number)
-        for claim in link.readings:
-            pair = energies_between(claim.left, meanings)
-            own = [self._own_value(each) for each in pair or ()]
-            if len(own) != 2 or None in own:
-                continue
-            before, after = (each for each in own if each is not None)
-            lost = Binary("-", before.claim.right, after.claim.right)
-            other = replace(claim, left=lost)
-            for world in self.worlds:
-                grade = self.accuracy(other, world, line, link)
-                if grade is not None:
-                    return JudgedLink("follows", claim, grade, (before.number, after.number))
+        for claim in self._in_all_meanings(link, line):
+            for form in by_energies(claim.left, meanings):
+                own: dict[Expression, Entry] = {
+                    each: entry
+                    for each in walk(form)
+                    if isinstance(each, Quantity) and (entry := self._own_value(each)) is not None
+                }
+                if all(entry.right for entry in own.values()):
+                    continue
+                put = {each: entry.claim.right for each, entry in own.items()}
+                other = replace(claim, left=exchanged(form, put))
+                for world in self.worlds:
+                    grade = self.accuracy(other, world, line, link)
+                    if grade is not None:
+                        numbers = tuple(dict.fromkeys(entry.number for entry in own.values()))
+                        return JudgedLink("follows", claim, grade, numbers)
         return None
 
     def _adopted(self, line: ScriptLine, link: Link) -> JudgedLink | None:

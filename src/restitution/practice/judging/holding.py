@@ -49,6 +49,7 @@ from restitution.practice.reading.phrases import (
     is_vague,
     names_axis,
     read_phrase,
+    tells_after,
 )
 from restitution.practice.script import Claim, Link, ScriptLine
 from restitution.practice.worlds.agreement import agrees, difference
@@ -310,7 +311,7 @@ class Holding:
         key = phrase, event
         if key not in self._phrases:
             world = self._base
-            first = 1 if is_relative(phrase) else 0
+            first = 1 if is_relative(phrase) or tells_after(phrase, world.problem) else 0
             every = range(first, len(world.events) + 1)
             stages = list(every) if event is None else [event, event - 1][: 2 - first]
             trees = read_phrase(phrase, world.problem, event, world.now())

@@ -129,6 +129,9 @@ class JudgedSoFar(Protocol):
     def altered(self, variant: VariantAt) -> World | None:
         """The world of an altered law, all else being right."""
 
+    def suspected(self) -> frozenset[str]:
+        """The ids of the altered laws of which false lines above are instances."""
+
     def stated(self) -> Stated:
         """The laws that a line above states rightly, each with its event and its bodies."""
 
@@ -162,6 +165,8 @@ class Names:
         plain = None if variants else plainly(entry, judge.base, judge.entries, mended)
         if not variants and not plain and slip == "sign":
             plain = sign_of_a_component(entry, judge.base, mended, near)
+            if is_sum_of_angles(entry) and _is_deflection(entry):
+                plain = "deflection-difference"
         direct = all(_is_direct(each.event.number, judge.base) for each in variants)
         return Explained(variants, slip, at, near if idle else (), claim, plain, direct)
 
@@ -231,15 +236,16 @@ class Names:
             # The values of two mistakes may be one: a line of energy has a mistake of energy.
             by_states = [each for each in by_states if _kinds(each) & _OF_ENERGY - {"speed"}]
         by_states = list(self._of_masses(entry, by_states))
-        if not any(map(has_coefficient, self.problem.events)) and is_speed_by_energies(
-            entry, judge.base
-        ):
+        quoted = "e" in letters(entry.claim.right)
+        known = any(map(has_coefficient, self.problem.events)) or quoted
+        if not known and is_speed_by_energies(entry, judge.base):
             # Of a coefficient that is still to be found nobody knows the number.
             by_states = [each for each in by_states if not _replaces(each, "restitution")]
         if is_sum_of_angles(entry):
             by_states = [each for each in by_states if _kinds(each) & ANGLES]
         if by_states and _is_bare(entry) and any(each.change == "figure" for each in mended):
-            return ()  # a number alone may be another by its figure
+            # A number alone may be another by its figure, but not twice for one reason.
+            return tuple(each for each in by_states if each.id in judge.suspected())
         if by_states:
             lawful = [each for each in mended if _is_law(each, entry, judge)]
             return tuple(each for each in by_states if _stands(each, lawful))
@@ -513,6 +519,17 @@ def is_sum_of_angles(entry: Entry) -> bool:
     angle = any(isinstance(each, Quantity) and each.kind in ANGLES for each in walk(meant))
     sums = isinstance(right, Binary) and right.op in ("+", "-")
     return angle and sums and not any(isinstance(each, Apply | Letter) for each in walk(right))
+
+
+def _is_deflection(entry: Entry) -> bool:
+    """Whether the left side of a claim is the angle between two directions of one body."""
+    left = entry.claim.left
+    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+    if not isinstance(meant, Quantity):
+        return False
+    bodies = {each.arguments for each in meant.arguments if isinstance(each, Quantity)}
+    moving = all(getattr(each, "kind", "") == "velocity" for each in meant.arguments)
+    return meant.kind == "deflection" or (meant.kind == "angle" and moving and len(bodies) == 1)
 
 
 def _is_result(entry: Entry, result: ResultAt, world: World) -> bool:

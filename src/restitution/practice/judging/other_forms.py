@@ -129,15 +129,20 @@ def shares_of_energy(tree: Expression, side: Expression) -> Iterator[Expression]
         yield Binary("/", tree, Quantity("energy", (), tree.stage - 1))
 
 
-def energies_between(tree: Expression, meanings: Meanings) -> tuple[Expression, Expression] | None:
-    """The energies before and after of which an energy lost is the difference."""
+def by_energies(tree: Expression, meanings: Meanings) -> Iterator[Expression]:
+    """An energy lost, or a ratio with energies, by the energies of which it is made."""
     meant = meanings.get(tree.name, tree) if isinstance(tree, Letter) else tree
-    if not isinstance(meant, Quantity) or meant.arguments or not isinstance(meant.stage, int):
-        return None
-    starts = {"energy_lost": meant.stage - 1, "total_energy_lost": 0}
-    if meant.kind not in starts:
-        return None
-    return Quantity("energy", (), starts[meant.kind]), Quantity("energy", (), meant.stage)
+    losses: dict[Expression, Expression] = {}
+    for each in walk(meant):
+        if isinstance(each, Quantity) and not each.arguments and isinstance(each.stage, int):
+            starts = {"energy_lost": each.stage - 1, "total_energy_lost": 0}
+            if each.kind in starts:
+                before = Quantity("energy", (), starts[each.kind])
+                losses[each] = Binary("-", before, Quantity("energy", (), each.stage))
+    if isinstance(meant, Binary) and meant.op == "/":
+        yield meant
+    if losses:
+        yield exchanged(meant, losses)
 
 
 def of_sizes(claim: Claim, meanings: Meanings) -> Iterator[Claim]:

@@ -93,6 +93,10 @@ class OwnValues(Holding):
         """Whether a line so far is false."""
         return bool(self._own_numbers) or any(entry.wrong for entry in self.entries)
 
+    def suspected(self) -> frozenset[str]:
+        """The ids of the altered laws of which false lines above are instances."""
+        return frozenset(each.id for one in self._explained.values() for each in one.variants)
+
     def stated(self) -> Stated:
         """The laws that a line above states rightly, each with its event and its bodies."""
         return frozenset(self._stated)
@@ -190,13 +194,21 @@ class OwnValues(Holding):
                 continue
             if judged.verdict in ("false", "follows"):
                 self._note_number(line, judged, start)
-            if not is_numeric(claim.left) or not is_numeric(claim.right):
+            worked = is_numeric(claim.left) and is_numeric(claim.right)
+            if judged.verdict == "false" and isinstance(start, Letter) and is_phrase(start.name):
+                worked = worked or (claim.left != start and self._is_known(claim))
+            if not worked:
                 self.entries.append(self._entry(line, link, judged))
             elif judged.verdict == "false" and not is_numeric(start):
                 # A chain that ends in another number gives that number to what it begins with.
                 del self.entries[first:]
                 whole = replace(judged, claim=replace(claim, left=start))
                 self.entries.append(self._entry(line, link, whole))
+
+    def _is_known(self, claim: Claim) -> bool:
+        """Whether a claim has no letters but those of the question that are data."""
+        own = letters(claim.left) | letters(claim.right)
+        return own <= self._base.letters.keys() and own.isdisjoint(self.question.unknown)
 
     def _note_number(self, line: ScriptLine, judged: JudgedLink, start: Expression) -> None:
         """Keep a number that is wrong, with what is right in its place."""

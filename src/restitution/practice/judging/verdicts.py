@@ -26,10 +26,12 @@ from restitution.expression.tree import (
     Negate,
     Quantity,
     letters,
+    walk,
 )
 from restitution.practice.judgement import JudgedLine, Mistake, Use, Verdict
 from restitution.practice.judging.angles import unnamed_in
 from restitution.practice.judging.entries import (
+    Entry,
     Meanings,
     is_numeric,
 )
@@ -65,6 +67,7 @@ from restitution.problem import Impact
 _WORST: tuple[Verdict, ...] = ("false", "unread", "asks", "unsupported", "follows", "true")
 # A cosine below this, turned, is that of an obtuse angle whatever the rounding.
 _OBTUSE = 1e-6
+_SAME_RATIO = 1e-9
 # What a result is, as the principle of a line.
 _PRINCIPLES = {
     "impulse": "impulse",
@@ -207,8 +210,8 @@ class Judge(Following):
             self.unknown.add(name)
         accuracies = [link.accuracy for link in links if link.accuracy is not None]
         uses = self._uses(line, links)
-        if verdict == "true":
-            # A value rests on laws, and states none.
+        if verdict == "true" and not all(self._is_known(link.claim) for link in links):
+            # A value rests on laws, and states none; nor does what is data alone.
             self._stated |= {
                 (use.principle, use.event, use.bodies) for use in uses[:1] if not use.altered
             }
@@ -276,6 +279,7 @@ class Judge(Following):
             end += 1
         first = links[start].claim.left
         worked = is_numeric(entry.claim.left) and is_numeric(entry.claim.right)
+        worked = worked or self._is_worked_out(entry)
         if start == end or worked or not isinstance(first, Letter | Quantity):
             return explained
         quoted = (not explained.variants or start < place) and not is_sum_of_angles(entry)
@@ -285,6 +289,23 @@ class Judge(Following):
             if other.variants:
                 return other
         return explained
+
+    def _is_worked_out(self, entry: Entry) -> bool:
+        """Whether a claim adds up terms with the same letters: ``½mu² - ⅙mu² = ¼mu²``.
+
+        What is false there is the sum, whatever value comes out.
+        """
+        left, right = entry.claim.left, entry.claim.right
+        own = letters(left) | letters(right)
+        if letters(left) != letters(right) or own & self.question.unknown or not own:
+            return False
+        if not own <= self._base.letters.keys() or not _is_monomial(right):
+            return False
+        try:
+            ratio = self._base.scalar(left) / self._base.scalar(right)
+        except (RestitutionError, ZeroDivisionError):
+            return False
+        return isinstance(left, Binary) and left.op in "+-" and bool(np.ptp(ratio) < _SAME_RATIO)
 
     def _explain(self, number: int, explained: Explained) -> None:
         """Keep what explains a false line; altered laws of which two lines are instances stand."""
@@ -449,6 +470,11 @@ class Judge(Following):
         if len(uses) > 1:
             uses.pop(Use("arithmetic"), None)
         return tuple(uses)
+
+
+def _is_monomial(tree: Expression) -> bool:
+    """Whether a tree adds and subtracts nothing."""
+    return not any(isinstance(each, Binary) and each.op in "+-" for each in walk(tree))
 
 
 def _is_a_time(label: Letter) -> bool:

@@ -57,7 +57,8 @@ class Candidate:
     component is taken along; ``start`` tells that it belongs to the start and is known from the
     statement. ``unchanged`` tells of a component that it is the same before and after ``event``,
     ``varies`` that the value depends on letters of the statement, ``asked`` that the part asks for
-    it, ``beside`` that its axis is i or j where the line of centres is neither.
+    it, ``beside`` that its axis is i or j where the line of centres is neither, ``stopped`` that
+    the part is to show that its body has come to rest.
     ``cost`` grows from 0 for the most usual to 1 for the least usual.
     """
 
@@ -73,6 +74,7 @@ class Candidate:
     varies: bool = False
     asked: bool = False
     beside: bool = False
+    stopped: bool = False
 
     @property
     def sensed(self) -> bool:

@@ -17,7 +17,7 @@ import numpy as np
 
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.quantities import Nature
-from restitution.expression.tree import Negate
+from restitution.expression.tree import Binary, Negate, letters, walk
 from restitution.practice.letters.candidates import Candidate
 from restitution.practice.letters.slots import Slot, shaped
 from restitution.practice.letters.trial import Frame, Tester, everywhere
@@ -566,7 +566,20 @@ def _worth(item: Item, options: Sequence[int], slots: Sequence[Slot]) -> float:
     ]
     if defined and len(means) == 1:
         return _STARTED if any(each.start for each in means.values()) else _DEFINED
+    if len(means) == 1 and all(each.unchanged for each in means.values()) and _adds(item):
+        return _STARTED * item.weight  # what stays nobody works out by a difference
     return item.weight * _naturalness(item, means)
+
+
+def _adds(item: Item) -> bool:
+    """Whether an item gives its letter the value of a sum, or of a difference."""
+    sides = (item.readings[0].left, item.readings[0].right)
+    return any(
+        isinstance(each, Binary) and each.op in "+-"
+        for side in sides
+        if letters(side).isdisjoint(item.slots)
+        for each in walk(side)
+    )
 
 
 def _is_natural(item: Item, state: State, slots: Sequence[Slot]) -> bool:

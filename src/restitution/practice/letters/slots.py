@@ -70,7 +70,8 @@ def slot_of(
         if same in seen:
             continue
         seen.add(same)
-        if not may_vanish and makes_idle(value, tester):
+        awaited = may_vanish or (candidate.stopped and not candidate.unchanged)
+        if not awaited and makes_idle(value, tester):
             candidate = replace(candidate, cost=candidate.cost + _IDLE)
         for sense in (1, -1) if candidate.sensed else (1,):
             chosen = candidate if sense > 0 else candidate.turned()

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
+from itertools import permutations
 
 import numpy as np
 
@@ -33,7 +34,7 @@ from restitution.practice.letters.trial import Tester
 from restitution.practice.reading.phrases import is_phrase, read_phrase
 from restitution.practice.script import ANYWHERE, Scope, Script, ScriptLine
 from restitution.practice.worlds.world import World
-from restitution.problem import Event, Find, Impact, Let, Part, Problem, trees
+from restitution.problem import Compare, Event, Find, Impact, Let, Part, Problem, Show, trees
 from restitution.vector import Vector
 
 # What a quantity costs that is no usual one, but asked for.
@@ -78,6 +79,7 @@ class Surroundings:
                 unchanged=self._is_unchanged(each),
                 varies=self._varies(each),
                 asked=each.nature != "vector" and each.quantity in self.asked,
+                stopped=(each.body, each.event) in self.stopped,
             )
             for each in usual
             if not self._is_no_time(each) and not self._is_of_the_axes(each)
@@ -92,6 +94,20 @@ class Surroundings:
             if isinstance(step, Find)
             for item in step.items
         )
+
+    @cached_property
+    def stopped(self) -> frozenset[tuple[str | None, int | None]]:
+        """The bodies that the part is to show at rest, each with the number of the event before."""
+        found: set[tuple[str | None, int | None]] = set()
+        for step, now, _ in self.problem.timeline(self.part):
+            relation = step.relation if isinstance(step, Show) else None
+            operands = relation.operands if isinstance(relation, Compare) else ()
+            for tree, other in permutations(operands, 2):
+                match staged(tree, self.problem, self.part, now):
+                    case Quantity("speed" | "velocity", (Name(body),), int(stage)):
+                        if other == Number(Fraction(0)):
+                            found.add((body, stage))
+        return frozenset(found)
 
     def _is_no_time(self, candidate: Candidate) -> bool:
         """Whether a time is zero in a story that begins with that event."""

@@ -28,6 +28,7 @@ from restitution.practice.marking.marks import Marks, PointMark, State
 from restitution.practice.marking.scheme import MarkPoint, Scheme
 from restitution.practice.marking.values import Values
 
+_OF_DEFLECTION = ("deflection-difference", "deflection-is-after")
 _UNSOUND = ("false", "unsupported", "follows")
 _UNSURE = ("asks", "unread")
 
@@ -104,7 +105,7 @@ class _Examiner:
         compared = self._compared(point)
         if compared is not None:
             return self._earned(point, compared, "")
-        if lost is None and point.principle == "angle":
+        if point.principle == "angle" and (lost is None or self._is_of_deflection(lost)):
             # The components may go out of the equations of two laws together, or the angle is
             # worked out to another line first.
             sound = (each for each in self.lines if each.verdict in SOUND and each.grounded)
@@ -123,6 +124,12 @@ class _Examiner:
             if line_of_value is not None:
                 return self._earned(point, line_of_value, "")
         return lost or self._missing(point)
+
+    def _is_of_deflection(self, mark: PointMark) -> bool:
+        """Whether a point is lost by how a deflection is put together, and not by its angles."""
+        line = self._line(mark.line)
+        mistake = None if line is None else line.mistake
+        return mistake is not None and mistake.id in _OF_DEFLECTION
 
     def _of_other_energy(self, point: MarkPoint) -> PointMark | None:
         """An energy without all its terms, beside one that is right: the method needs both."""
@@ -221,6 +228,8 @@ class _Examiner:
                 return self._earned(point, line, "the law is right; the angle is another point")
             if sound and not self._is_of_what_stays(point, line, use):
                 continue
+            if sound and self._is_denied(point) and not self.values.has_velocities(line):
+                continue  # 13 cos α = 12 tells nothing of what stays
             if sound and (lost is None or line.verdict == "true"):
                 return self._earned(point, line, "")
             lost = lost or PointMark(point, "lost", line.line.number, self._reason(line))
@@ -232,6 +241,17 @@ class _Examiner:
             return value if value.state == "earned" else lost or value
         used = next((line for line in self.lines if self.values.carries(point, line)), None)
         return value if used is None else self._earned(point, used, "used here")
+
+    def _is_denied(self, point: MarkPoint) -> bool:
+        """Whether a false line has a component that stays as another one."""
+        return point.principle == "unchanged" and any(
+            line.verdict == "false"
+            and any(
+                use.altered and (use.principle, use.event) == (point.principle, point.event)
+                for use in line.uses
+            )
+            for line in self.lines
+        )
 
     def _is_of_what_stays(self, point: MarkPoint, line: JudgedLine, use: Use) -> bool:
         """Whether a line speaks of one body's component that stays.

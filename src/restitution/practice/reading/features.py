@@ -59,6 +59,7 @@ class Features:
     timed: bool = False
     start: bool = False
     between: bool = False
+    reduced: bool = False
 
 
 def words_of(text: str) -> tuple[str, ...]:
@@ -102,6 +103,8 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
             features = replace(features, axis=AXES[low[1]])
         elif low in ("u", "v", "w") and len(words) == 2:
             features = replace(features, heads=features.heads | {"velocity"})
+        elif low == "reduced":
+            features = replace(features, reduced=True)
         elif low == "between":
             features = replace(features, between=True)
         elif low in ("relative", "rel"):

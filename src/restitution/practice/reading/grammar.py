@@ -169,8 +169,9 @@ class Parser(Cursor):
     def quotient(self, above: Expression, sign: Token) -> Expression:
         """A quotient by one factor, or by the whole product that stands behind the line."""
         first = self.position
+        wide = sign.text == "÷" or (sign.gap > 0 and bool(self.kind()) and self.token().gap > 0)
         below = self.signed_factor()
-        if sign.text == "÷" and self.kind() == "/" and not self.choose("division"):
+        if wide and self.is_within() and not self.choose("division"):
             inner = self.take()
             below = Binary("/", below, self.signed_factor(), place=self.place(inner))
         if self.begins_factor() and self.kind() not in ("unit", "phrase"):
@@ -180,10 +181,14 @@ class Parser(Cursor):
                     if self.kind() == "(" and self.choose("brackets behind a denominator"):
                         break
                     below = self.multiplied(below, self.factor(), None)
-                if sign.text == "÷" and self.kind() == "/" and not self.choose("division"):
+                if wide and self.is_within() and not self.choose("division"):
                     inner = self.take()
                     below = Binary("/", below, self.signed_factor(), place=self.place(inner))
         return Binary("/", above, below, place=self.place(sign))
+
+    def is_within(self) -> bool:
+        """Whether a line of a quotient stands next that belongs to a denominator: ``¼ / 1/2``."""
+        return self.kind() == "/" and self.token().text == "/" and not self.token().gap
 
     def wants_whole(self, above: Expression, first: int) -> bool:
         """Whether people mean the whole product behind the line: ``3u/2m``, not ``1/2mv²``."""

@@ -175,7 +175,8 @@ def heading_end(tokens: Sequence[Token], usage: Usage) -> int:
     if not end or not any(each.kind in ("word", "name") for each in tokens[:end]):
         return 0
     if end == 1 and tokens[0].kind == "name" and len(tokens) > 2:
-        return 0
+        wall = tokens[0].name in usage.walls and tokens[1].kind == ":"
+        return 1 if wall else 0
     if end == len(tokens) or tokens[end].kind in (":", ",", "stop", ";"):
         return end if end == len(tokens) or tokens[end].kind == ":" or end > 1 else 0
     if tokens[end].kind == "word":

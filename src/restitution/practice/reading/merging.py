@@ -31,7 +31,7 @@ _BEHIND_AXIS = frozenset(
 )
 _STARTS = frozenset(
     ("total", "overall", "combined", "resultant", "relative", "rel", "horizontal", "vertical")
-    + ("line",)
+    + ("line", "reduced")
 )
 _WAYS = frozenset(("parallel", "along", "perpendicular", "perp", "in"))
 _NEAR_A_NAME = frozenset(

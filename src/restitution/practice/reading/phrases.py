@@ -43,6 +43,7 @@ __all__ = [
     "names_quantity",
     "names_time",
     "read_phrase",
+    "tells_after",
     "words_of",
 ]
 
@@ -79,6 +80,11 @@ def is_phrase(name: str) -> bool:
 def is_relative(name: str) -> bool:
     """Whether a phrase names a speed of approach or of separation, and so its moment."""
     return any(HEADS.get(word) in ("approach", "separation") for word in name.casefold().split())
+
+
+def tells_after(name: str, problem: Problem) -> bool:
+    """Whether a phrase says that its quantity is one after an event."""
+    return features_of(words_of(name), problem).stage == "after"
 
 
 def is_vague(name: str) -> bool:
@@ -153,6 +159,13 @@ def _exact(text: str, problem: Problem) -> Expression | None:
         return None
 
 
+def _is_of_velocities(angle: Expression) -> bool:
+    """Whether an angle is one between two velocities."""
+    return isinstance(angle, Quantity) and all(
+        isinstance(each, Quantity) and each.kind == "velocity" for each in angle.arguments
+    )
+
+
 def _unique(candidates: Iterator[Expression]) -> tuple[Expression, ...]:
     trees: dict[Expression, None] = {}
     for each in candidates:
@@ -192,7 +205,7 @@ class _Reader:
             elif "coefficient" in heads:
                 yield Quantity("restitution", (), event)
             elif "mass" in heads:
-                yield from (Quantity("mass", (Name(each),)) for each in self.bodies(event))
+                yield from self.mass(event)
             elif heads & {"approach", "separation", "relative"}:
                 yield from self.relative(event)
             elif "momentum" in heads:
@@ -473,6 +486,16 @@ class _Reader:
             return []
         return [each for each in (impact.first, impact.second) if each in self.spheres]
 
+    def mass(self, event: int) -> Iterator[Expression]:
+        """Masses; of two that meet the reduced mass, or the sum, where the words say so."""
+        masses = [Quantity("mass", (Name(each),)) for each in self.bodies_met(event)]
+        if len(masses) == 2 and (self.features.reduced or self.features.both):
+            total = Binary("+", *masses)
+            reduced = Binary("/", Binary("*", *masses), total)
+            yield reduced if self.features.reduced else total
+            return
+        yield from (Quantity("mass", (Name(each),)) for each in self.bodies(event))
+
     def change(self, event: int) -> Iterator[Expression]:
         """A change of velocity, or of a component of it."""
         for body in self.bodies(event):
@@ -556,6 +579,11 @@ class _Reader:
         """Angles of deflection."""
         for body in self.bodies(event):
             yield Quantity("deflection", (Name(body),), self.after(event))
+            if event > 1:
+                ends = (
+                    Quantity("velocity", (Name(body),), each) for each in (self.after(event), 0)
+                )
+                yield Quantity("angle", tuple(ends))
 
     def angle(self, event: int) -> Iterator[Expression]:
         """Angles to a wall, to the line of centres, to an axis, and between velocities."""
@@ -567,6 +595,11 @@ class _Reader:
         if features.between and not spheres and len(self.bodies_met(event)) == 2:
             yield self.angle_between(event)
             return
+        if features.between and not (spheres or features.wall or features.direction):
+            between = [each for each in self.asked("angle") if _is_of_velocities(each)]
+            if between and features.axis is None and not features.names:
+                yield from between
+                return
         if features.axis is not None and "centres" in (features.direction or ""):
             own = Quantity("angle", (line, features.axis))
             yield own

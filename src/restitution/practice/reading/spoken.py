@@ -26,9 +26,11 @@ _IT_IS = re.compile(
 _BECOMES = re.compile(
     rf"\bthe\s+({_NUMBER})\s+(?:becomes|turns\s+into|changes\s+to|goes\s+to)\s+", re.IGNORECASE
 )
-_DEFLECTED = re.compile(
-    r"\bit\s+(?:is|gets|was|has\s+been)\s+deflected\s+(?:through|by)\s+(?:an\s+angle\s+of\s+)?"
-    rf"(?={_NUMBER})",
+_TURNED = re.compile(
+    r"\b(?:(?:it|they|(?:the\s+)?(?:ball|sphere|particle|puck|path))\s+|([A-Z])\s+)?"
+    r"(?:(?:is|are|was|gets|has|has\s+been)\s+)?(?:turned|turns|deflected)\s+(?:(?:through|by)\s+)?"
+    r"(?:an?\s+(?:total\s+)?angle\s+(?:of\s+)?)?(?:[=:]\s*)?"
+    r"(?=\d|\(|(?:arc)?(?:sin|cos|tan))",
     re.IGNORECASE,
 )
 _AXIS = re.compile(r"(?:^|(?<=[,;]))\s*([ijy])\s*:(?=\s*[^\s:=<>])(?=[^:]*=)")
@@ -56,6 +58,12 @@ def _component(match: re.Match[str], problem: Problem) -> str:
     speed = _tree(match[1])
     owners = [each.name for each in problem.spheres if speed in _speeds(each.velocity)]
     return f"component of {owners[0]} before " if len(owners) == 1 else "component "
+
+
+def _turned(match: re.Match[str], problem: Problem) -> str:
+    """The deflection of the sphere that is named, or of one."""
+    spheres = {each.name for each in problem.spheres}
+    return f" deflection of {match[1]} = " if match[1] in spheres else " deflection = "
 
 
 def _after(match: re.Match[str], problem: Problem) -> str:
@@ -96,7 +104,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_OF_A_SPEED, _component),
     (_IT_IS, lambda match, _: f"{match[1]} the velocity is "),
     (_BECOMES, _after),
-    (_DEFLECTED, lambda match, _: "deflection = "),
+    (_TURNED, _turned),
     (_AXIS, lambda match, _: f" {match[1]} direction: "),
     (_PART, lambda match, _: f"{match[1]} component"),
 )

@@ -351,6 +351,7 @@ class _Reader:
         if segment.tokens[0].kind == "name":
             return between == {":"} or (begins and not between & _ENDING)
         named = ":" in between and not between & _ENDING
+        begins = begins and not between & _ENDING
         return begins or named or between <= {"by", "of", "as", "to", "about", "only"}
 
     def _label(self, segment: Segment) -> Token | None:
@@ -383,7 +384,7 @@ class _Reader:
     def value(self, segment: Segment) -> None:
         """A segment without a relation: a further value, the value of a label, or a remark."""
         tokens = segment.tokens
-        if self.pending(segment):
+        if self.pending(segment) or self._names_its_way(segment):
             return
         if tokens[0].name in self.usage.spheres and self.velocities(tokens):
             return
@@ -422,6 +423,13 @@ class _Reader:
             self.statements.values += (sides[0].tree,)
             if not isinstance(sides[0].tree, Letter | Number):
                 self.worth = sides[:1]  # the next line may go on from it with a sign
+
+    def _names_its_way(self, segment: Segment) -> bool:
+        """Whether a vector alone says which way a label goes: ``A along n: (20 + 30)/5``."""
+        label, tokens = self.label, segment.tokens
+        vector = tokens[0].kind == "unit" or tokens[0].name in self.usage.vectors
+        alone = len(tokens) == 1 and vector and not segment.before
+        return alone and label is not None and _ends_in_a_way(label)
 
     def _is_moving(self, tree: Expression) -> bool:
         """Whether a vector may be a velocity: it is no letter alone."""
@@ -602,6 +610,8 @@ class _Reader:
             return
         label, self.label = self.label, None
         first = read[0][0].tree
+        if _is_way(label) and is_vector(first, self.usage.vectors):
+            return  # perp: (5, 10) - 10n = (-3, 4)
         equation = all(_is_lettered_sum(each[0].tree) for each in (read[0], read[-1]))
         if equation and label.kind == "phrase":
             return

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from itertools import chain
 
 from restitution.expression.tree import (
     GREEK,
@@ -40,6 +41,11 @@ _LETTER_X = re.compile(
 _JOULES = re.compile(r"(?:^|[=;,(:]|so|let|=>)\s*-?J\s*[=/]|=\s*J\s*$", re.MULTILINE)
 _VECTOR = re.compile(
     r"(?<![\w'])([A-Za-z])(?:_?(\w))?\s*=\s*[^=<>|·.]*(?<![A-Za-z])\d*[ij](?![A-Za-z])"
+)
+# The same with a pair of components: ``n = (3, 4)/5``, ``v = 5(0.6, 0.8)``.
+_PAIR = re.compile(
+    r"(?<![\w'])([A-Za-z])(?:_?(\w))?\s*=\s*(?:[\d./]*\s*\*?\s*|-\s*)[(\[][^(),=\[\]]+,[^(),=\[\]]+[)\]]"
+    r"(?!\s*[.·(\[*])"
 )
 _LATIN_FOR = {
     "a": "alpha",
@@ -84,7 +90,7 @@ def usage_of(lines: Sequence[str], problem: Problem) -> Usage:
 
 def _vectors(text: str, spheres: frozenset[str]) -> Iterator[str]:
     """The letters that the script equates with vectors: ``n = (3i + 4j)/5``, ``vA = 3i``."""
-    for match in _VECTOR.finditer(text):
+    for match in chain(_VECTOR.finditer(text), _PAIR.finditer(text)):
         if (
             match[2]
             and not match[0][1:].startswith("_")

@@ -114,6 +114,7 @@ FILLERS = frozenset(
     + ("surface", "moment", "makes", "made", "relative", "combined", "through", "s", "axis", "dir")
     + ("dirn", "moves", "moving", "actual", "resultant", "sum", "which", "it", "that", "their")
     + ("motion", "given", "exerted", "received", "common", "full", "into", "wrt", "joining", "rel")
+    + ("reduced",)
 )
 PHRASE_WORDS = (
     frozenset(HEADS)

@@ -50,6 +50,7 @@ def read_working(
     plains = [plain(line[: MAX_LENGTH + 1]) for _, line in typed[:MAX_LINES]]
     usage = usage_of([each.text for each in plains], problem)
     aliases = {each: meant for each, meant in usage.aliases.items() if each not in declared}
+    aliases |= {each: each for each in declared if len(each) == 2 and each in usage.aliases}
     own = {each: meant for each, meant in aliases.items() if meant not in GREEK_ANGLES}
     script = _read(typed, plains, problem, replace(usage, aliases=aliases))
     if own == aliases:
