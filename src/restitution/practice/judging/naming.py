@@ -35,6 +35,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import Mistake, Use
 from restitution.practice.judging.entries import Entry, is_numeric, same_relation
+from restitution.practice.judging.other_forms import is_turn
 from restitution.practice.judging.plain_mistakes import (
     has_coefficient,
     holds_in,
@@ -524,12 +525,7 @@ def is_sum_of_angles(entry: Entry) -> bool:
 def _is_deflection(entry: Entry) -> bool:
     """Whether the left side of a claim is the angle between two directions of one body."""
     left = entry.claim.left
-    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
-    if not isinstance(meant, Quantity):
-        return False
-    bodies = {each.arguments for each in meant.arguments if isinstance(each, Quantity)}
-    moving = all(getattr(each, "kind", "") == "velocity" for each in meant.arguments)
-    return meant.kind == "deflection" or (meant.kind == "angle" and moving and len(bodies) == 1)
+    return is_turn(entry.meanings.get(left.name, left) if isinstance(left, Letter) else left)
 
 
 def _is_result(entry: Entry, result: ResultAt, world: World) -> bool:

@@ -59,7 +59,19 @@ def are_alike(one: Expression, other: Expression) -> bool:
         for each in (one, other)
     )
     kinds = {kind_of(one), kind_of(other)}
+    if kinds == {"deflection", "angle"}:
+        return is_turn(one) and is_turn(other)
     return len(kinds) == 1 or kinds == {"energy", "energy_lost"}
+
+
+def is_turn(tree: Expression) -> bool:
+    """Whether a quantity is the angle between two directions of one body."""
+    if not isinstance(tree, Quantity):
+        return False
+    moving = [each for each in tree.arguments if isinstance(each, Quantity)]
+    velocities = len(moving) == 2 and all(each.kind == "velocity" for each in moving)
+    one = velocities and moving[0].arguments == moving[1].arguments
+    return tree.kind == "deflection" or (tree.kind == "angle" and one)
 
 
 def of_natures(claim: Claim, meanings: Meanings) -> Iterator[Claim]:

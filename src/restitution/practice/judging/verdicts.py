@@ -209,7 +209,7 @@ class Judge(Following):
         for name in worst.letters:
             self.unknown.add(name)
         accuracies = [link.accuracy for link in links if link.accuracy is not None]
-        uses = self._uses(line, links)
+        uses = self._uses(line, links) if self._names else ()
         if verdict == "true" and not all(self._is_known(link.claim) for link in links):
             # A value rests on laws, and states none; nor does what is data alone.
             self._stated |= {
