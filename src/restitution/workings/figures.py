@@ -7,6 +7,7 @@ behind it; where it comes again, its figures are printed. What the lines say sta
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import partial
 
 import sympy as sp
 
@@ -24,10 +25,11 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.forms import swept
-from restitution.workings.measured import worth
+from restitution.workings.measured import rounded, worth
 
 # Of a value on the way, so that three are right in the end.
 FIGURES_BETWEEN = 4
+_FIGURES_OF_COSINES = range(FIGURES_BETWEEN, 9)
 _RATIOS = frozenset({"sin", "cos", "tan"})
 # Values beyond these would need a power of ten.
 _LEAST, _GREATEST = Fraction(1, 1000), 10000
@@ -54,10 +56,16 @@ class Figures:
         if number is not None:
             self._known[own] = number
 
-    def instead_of(self, tree: Expression) -> Expression:
-        """The figures of a number that is not written exactly; they stand for it from then."""
+    def cosine(self, tree: Expression) -> Expression:
+        """The figures of a cosine that is not written exactly; they stand for it from then.
+
+        There are as many of them as the angle to three figures needs.
+        """
         own = tree.operand if isinstance(tree, Negate) else tree
-        number = _in_figures(own)
+        number = next(
+            filter(partial(_same_angle, own), (_in_figures(own, n) for n in _FIGURES_OF_COSINES)),
+            None,
+        )
         if number is None:
             return tree
         self._known[own] = number
@@ -69,7 +77,11 @@ class Figures:
         if own in self._known:
             return tree
         put = exchanged(tree, self._known)
-        return tree if put == tree else swept(rebuilt(swept(put), _sign_outside))
+        if put == tree:
+            return tree
+        put = swept(rebuilt(swept(put), _sign_outside))
+        # Figures that lead to others in the end would make the line false.
+        return tree if _differ(tree, put) else put
 
     def vector(self, tree: Expression) -> Expression:
         """A vector of which each long component has its figures alone; they are known from then."""
@@ -98,10 +110,20 @@ def _is_sum(tree: Expression) -> bool:
     return False
 
 
-def _in_figures(tree: Expression) -> Expression | None:
-    """A number to four figures, as a decimal; None of one that is very small or large."""
+def _same_angle(cosine: Expression, figures: Expression | None) -> bool:
+    return figures is not None and not _differ(Apply("arccos", cosine), Apply("arccos", figures))
+
+
+def _differ(exact: Expression, put: Expression) -> bool:
+    """Whether a value has other figures in an answer if figures are put in on the way."""
+    one, other = rounded(exact), rounded(put)
+    return one is not None and other is not None and one != other
+
+
+def _in_figures(tree: Expression, figures: int = FIGURES_BETWEEN) -> Expression | None:
+    """A number to so many figures, as a decimal; None of one that is very small or large."""
     try:
-        number = Fraction(significant(worth(tree), FIGURES_BETWEEN))
+        number = Fraction(significant(worth(tree), figures))
     except (RestitutionError, sp.SympifyError, ValueError):
         return None
     if not _LEAST <= abs(number) < _GREATEST:

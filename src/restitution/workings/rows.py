@@ -296,7 +296,7 @@ class Rows:
                 trees[n] = self._figures.vector(trees[n])
         if line.move.record == "scalar-angle" and len(links) > 1 and _has_long_root(trees[-1]):
             # Nobody multiplies two roots to have one of such a number.
-            trees[-1] = self._figures.instead_of(trees[-1])
+            trees[-1] = self._figures.cosine(trees[-1])
         return frozenset(n for n, tree in enumerate(trees) if tree != exact[n])
 
     def _unrationalised(self, ratio: Expression) -> lay.Layout:
