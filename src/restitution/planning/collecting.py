@@ -400,8 +400,9 @@ def _sides(
     """The sides as trees; of a sum that is zero, what is negative stands on the other side."""
     left, right = ([(m, c) for m, c in polynomial.terms() if c != 0] for polynomial in polynomials)
     alone = [scene.model.sign(each[0][1]) for each in (left, right) if len(each) == 1]
-    worth = sp.sympify(polynomials[0].as_expr(), strict=True).xreplace(dict(scene.model.final))
-    if sum(alone) < 0 or (not alone and scene.model.sign(scene.model.in_data(worth)) < 0):
+    model = scene.first
+    worth = sp.sympify(polynomials[0].as_expr(), strict=True).xreplace(dict(model.final))
+    if sum(alone) < 0 or (not alone and model.sign(model.in_data(worth)) < 0):
         # A side that is less than nothing: 2 − 2e = 1, and not 2e − 2 = −1.
         left, right = ([(m, -c) for m, c in each] for each in (left, right))
     linear = len(generators) == 1 and polynomials[0].degree() == 1

@@ -52,7 +52,7 @@ from restitution.planning.given_momenta import write_impulse
 from restitution.planning.given_places import write_given_place
 from restitution.planning.given_turns import given_turn
 from restitution.planning.impacts import scene_value
-from restitution.planning.impulse_formulas import impulse_on
+from restitution.planning.impulse_formulas import impulse_in_sense, impulse_on
 from restitution.planning.lines_between import (
     angle_of_lines,
     has_angle,
@@ -65,6 +65,7 @@ from restitution.planning.premises import background
 from restitution.planning.quantities import formula
 from restitution.planning.quoted import QUOTED, has_root, quoted, quoted_as
 from restitution.planning.roots import senses
+from restitution.planning.related_tangents import write_tangents
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.separations import relative_speed
 from restitution.planning.square_roots import without_equal_squares
@@ -294,6 +295,12 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
             return number
         right: Expression = own.right.argument if hasattr(own.right, "argument") else own.right
         relation = chain(square(left), (swept(right), None))
+    elif own.move.record == "impulse" and _turns_round(scene, own.value):
+        # All solutions share one line, in the sense of the first of them.
+        own = impulse_in_sense(scene, own)
+        right = square(swept(own.right))
+        whole = tree_of(tidy(own.value**2))
+        relation = chain(square(left), (right, None), (whole, "rearrange"))
     else:
         relation = chain(own.of(left), (swept(own.right), None))
         if own.move.record in _LOSSES and not has_root(own.value):
@@ -304,6 +311,11 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
             if scene.judge.follows(own.move, premises, worth):
                 return scene.desk.write(own.move, premises, worth)
     return scene.desk.write(own.move, together(each.refs, refs, own.refs), relation)
+
+
+def _turns_round(scene: Scene, value: sp.Expr) -> bool:
+    """Whether what is positive in this solution is negative in another one."""
+    return any(each.sign(each.in_data(value)) < 0 for each in scene.others)
 
 
 def write_impulse_on(scene: Scene, each: GivenEquation, body: str) -> int | None:
@@ -594,9 +606,8 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
         number = write(scene, each, own.left)
         if number is not None:
             return number
-    refs: list[Ref] = []
-    values: dict[Expression, Expression] = {}
-    for side in (own.left, own.right):
+    values, refs = write_tangents(scene, own)
+    for side in (exchanged(each, values) for each in (own.left, own.right)):
         for node in outermost(side):
             if place_trees.is_duration(node) and node not in values:
                 number, value = journeys.write(scene, node)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from restitution.components.models import Model
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move
 from restitution.expression.tree import (
@@ -57,14 +58,28 @@ def impulse_formula(scene: Scene, quantity: Quantity) -> Formula:
     return impulse_on(scene, quantity, body, event)
 
 
-def impulse_on(scene: Scene, quantity: Quantity, body: str, event: int) -> Formula:
-    """The size of an impulse, as the change of momentum of one of the bodies."""
+def impulse_in_sense(scene: Scene, own: Formula) -> Formula:
+    """An impulse by a change of momentum that is positive in the first of several solutions."""
+    (body,), event = own.move.bodies, own.move.event
+    assert event is not None
+    assert isinstance(own.quantity, Quantity)
+    return impulse_on(scene, own.quantity, body, event, scene.first)
+
+
+def impulse_on(
+    scene: Scene, quantity: Quantity, body: str, event: int, model: Model | None = None
+) -> Formula:
+    """The size of an impulse, as the change of momentum of one of the bodies.
+
+    The change is positive in the solution that is written, or in that of another ``model``.
+    """
+    model = model or scene.model
     frame = scene.frame(event)
     early, late = (in_direction(scene, "along", body, k, frame) for k in (event - 1, event))
     change = late.value - early.value
     mass = scene.mass(body)
     first, last = tree_of(early.value), tree_of(late.value)
-    if scene.model.sign(change) < 0:
+    if model.sign(model.in_data(change)) < 0:
         first, last, change = last, first, -change
     # At a wall the two point opposite ways: sizes are added.
     walled = frame.wall is not None

@@ -322,6 +322,7 @@ class Solver:
         if open_ & self._letters.keys() and not self._is_of_direction(own):
             return open_ - self._cancelling(own, put)
         put = put.replace(sp.Abs, lambda x: x * model.sign(model.in_data(x)))
+        put = put.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
         above = sp.fraction(one_fraction(put))[0]
         factors = [base for base, _ in factor_powers(above)]
         zero = [factor for factor in factors if model.sign(model.in_data(factor)) == 0]
@@ -584,8 +585,11 @@ class Solver:
         squared = [each for each in put if sp.diff(each, symbol, 2) != 0]
         if not squared:
             return False
-        # Of several solutions each would need the laws anew.
-        return bool(self.scene.others) or not all(_is_plain_square(x, symbol) for x in squared)
+        # Of several solutions each would need the laws anew, unless that is where they part.
+        signs = {each.sign(each.in_data(symbol)) for each in self.scene.others}
+        return (bool(signs) and not signs >= {-1, 1}) or not all(
+            _is_plain_square(x, symbol) for x in squared
+        )
 
     def _closes(self, number: int, symbol: sp.Symbol) -> bool:
         """Solves a line for its unknown, if there is a way now; there may be one later."""

@@ -118,6 +118,9 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
         return False
     if isinstance(left, Plane) or isinstance(right, Plane) or isinstance(above, Plane):
         return False
+    squares = left * left - right * right
+    if may_match(step, line, (squares,)) and matches(step, line, squares):
+        return True  # in whichever sense
     # A sense takes long to decide: it is asked only where either would make the line.
     if not may_match(step, line, (left - right, left + right)):
         return False
