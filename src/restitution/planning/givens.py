@@ -68,7 +68,7 @@ from restitution.planning.roots import senses
 from restitution.planning.related_tangents import write_tangents
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.separations import relative_speed
-from restitution.planning.square_roots import without_equal_squares
+from restitution.planning.square_roots import is_not_negative, without_equal_squares
 from restitution.planning.ties import write_tie
 from restitution.planning.velocity_formulas import squares
 from restitution.planning.wall_turns import related_at_a_wall
@@ -344,7 +344,7 @@ def _of_one_component(
 ) -> int | None:
     """A speed that is given, where only one component is not zero and its sense is certain."""
     base = _one_component(own)
-    if base is None:
+    if base is None or not _is_of_sure_sense(scene, base):
         return None
     relation = chain(left, (base, None))
     names = letters(base) | letters(left)
@@ -377,6 +377,12 @@ def _one_component(own: Formula) -> Expression | None:
         case Apply("sqrt", Binary("^", base, exponent)) if exponent == TWO:
             return swept(base)
     return None
+
+
+def _is_of_sure_sense(scene: Scene, component: Expression) -> bool:
+    """Whether a component is not negative whatever is given of it, or is a letter that is open."""
+    open_ = {each.symbol.name for each in scene.model.components.values()}
+    return bool(letters(component) & open_) or is_not_negative(scene, component)
 
 
 def _right_angle(scene: Scene, each: GivenEquation, own: Formula) -> int:
@@ -564,6 +570,8 @@ def _of_two_components(
     """Two speeds of one component each, of which the senses are certain."""
     bases = [_one_component(own) for own in pair]
     if bases[0] is None or bases[1] is None:
+        return None
+    if not all(_is_of_sure_sense(scene, each) for each in bases if each is not None):
         return None
     names = letters(bases[0]) | letters(bases[1])
     mark, (a, b) = scene.desk.mark(), pair

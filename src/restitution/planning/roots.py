@@ -23,7 +23,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.desk import NotPlannedError, Source, chain
+from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.forms import ZERO, outer_terms, product, square, swept, total, tree_of
 from restitution.planning.impacts import momentum, residual, restitution, scene_value
 from restitution.planning.polynomials import expanded, factor_powers, factored
@@ -34,6 +34,7 @@ from restitution.planning.square_roots import (
     is_square_of_sum,
     linear_factors,
 )
+from restitution.planning.velocity_formulas import velocity_source
 
 
 def known_as(scene: Scene, symbol: sp.Symbol, value: Any, number: int) -> Source:
@@ -483,6 +484,10 @@ def rejected(
         refs = scene.judge.enough(move, (line,), relation, approach)
         if refs is not None:
             return scene.desk.write(move, refs, relation)
+    for sense in _senses_of_components(scene, symbol):
+        refs = scene.judge.enough(move, (line,), relation, (*sense, *own))
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
     pool = (*own, *laws, *_values(scene, laws), *rest, *facts)
     refs = scene.judge.enough(move, (line,), relation, pool)
     if refs is None:
@@ -610,6 +615,18 @@ def _values(scene: Scene, laws: Sequence[Ref]) -> tuple[Ref, ...]:
             if known is not None:
                 refs += known.refs
     return tuple(dict.fromkeys(refs))
+
+
+def _senses_of_components(scene: Scene, symbol: sp.Symbol) -> Iterator[tuple[Ref, ...]]:
+    """What is given of the sense of a component that lines tell by a letter."""
+    for (event, body), component in scene.model.components.items():
+        own = scene.desk.known(Letter(component.symbol.name))
+        if own is None or symbol not in sp.sympify(own.value, strict=True).free_symbols:
+            continue
+        facts = senses(scene, component.symbol)
+        if facts:
+            early, late = (velocity_source(scene, body, k) for k in (event - 1, event))
+            yield together(own.refs, facts, early.refs, late.refs)
 
 
 def senses(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:

@@ -28,7 +28,6 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angle_ratios import RECIPROCALS, write_other_ratio, write_ratios
 from restitution.planning.changes import by_its_change
-from restitution.planning.checking import evaluator, holds
 from restitution.planning.desk import Desk, NotPlannedError, Source, together
 from restitution.planning.forms import neat, tree_of
 from restitution.planning.frames import Frame, frame_of
@@ -94,7 +93,6 @@ class Scene:
     _initial: dict[str, Source] = field(default_factory=dict)
     _put: dict[sp.Expr, tuple[sp.Expr, tuple[Ref, ...]]] = field(default_factory=dict)
     _unknown: dict[sp.Expr, frozenset[sp.Symbol]] = field(default_factory=dict)
-    _first: tuple[tuple[tuple[int, int], ...], Model] | None = None
     _at: tuple[object, ...] | None = None
     _names: tuple[int, Mapping[str, sp.Symbol]] | None = None
     _worths: dict[Expression, sp.Expr] = field(default_factory=dict)
@@ -191,17 +189,7 @@ class Scene:
     @property
     def first(self) -> Model:
         """The model by whose signs lines are turned: solutions share it until they part."""
-        splits = self.desk.splits
-        if self._first is None or self._first[0] != splits:
-            alike = (each for each in self.others if self._is_under(each, splits))
-            self._first = splits, next(alike, self.model)
-        return self._first[1]
-
-    def _is_under(self, model: Model, splits: Iterable[tuple[int, int]]) -> bool:
-        """Whether another solution takes these of the alternatives that stand."""
-        value = evaluator(model, self.desk.lines, self.desk.facts)
-        chosen = (self.desk.relation(line).options[option] for line, option in splits)
-        return all(holds(Relation((links,)), value) for links in chosen)
+        return self.others[0] if self.others else self.model
 
     def worth(self, tree: Expression, others: Mapping[str, sp.Symbol] | None = None) -> sp.Expr:
         """What a tree of a line is worth; components, and ``others``, are letters."""

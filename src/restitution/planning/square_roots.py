@@ -189,9 +189,19 @@ def _of_two_squares(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     if left is None or right is None:
         return None
     relation = Relation(((Link(left, "=", swept(right)),),))
-    return in_another_form(scene, number, relation) or _as_a_product(
-        scene, number, symbol, left, right
-    )
+    if all(is_not_negative(scene, each) for each in (left, right)):
+        taken = in_another_form(scene, number, relation)
+        if taken is not None:
+            return taken
+    # A root that is excluded later is written all the same.
+    product_ = _as_a_product(scene, number, symbol, left, right)
+    return product_ or in_another_form(scene, number, relation)
+
+
+def is_not_negative(scene: Scene, tree: Expression) -> bool:
+    """Whether what is known of its letters makes a side not negative, without the equation."""
+    relation = Relation(((Link(tree, ">=", Number(Fraction(0))),),))
+    return scene.judge.proves(scene.judge.known(letters(tree)), relation)
 
 
 def _as_a_product(

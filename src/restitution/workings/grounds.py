@@ -90,7 +90,7 @@ def motion_of(fact: Fact | None) -> tuple[str, Expression] | None:
     if fact is None or fact.id.partition(" ")[0] != "sense":
         return None
     match fact.relation.only:
-        case (Link(Quantity("along", (Quantity("velocity", (Name(body),)), axis)), sign),):
+        case (Link(Quantity("along" | "dot", (Quantity("velocity", (Name(body),)), axis)), sign),):
             return body, axis if sign == ">" else Negate(axis)
     return None
 
