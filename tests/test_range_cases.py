@@ -58,6 +58,21 @@ def speed_of_a(u: sp.Expr, k: sp.Expr) -> sp.Set:
     return sp.Interval(0 if k > 1 else min(ends), max(ends))
 
 
+def no_more(e: sp.Expr) -> sp.Set:
+    """A, m, keeps (1 - 2e)u/3, and B (1 + e)(4 - k)u/(6(2 + k)): k(1 - e) <= 4e."""
+    if e == 0:
+        return sp.S.EmptySet
+    return sp.Interval.open(0, sp.oo) if e == 1 else sp.Interval.Lopen(0, 4 * e / (1 - e))
+
+
+def back_from_the_wall(e: sp.Expr) -> sp.Set:
+    """A keeps (1 - 3e)u/4, and B comes back with (1 + e)fu/4: f > (3e - 1)/(1 + e)."""
+    least = (3 * e - 1) / (1 + e)
+    if e == 1:
+        return sp.S.EmptySet
+    return sp.Interval.Lopen(least, 1) if least >= 0 else sp.Interval(0, 1)
+
+
 @dataclass(frozen=True)
 class Question:
     statement: str
@@ -90,6 +105,21 @@ QUESTIONS = {
         half_lost,
         ("e",),
         ((1 / sp.sqrt(2),), (ONE,), (ZERO,)),
+    ),
+    "any mass at one end of e": Question(
+        DIRECT.replace("k m", "2m")
+        + "sphere C: mass k m, at rest\nB hits C: along i, e = 1/2\n"
+        + "given A and B do not collide again\nfind range of k",
+        no_more,
+        ("e",),
+        ((ZERO,), (ONE,)),
+    ),
+    "any wall for small e": Question(
+        DIRECT.replace("k m", "3m")
+        + "wall W: along j\nB hits W: e = f\ngiven A and B collide again\nfind range of f",
+        back_from_the_wall,
+        ("e",),
+        ((ZERO,), (ONE,), (sp.Rational(1, 3),)),
     ),
     "a speed that vanishes within": Question(
         DIRECT + "unknown e\nfind range of speed(A)",

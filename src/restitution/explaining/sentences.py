@@ -678,12 +678,14 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{items:capital} cannot be found, as {value} is impossible: a coefficient of restitution "
         "is not negative."
     ),
+    "answer.by-case": "This holds for {condition}. In all, the range is {forms:semicolon}.",
     "answer.only": "This holds for {condition} only.",
     "range.also": "In this range {bounds:and} as well.",
     "answer.only-range": (
         "This holds for {condition} only, as there is no such {letter} otherwise."
     ),
     "answer.moving": "{body} is still moving at the end",
+    "answer.coefficient": "a coefficient of restitution is at most 1",
     "answer.divisor": "the divisor {divisor} is not zero",
     "range.within": "In this range {bounds:and}, so {body} hits {walls:and} between its ends too.",
     "range.within-anyway": "{body} hits {walls:and} between its ends too, as {bounds:and}.",

@@ -26,7 +26,7 @@ from restitution.planning.inequalities import solve_linear, turned, without_sign
 from restitution.planning.order import Solver
 from restitution.planning.polynomials import expanded
 from restitution.planning.scene import Scene
-from restitution.solving.solution import ItemResult
+from restitution.solving.solution import Answer, ItemResult
 
 
 def write_range(
@@ -287,9 +287,9 @@ def relation_of(asked: Expression, result: ItemResult) -> Relation:
 
     Raises NotPlannedError for what is no interval, and no union of them.
     """
-    if len(result.distinct) != 1:
+    answer = general_answer(result)
+    if answer is None:
         raise NotPlannedError("a range in cases")
-    answer = result.distinct[0]
     own = answer.value
     assert not isinstance(own, tuple), "a range is a set"
     parts = [
@@ -304,6 +304,19 @@ def relation_of(asked: Expression, result: ItemResult) -> Relation:
         raise NotPlannedError("a range in pieces whose order rests on letters")
     ordered = sorted(parts, key=lambda each: each.inf) if len(parts) > 1 else parts
     return Relation(tuple(_links_of(asked, each, answer.angle) for each in ordered))
+
+
+def general_answer(result: ItemResult) -> Answer | None:
+    """The range, or of several the one from which the others come.
+
+    Its ends have letters, or it is not for a single value of a letter of the data alone. None where
+    there are several such forms.
+    """
+    forms = result.distinct
+    lettered = [each for each in forms if getattr(each.value, "free_symbols", None)]
+    wide = [each for each in forms if any(set(text) & {"<", ">"} for text in each.condition)]
+    own = next((each for each in (forms, lettered, wide) if len(each) == 1), None)
+    return None if own is None else own[0]
 
 
 def _links_of(asked: Expression, own: sp.Interval | sp.FiniteSet, angle: bool) -> tuple[Link, ...]:

@@ -168,8 +168,10 @@ def _ordered(region: Family, name: str, borders: Sequence[sp.Expr]) -> tuple[Sam
 
 
 def _within(value: Enclosed, role: Role) -> bool:
+    """Whether a letter may have a value, which may be a closed end of its range."""
     low, high = bound(role.low), bound(role.high)
-    return (low is None or value > low) and (high is None or value < high)
+    above = low is None or value > low or (role.closed[0] and not (value - low).sign)
+    return above and (high is None or value < high or (role.closed[1] and not (value - high).sign))
 
 
 Cell = tuple[Piece, list[Piece]]
@@ -183,12 +185,15 @@ def _cells(
     last = End(sp.oo, False) if role.high is None else End(role.high, role.closed[1])
     for border in order:
         point = End(border, False)
-        yield (low, point), region.pieces_at({**drawn, name: _between(low, point, drawn)})
+        if border != low.value:
+            yield (low, point), region.pieces_at({**drawn, name: _between(low, point, drawn)})
         yield (
             (End(border, True), End(border, True)),
             region.pieces_at({**drawn, name: at(border, drawn)}),
         )
         low = point
+    if low.value == last.value:
+        return
     yield (low, last), region.pieces_at({**drawn, name: _between(low, last, drawn)})
 
 

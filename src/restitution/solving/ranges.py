@@ -18,7 +18,7 @@ from restitution.expression.dimensions import NONE
 from restitution.expression.evaluate import Evaluator, Symbolic
 from restitution.expression.tree import Expression, Letter, has_quantity, letters
 from restitution.language.measuring import dimensions_of_letters
-from restitution.oracle import Proof
+from restitution.oracle import Oracle, Proof, Relation
 from restitution.oracle.roles import Role
 from restitution.problem import Compare, Find, Problem, Range, Show
 from restitution.render.layout import display_set, from_tree
@@ -36,6 +36,7 @@ from restitution.solving.solution import Answer, ItemResult
 from restitution.solving.unknowns import Letters
 from restitution.solving.validity import (
     Limitation,
+    always_exist,
     bounds_of,
     range_limitations,
     with_condition,
@@ -147,7 +148,27 @@ def _range_of_letter(
         return _by_case(several, region.roles)
     if values is sp.S.EmptySet:
         return [(fixed_values(desk, name, setting), ())], "algebra"  # the facts alone fix it
+    if not _is_general(region, values):
+        several = cases(region)
+        if len(several) > 1:
+            return _by_case(several, region.roles)
     return [(values, range_limitations(outcome, region, values))], region.proof
+
+
+def _is_general(region: Region, values: sp.Set) -> bool:
+    """Whether the ends of a range have values, and lie in the range of the letter, for all data."""
+    if not always_exist(values, Oracle(region.roles, region.given)):
+        return False
+    if not isinstance(values, sp.Interval) or region.formula is None:
+        return True
+    oracle = Oracle(region.roles, (*region.given, region.formula))
+    ends = ((values.start, region.role.low, 1), (values.end, region.role.high, -1))
+    claims = [
+        Relation(sense * (end - bound), ">=")
+        for end, bound, sense in ends
+        if bound is not None and end.free_symbols
+    ]
+    return all(oracle.decide(claim).answer != "refuted" for claim in claims)
 
 
 def _by_case(several: Sequence[Case], roles: Mapping[str, Role]) -> tuple[list[Form], Proof]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 
 import sympy as sp
 
@@ -17,6 +18,7 @@ from restitution.expression.tree import Apply, Letter, has_quantity, letters
 from restitution.oracle import All, BeyondError, Formula, Oracle
 from restitution.oracle import Relation as Claim
 from restitution.oracle.roles import ACUTE
+from restitution.planning.ranges import general_answer
 from restitution.problem import Find, Given, Range, Value
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
@@ -35,6 +37,9 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
             ends = [each.line for each in derivation.items if each.item == name]
             answers = item.distinct
             by_case = isinstance(item.item, Range) and len(answers) > 1
+            general = general_answer(item) if by_case else None
+            if general is not None and ends:
+                sentences[ends[-1]] = _by_case(item, general)
             if by_case or not ends or all(each.condition_layout is None for each in answers):
                 continue
             if _is_asked(solution, part, item) or _speaks_of_others(solution, item, answers):
@@ -200,12 +205,18 @@ def _sentence(
     return say("answer.only", condition=condition)
 
 
+def _by_case(item: ItemResult, general: Answer) -> Sentence:
+    """For which values of the data a range holds, and all its forms."""
+    forms = tuple(each.layout for each in item.distinct)
+    return say("answer.by-case", condition=general.condition_layout or "", forms=forms)
+
+
 Bound = tuple[Formula, tuple[sp.Symbol, str]]
 """A claim of a letter that was found, and of which end or angle it is one."""
 
 
 def reasons_that_bind(
-    model: Model, unknowns: Collection[sp.Symbol]
+    model: Model, unknowns: AbstractSet[sp.Symbol]
 ) -> tuple[Sentence | Layout, ...]:
     """``e ≤ 1``, *α is acute*: what letters that were found may be, if a condition is just that.
 
@@ -221,12 +232,17 @@ def reasons_that_bind(
         needed = _enough(model, bounds)
         if needed and all(end == "moving" or e in unknowns for _, (e, end) in needed):
             return _in_words(model, needed)
+        coefficients = bounds == ends and all(end == "high" for _, (_, end) in needed)
+        if needed and coefficients and not unknowns & {e for _, (e, _) in needed}:
+            return (say("answer.coefficient"),)
     return ()
 
 
 def _enough(model: Model, bounds: Sequence[Bound]) -> list[Bound]:
     """Those bounds without which the solution is not one; none where they are not enough."""
-    needed = [each for each in bounds if not _follows(model.ground, each[0])]
+    # A sphere that is at rest at the end gives no bound by its motion.
+    held = [each for each in bounds if _follows(model.oracle, each[0])]
+    needed = [each for each in held if not _follows(model.ground, each[0])]
     for bound in list(needed):
         fewer = [each for each in needed if each is not bound]
         if _is_enough(model, fewer):
