@@ -122,10 +122,10 @@ def _letter_values(model: Model) -> None:
     for name, value in model.branch.values.items():
         if not name.startswith("_"):
             own = tidy(sp.sympify(value, strict=True))
-            model.final[model.unknowns.letter(name)] = _without_bars(model, own)
+            model.final[model.unknowns.letter(name)] = without_bars(model, own)
 
 
-def _without_bars(model: Model, value: sp.Expr) -> sp.Expr:
+def without_bars(model: Model, value: sp.Expr) -> sp.Expr:
     """A value without the bars of sizes whose sense the ranges of the letters tell.
 
     So |cos α| is cos α, and √(1 − sin²α) too, where α is acute.

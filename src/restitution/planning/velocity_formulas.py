@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from restitution.components.telling import without_bars
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.derivation import Move, Ref, Relation
@@ -238,7 +239,7 @@ def speed_formula(scene: Scene, quantity: Quantity) -> Formula:
         # Products of ratios of several angles are longer multiplied out.
         size = min(size, _with_factor_outside(value), key=lambda each: each.count_ops())
     right = tree if value == 0 else Apply("sqrt", tree)
-    own = Formula(move, itself, quantity, right, size, refs)
+    own = Formula(move, itself, quantity, right, without_bars(scene.model, size), refs)
     return _by_its_square(scene, own) or own
 
 

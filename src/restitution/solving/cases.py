@@ -16,7 +16,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError, UnsupportedError
 from restitution.expression.enclosed import Enclosed, UndefinedError
-from restitution.oracle import BeyondError, Formula, Oracle, Proof, Relation, Verdict
+from restitution.oracle import BeyondError, Formula, Oracle, Proof, Verdict
 from restitution.oracle.roles import Role
 from restitution.solving import forms
 from restitution.solving.intervals import End, Piece, inside_of, to_set
@@ -127,15 +127,13 @@ def _along(region: Family, name: str, borders: Sequence[sp.Expr]) -> list[Case]:
 def _without_bars(region: Family, inside: Formula, piece: Piece) -> Piece:
     """The ends of an interval without bars around what has one sign where this form holds."""
     oracle = Oracle(region.roles, (*region.given, inside))
-
-    def plain(end: End) -> End:
-        for bars in end.value.atoms(sp.Abs):
-            for x in (bars.args[0], -bars.args[0]):
-                if oracle.decide(Relation(x, ">=")):
-                    return plain(End(forms.tidy(end.value.xreplace({bars: x})), end.closed))
-        return end
-
-    return plain(piece[0]), plain(piece[1])
+    low, high = (
+        End(forms.tidy(end.value.xreplace(forms.bars_of(end.value, oracle))), end.closed)
+        if end.value.has(sp.Abs)
+        else end
+        for end in piece
+    )
+    return low, high
 
 
 def _empty(region: Family, inside: Formula) -> bool:

@@ -100,7 +100,7 @@ def plain(value: Any, samples: Samples) -> Any:
     plainer = tidy(signed(sp.sympify(value, strict=True), samples))
     # With fewer bars, and of what was too long at first, there is more to be taken together.
     again = plainer.has(sp.Abs) or exact.cost(plainer) > LONG
-    return exact.tidy(plainer) if again else plainer
+    return exact.tidy(signed(plainer, samples)) if again else plainer
 
 
 def bound(x: sp.Expr) -> sp.Expr:
@@ -173,6 +173,16 @@ def signed(x: sp.Expr, samples: Samples) -> sp.Expr:
             break
         x = x.xreplace(put)
     return x
+
+
+def bars_of(x: sp.Basic, oracle: Oracle) -> dict[sp.Basic, sp.Expr]:
+    """What stands for the sizes |x| in an expression, or a set, of which the sign is proved."""
+    return {
+        bars: own
+        for bars in x.atoms(sp.Abs)
+        for own in (bars.args[0], -bars.args[0])
+        if oracle.decide(Relation(own, ">="))
+    }
 
 
 def angle(value: Angle, samples: Samples) -> sp.Expr:

@@ -66,6 +66,7 @@ def find_range(
         if values is sp.S.EmptySet:
             name = item.text.removeprefix("range of ")
             raise ContradictionError(f"no value of {name} is possible")
+        values = values.xreplace(forms.bars_of(values, Oracle(base.roles)))
         layout = display_set(values, from_tree(item.expression), angle=angle)
         text = exact.sympy_text(values)
         answer = Answer(1, values, text, None, to_text(layout), angle=angle, layout=layout)

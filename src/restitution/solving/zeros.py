@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from itertools import pairwise
 
 import sympy as sp
@@ -56,11 +56,22 @@ def zeros(
     try:
         for solution in solve_system(list(equations), list(unknowns), angles, acute, roles):
             value = solution.values.get(wanted)
+            if value is not None and value.has(sp.atan, sp.atan2):
+                value = exact.tidy_angle(value).replace(sp.atan, partial(_of_its_tangent, roles))
             if value is not None:
-                values.append(exact.tidy_angle(value) if value.has(sp.atan, sp.atan2) else value)
+                values.append(value)
     except (UnsupportedError, sp.PolynomialError, NotImplementedError):
         return []
     return values
+
+
+def _of_its_tangent(roles: Mapping[str, Role], x: sp.Expr) -> sp.Expr:
+    """The arctangent of an expression: of the tangent of an angle up to 90°, that angle."""
+    if isinstance(x, sp.tan) and x.args[0].is_Symbol:
+        role = roles.get(x.args[0].name)
+        if role is not None and role.kind == "angle" and role.low == 0 and role.high == sp.pi / 2:
+            return x.args[0]
+    return sp.atan(x)
 
 
 @lru_cache(maxsize=1024)

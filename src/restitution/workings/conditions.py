@@ -207,7 +207,7 @@ def _sentence(
 
 def _by_case(item: ItemResult, general: Answer) -> Sentence:
     """For which values of the data a range holds, and all its forms."""
-    forms = tuple(each.layout for each in item.distinct)
+    forms = tuple(each.layout or "" for each in item.distinct)
     return say("answer.by-case", condition=general.condition_layout or "", forms=forms)
 
 
