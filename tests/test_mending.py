@@ -144,6 +144,12 @@ BROKEN = {
         "given energy(A, before) - energy(A) = 16% of energy(A, before)"
     ),
     "given A loses half of its speed": "given speed(A) = 1/2 speed(A, before)",
+    "given A loses 1/4 of its kinetic energy": (
+        "given energy(A, before) - energy(A) = 1/4 energy(A, before)"
+    ),
+    "given A loses two thirds of its kinetic energy": (
+        "given energy(A, before) - energy(A) = 2/3 energy(A, before)"
+    ),
     "given A loses a quarter of its initial speed": "given speed(A) = 3/4 speed(A, before)",
     "given A moves at right angles to its original direction": (
         "given velocity(A) perpendicular to velocity(A, 0)"

@@ -802,7 +802,11 @@ SLIPS: tuple[tuple[str, str, Cure | str], ...] = (
     ),
     (
         f"other event {_ASKED}",
-        rf"(?P<x>\b{NAME}\s+(?:changes|reverses|has\s+changed|is\s+reversed)\b.*?\bdirection\b)",
+        (
+            rf"(?P<x>\b{NAME}\s+(?:changes|reverses|has\s+changed|is\s+reversed)\b.*?\bdirection\b"
+            r"|(?:(?:the\s+)?(?:direction(?:\s+of\s+motion)?|motion|path)\s+of\s+)?"
+            rf"\b{NAME}\s+(?:is|has\s+been)\s+reversed\b)"
+        ),
         (
             "whether a sphere goes back along the line of centres is told by its component, as in "
             "'given along(velocity(A), i) < 0'; straight back is 'velocity(A) opposite to "
@@ -1011,6 +1015,26 @@ SLIPS: tuple[tuple[str, str, Cure | str], ...] = (
             rf"(?:(?:initial|original)\s+)?{_KINETIC})"
         ),
         _meant("energy({body}, before) - energy({body}) = {n} of energy({body}, before)"),
+    ),
+    *(
+        (
+            "given show other",
+            (
+                rf"(?P<x>{_BODY}\s+loses\s+{words}\s+(?:of\s+)?its\s+"
+                rf"(?:(?:initial|original)\s+)?{_KINETIC})"
+            ),
+            _meant(
+                f"energy({{body}}, before) - energy({{body}}) = {lost} energy({{body}}, before)"
+            ),
+        )
+        for words, lost in (
+            (r"(?P<n>\d+\s*/\s*\d+)", "{n}"),
+            (r"(?:one\s+|a\s+)?half", "1/2"),
+            (r"(?:one\s+|a\s+)third", "1/3"),
+            (r"(?:one\s+|a\s+)quarter", "1/4"),
+            (r"two[\s-]thirds", "2/3"),
+            (r"three[\s-]quarters", "3/4"),
+        )
     ),
     *(
         (

@@ -37,15 +37,12 @@ def letter_of(scene: Scene, asked: Quantity) -> tuple[str, Ref]:
     known = letter_known(scene, asked)
     if known is not None:
         return known
-    taken = letters_taken(scene)
-    names = ANGLES[asked.kind]
-    numbered = (f"{each}_{n}" for n in range(1, 9) for each in names)
-    letter = next(each for each in (*names, *numbered) if each not in taken)
+    letter = free_letter(scene, asked.kind)
     return letter, scene.desk.write(Move("let"), (), Meaning(letter, asked))
 
 
 def letter_known(scene: Scene, asked: Quantity) -> tuple[str, Ref] | None:
-    """The letter that an angle has already, and the line or the fact that says so."""
+    """The letter that an angle has already, and the line or the fact that says so; else None."""
     for fact in scene.desk.facts:
         if fact.id.startswith("let ") and fact.relation.only[0].left == asked:
             right = fact.relation.only[0].right
@@ -54,8 +51,7 @@ def letter_known(scene: Scene, asked: Quantity) -> tuple[str, Ref] | None:
     for line in scene.desk.lines:
         if isinstance(line.relation, Meaning) and line.relation.quantity == asked:
             return line.relation.letter, line.number
-    letter = free_letter(scene, asked.kind)
-    return letter, scene.desk.write(Move("let"), (), Meaning(letter, asked))
+    return None
 
 
 def free_letter(scene: Scene, kind: str) -> str:

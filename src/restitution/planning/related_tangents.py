@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from restitution.explaining.derivation import Link, Ref
-from restitution.expression.tree import Apply, Expression, Quantity, walk
-from restitution.planning.desk import NotPlannedError, chain
+from restitution.expression.tree import Apply, Expression, Letter, Quantity, walk
+from restitution.planning.desk import NotPlannedError, chain, together
 from restitution.planning.forms import in_tangents, neat, swept, tree_of
+from restitution.planning.named_angles import letter_known
 from restitution.planning.quantities import formula
 from restitution.planning.scene import Scene
 
@@ -24,9 +25,12 @@ def write_tangents(scene: Scene, link: Link) -> tuple[dict[Expression, Expressio
                 if own.left != node:
                     raise NotPlannedError("a relation with angles")
                 final = tree_of(in_tangents(neat(own.value)))
-                relation = chain(own.left, (swept(own.right), None), (final, "rearrange"))
-                if not scene.judge.follows(own.move, own.refs, relation):
+                named = letter_known(scene, angle)
+                left = node if named is None else Apply("tan", Letter(named[0]))
+                premises = together(own.refs, () if named is None else (named[1],))
+                relation = chain(left, (swept(own.right), None), (final, "rearrange"))
+                if not scene.judge.follows(own.move, premises, relation):
                     raise NotPlannedError("to which side a sphere turns is open")
-                refs.append(scene.desk.write(own.move, own.refs, relation))
+                refs.append(scene.desk.write(own.move, premises, relation))
                 values[node] = final
     return values, refs

@@ -427,21 +427,25 @@ class Scene:
     def lets_in(self, link: Link) -> tuple[Ref, ...]:
         """The facts that let letters of a link stand for something."""
         names = [each.name for side in (link.left, link.right) for each in _letters_of(side)]
+        nodes = [each for side in (link.left, link.right) for each in walk(side)]
         return tuple(
-            f"let {name}" for name in dict.fromkeys(names) if self._stands_for(name, names)
+            f"let {name}"
+            for name in dict.fromkeys(names)
+            if self._stands_for(name, names, names.count(name) == nodes.count(_tangent_of(name)))
         )
 
-    def _stands_for(self, name: str, names: Sequence[str]) -> bool:
+    def _stands_for(self, name: str, names: Sequence[str], in_tangents: bool) -> bool:
         """Whether a letter of a fact is replaced: an angle is not, where others are beside it.
 
-        A letter of a component after an impact is the unknown itself.
+        It is where it stands in its tangent alone. A letter of a component after an impact is the
+        unknown itself.
         """
         fact = self.facts.get(f"let {name}")
         if fact is None or name in {e.symbol.name for e in self.model.components.values()}:
             return False
         quantity = fact.relation.only[0].left
         angle = isinstance(quantity, Quantity) and quantity.kind in ANGLES
-        return not angle or set(names) == {name}
+        return not angle or in_tangents or set(names) == {name}
 
     def opened(self, link: Link) -> Link:
         """A link in which each letter of the statement for something is replaced by that."""
@@ -568,6 +572,10 @@ def _ratios_and_letters(x: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[sp.Symbo
         tuple(sorted(ratios, key=lambda each: each.sort_key())),
         tuple(sorted(bare.free_symbols, key=lambda each: each.name)),
     )
+
+
+def _tangent_of(name: str) -> Expression:
+    return Apply("tan", Letter(name))
 
 
 def _letters_of(tree: Expression) -> Iterable[Letter]:

@@ -24,7 +24,7 @@ from restitution.problem import (
     Relation,
 )
 from restitution.shapes import Circle, Segment
-from restitution.solving import places
+from restitution.solving import missing, places
 from restitution.solving.conditions import AnyOf, Condition, Equation
 from restitution.solving.extents import within_a_half_turn
 from restitution.solving.happenings import Happening
@@ -239,8 +239,12 @@ def _leave_their_line(story: Story, event: Happening, one: str, other: str, now:
     if _placed(story, event, now):
         return True
     if any(story.sign(_approach(story, event, one, other, n)) in (1, None) for n in stages):
+        again = f"whether {one} and {other} collide again"
+        if event.unknown_line:
+            first, second = event.bodies
+            raise missing.needs(again, [f"the line of centres of {first} and {second}"])
         raise MissingError(
-            f"whether {one} and {other} collide again depends on their places, as they move "
+            f"{again} depends on their places, as they move "
             "across their line of centres, one relative to the other"
         )
     return True

@@ -1,0 +1,82 @@
+"""Answers in letters of acute angles: no bars around what is positive, conditions in the angles."""
+
+from __future__ import annotations
+
+import pytest
+
+from restitution.errors import RestitutionError
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
+
+TWO_ANGLES = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given angle(velocity(P), W) = beta
+find speed(P)
+"""
+RATIO_BY_ITS_LETTER = """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W
+let beta = angle(velocity(P), W)
+given tan(alpha) = 3 tan(beta)
+find e
+"""
+AT_REST = """
+sphere A: mass 2, velocity 3i + 4j
+sphere B: mass M, velocity -i + j
+A hits B
+given A at rest
+find line_of_centres
+"""
+NO_LINE = """
+sphere A: mass m, velocity u i
+sphere B: mass 4m, at rest
+wall W: along j
+A hits B
+B hits W: e = 1/2
+given A and B collide again
+find range of e
+"""
+
+
+def printed(text: str) -> str:
+    return " ".join(to_text(explain(solve(parse(text))), 100).split())
+
+
+def test_the_cosine_of_an_acute_angle_has_no_bars() -> None:
+    ((_, item),) = solve(parse(TWO_ANGLES)).items()
+    (answer,) = item.answers
+    assert answer.display == "(u cos α)/cos β, for α ≥ β and β < 90°"
+    assert "= (u cos α)/cos β, as sin² + cos² = 1" in printed(TWO_ANGLES)
+
+
+def test_a_range_has_no_bars_around_a_sine() -> None:
+    text = TWO_ANGLES.split("given")[0] + "given speed(P) <= 1/2 u\nfind range of e"
+    ((_, item),) = solve(parse(text)).items()
+    assert item.answers[0].display == "0 ≤ e ≤ √(1 − 4 cos²α)/(2 sin α), for α ≥ 60°"
+
+
+def test_a_ratio_of_tangents_is_read_by_the_letter_of_an_angle() -> None:
+    working = printed(RATIO_BY_ITS_LETTER)
+    assert "tan β = eu sin α/(u cos α) = e tan α" in working
+    assert "Since tan α = 3 tan β: tan α = 3e tan α" in working
+    assert "Let θ" not in working
+
+
+def test_a_sphere_at_rest_is_not_called_moving() -> None:
+    working = printed(AT_REST)
+    assert "As a coefficient of restitution is at most 1, this holds for M ≥ 50/23 only." in working
+
+
+def test_a_second_collision_needs_the_line_of_centres() -> None:
+    with pytest.raises(RestitutionError, match=r"needs the line of centres of A and B \(write"):
+        raise_error_of(NO_LINE)
+
+
+def raise_error_of(text: str) -> None:
+    ((_, item),) = solve(parse(text)).items()
+    if item.error is not None:
+        raise item.error
