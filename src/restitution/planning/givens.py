@@ -64,8 +64,8 @@ from restitution.planning.offsets import is_sine_of_an_offset, write_sine
 from restitution.planning.premises import background
 from restitution.planning.quantities import formula
 from restitution.planning.quoted import QUOTED, has_root, quoted, quoted_as
-from restitution.planning.roots import senses
 from restitution.planning.related_tangents import write_tangents
+from restitution.planning.roots import senses
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.separations import relative_speed
 from restitution.planning.square_roots import is_not_negative, without_equal_squares
