@@ -169,3 +169,38 @@ def test_a_square_stands_alone_where_a_given_sign_lets_it() -> None:
 def test_what_holds_of_any_coefficient_is_shown_by_that() -> None:
     text = text_of("wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\nshow e <= 1")
     assert "e ≤ 1, as a coefficient of restitution is at most 1 (as required)" in text
+
+
+def test_a_product_of_which_the_signs_tell_is_not_multiplied_out() -> None:
+    text = text_of(
+        "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\n"
+        "sphere C: mass k^2 m, at rest\n"
+        "A hits B: along i\nB hits C: along i\ngiven e = 1/3\n"
+        "given A and B do not collide again\nfind range of k"
+    )
+    assert "(3k − 1)(k − 3) ≥ 0 0 < k ≤ ⅓ or k ≥ 3, as k > 0" in text
+
+
+def test_a_condition_that_is_shown_below_is_not_said_above() -> None:
+    statement = (
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass M, at rest\nA hits B: along i\n"
+        "given velocity(A) perpendicular to velocity(A, 0)\nfind tan(alpha)"
+    )
+    assert "this holds for" in text_of(statement)
+    assert "this holds for" not in text_of(f"{statement}\nshow M > m")
+
+
+def test_a_velocity_that_is_asked_stands_before_it_is_resolved() -> None:
+    _, derivation = planned(
+        "sphere A: mass 2, velocity p i - j\nsphere B: mass 4, velocity i + q j\n"
+        "A hits B: along 3i + 4j, e = 1/2\ngiven impulse(B) = 6i + 8j\n"
+        "given velocity(A) parallel to j\nfind q, velocity(A)"
+    )
+    lines = said(derivation)
+    (vector,) = (n for n, each in enumerate(lines) if each == "velocity(A, 1) = -5j")
+    (resolved,) = (
+        n
+        for n, each in enumerate(lines)
+        if each.startswith("along(velocity(A, 1), line_of_centres(1)) = ")
+    )
+    assert vector < resolved

@@ -489,6 +489,7 @@ def _of_vector(
     """A component after an event of a velocity that is known as a vector."""
     direction = frame.direction(kind)
     if frame.is_slanted and all(x.is_number for x in frame.n):
+        source = _with_its_values(scene, body, frame.number if stage is None else stage, source)
         quantity = frame.component(kind, body, frame.number if stage is None else stage)
         return by_scalar_product(scene, quantity, source, frame, direction, source.form)
     own = Source(tidy(source.value.dot(direction)), source.refs, frame.refs)
@@ -499,6 +500,21 @@ def _of_vector(
         size = tree_of(tidy(last.value / share))
         return replace(last, form=product(size, tree_of(share)))
     return last
+
+
+def _with_its_values(scene: Scene, body: str, stage: int, source: Source) -> Source:
+    """A velocity that is asked with the letters put in that are known: its line stands first."""
+    velocity = Quantity("velocity", (Name(body),), stage)
+    value, refs = scene.put(source.value)
+    line = source.refs[0] if len(source.refs) == 1 else None
+    if velocity not in scene.asked_alone or not isinstance(line, int) or source.form is not None:
+        return source
+    if not refs or scene.unknown(value) or scene.desk.known(velocity) is not source:
+        return source
+    whole = Vector(*map(tidy, value))
+    relation = chain(velocity, (tree_of(whole), None))
+    number = scene.desk.write(Move("put"), (line, *refs), relation)
+    return scene.desk.know(velocity, whole, (number,))
 
 
 def blown(scene: Scene, body: str, number: int) -> Source:

@@ -1,13 +1,18 @@
-"""Of the forms of an equation that stand, a later line starts from the last one that tells it."""
+"""Of the forms of a line that stand, a later one starts from that which tells it.
+
+From the last one of an equation; of an inequality from its factors, which are not multiplied out.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
 
-from restitution.explaining.derivation import Derivation, Line, Relation
+from restitution.explaining.derivation import FLIPPED, Derivation, Line, Link, Relation
 from restitution.explaining.follower import reader_of
+from restitution.expression.tree import Binary, Negate, is_zero
 from restitution.oracle import Oracle
+from restitution.planning.forms import factors_above
 
 _FORMS = frozenset({"rearrange", "cancel", "identity"})
 _STARTING = frozenset({"rearrange", "put"})
@@ -22,6 +27,47 @@ def with_latest_forms(derivation: Derivation, oracle: Oracle) -> Derivation:
         if line.move.id in _STARTING and isinstance(first, int) and first < line.number - 1:
             derivation = _from_a_form(derivation, line, first, oracle)
     return derivation
+
+
+def with_factors_kept(derivation: Derivation, oracle: Oracle) -> Derivation:
+    """The same working, in which factors of which the signs tell a range are not multiplied out."""
+    for line in derivation.lines:
+        if line.move.id == "compare":
+            derivation = _from_factors(derivation, line, oracle)
+    return derivation
+
+
+def _from_factors(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation:
+    for ref in line.premises:
+        form = derivation.line(ref) if isinstance(ref, int) else None
+        if form is None or form.move.id != "rearrange" or len(form.premises) != 1:
+            continue
+        users = [each for each in derivation.lines if form.number in each.premises]
+        fixed = any(end.line == form.number for end in derivation.items)
+        (first,) = form.premises
+        product = derivation.line(first) if isinstance(first, int) else None
+        if len(users) > 1 or fixed or product is None or not _is_multiplied_out(product, form):
+            continue
+        direct = replace(line, premises=tuple(first if e == ref else e for e in line.premises))
+        lines = tuple(direct if each == line else each for each in derivation.lines)
+        whole = replace(derivation, lines=lines)
+        read = reader_of(whole, oracle)
+        if read.accepts(read.lines[line.number]):
+            return whole
+    return derivation
+
+
+def _is_multiplied_out(product: Line, form: Line) -> bool:
+    """Whether a line has as a sum what another has as a product of sums, compared with zero."""
+    match product.relation, form.relation:
+        case (
+            Relation(((Link(left, sign, right),),)),
+            Relation(((Link(Binary("+" | "-"), other, zero),),)),
+        ) if is_zero(right) and is_zero(zero):
+            sums = [each for each in factors_above(left) if isinstance(each, Binary)]
+            ordered = sign in FLIPPED and other in FLIPPED
+            return ordered and len(sums) > 1 and not isinstance(left, Negate)
+    return False
 
 
 def _from_a_form(derivation: Derivation, line: Line, first: int, oracle: Oracle) -> Derivation:
@@ -58,4 +104,4 @@ def _is_equation(line: Line) -> bool:
     return False
 
 
-__all__ = ["with_latest_forms"]
+__all__ = ["with_factors_kept", "with_latest_forms"]

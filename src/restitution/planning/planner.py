@@ -59,7 +59,7 @@ from restitution.planning.gathering import gathered, numbered_anew, without_unpr
 from restitution.planning.given_terms import turn_round
 from restitution.planning.items import write_item
 from restitution.planning.late_facts import write_with_facts
-from restitution.planning.latest_forms import with_latest_forms
+from restitution.planning.latest_forms import with_factors_kept, with_latest_forms
 from restitution.planning.offsets import given_by_offsets, paths_beside
 from restitution.planning.open_lines import write_open_lines
 from restitution.planning.order import Solver
@@ -135,8 +135,10 @@ def _finished(problem: Problem, desk: Desk) -> Derivation:
     )
     oracle = Oracle(roles(problem))
     whole = without_idle(whole)
-    shortening = (with_direct_tangents, with_direct_ratios, with_wanted_letters, with_latest_forms)
-    for shortened in shortening:
+    for shortened in (
+        *(with_direct_tangents, with_direct_ratios, with_wanted_letters),
+        *(with_latest_forms, with_factors_kept),
+    ):
         whole = pruned(shortened(whole, oracle))
     for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):
         whole = mended(whole, oracle)

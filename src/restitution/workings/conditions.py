@@ -14,7 +14,7 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Derivation, Link, Meaning, Relation
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Apply, Letter, has_quantity, letters
+from restitution.expression.tree import Apply, Letter, has_quantity, is_zero, letters
 from restitution.oracle import All, BeyondError, Formula, Oracle
 from restitution.oracle import Relation as Claim
 from restitution.oracle.roles import ACUTE
@@ -44,7 +44,7 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
                 continue
             if _is_asked(solution, part, item) or _speaks_of_others(solution, item, answers):
                 continue
-            if _is_of_itself(item, answers):
+            if _is_of_itself(item, answers) or _is_derived(derivation, name, ends, answers):
                 continue
             alike = len({each.condition for each in answers}) == 1
             if not alike and len(answers) != len(ends):
@@ -100,6 +100,21 @@ def _is_of_itself(item: ItemResult, answers: Sequence[Answer]) -> bool:
     return isinstance(own, Letter) and any(
         lay.from_sympy(sp.Symbol(own.name)) in _sides(answer.condition_layout) for answer in answers
     )
+
+
+def _is_derived(
+    derivation: Derivation, item: str, ends: Sequence[int], answers: Sequence[Answer]
+) -> bool:
+    """Whether a line below, of what is to be shown, tells from a sign what the condition does."""
+    names = [set(_names_in(text)) for answer in answers for text in answer.condition]
+    shown = {each.item for each in derivation.items if each.shown}
+    for line in derivation.lines:
+        if line.item in shown - {item} and line.move.id == "sign" and line.number > max(ends):
+            match line.relation:
+                case Relation(((Link(left, ">" | "<", right),),)) if is_zero(right):
+                    if len(names) == 1 and letters(left) == names[0]:
+                        return True
+    return False
 
 
 def _sides(condition: Layout | None) -> list[Layout]:

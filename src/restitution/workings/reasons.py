@@ -374,9 +374,9 @@ class Reasons:
     def _silent(self, line: Line) -> Iterator[lay.Layout]:
         """That a letter is positive, where a range begins with 0 that nothing else bounds."""
         assert isinstance(line.relation, Relation)
-        if line.move.id != "compare" or len(line.relation.options) != 1:
+        if line.move.id != "compare":
             return
-        match line.relation.only:
+        match line.relation.options[0]:
             case (Link(left, "<", Letter(name) as letter), Link()) if left == ZERO:
                 role = self._roles.get(name)
                 if role is None or role.kind != "positive":
