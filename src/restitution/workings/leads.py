@@ -115,6 +115,10 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             return (say(name, fact=sentence),)
         if named and not isinstance(sentence, Sentence):
             if self.title(line) is not None:
+                own = facts[0].relation.options[0][0].left
+                of_data = isinstance(own, Letter) and not self._derivation.fact(f"let {own.name}")
+                if of_data and not any(own in walk(each) for each in trees_of(line.relation)):
+                    return ()  # a value of the data, which is put in
                 self._behind[line.number] = say("derived.as", reasons=(sentence,))
                 return ()
             return (say("derived.since", facts=(sentence,)),)
