@@ -68,6 +68,27 @@ sphere B: mass M, at rest
 A hits B: along i
 find tan(direction(A)), tan(deflection(A))
 """
+TURNED_DOWN = """
+sphere A: mass 1, velocity 2i
+sphere B: mass 3, at rest
+A hits B
+given deflection(A) = 90°, speed(A) = 1, direction(A) < 0
+find line_of_centres
+"""
+OPEN_LINE = """
+sphere A: mass 3, velocity 2i + 4j
+sphere B: mass 2, velocity -3i - j
+A hits B: e = 1/2
+given velocity(B) parallel to j
+find line_of_centres
+"""
+ALL_OF_E = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, velocity u at alpha from -i
+A hits B: along i
+given 1/2 <= e <= 3/4, alpha = 60°
+find range of energy_lost
+"""
 
 # Statement, and words of its working, worked out by hand.
 SAYS = [
@@ -86,8 +107,11 @@ SAYS = [
     (ACROSS, "tan δ = 3u/u = 3 DM1 δ = arctan 3"),
     (ONE_ANGLE, "δ = θ − α"),
     (ONE_ANGLE, "tan δ = (tan θ − tan α)/(1 + tan θ tan α)"),
+    (TURNED_DOWN, "as the angle from 𝐢 to 𝐯_A is negative"),
+    (OPEN_LINE, "(s − 2(5 − s)/3)(s + 1) = ½(3(2 + 3) + (4 + 1)(s + 1))"),
 ]
 SAYS_NOT = [
+    (ALL_OF_E, "as α = 60°"),
     (ONE_ANGLE, "β"),
     (FASTER, "Conservation of momentum"),
     (FASTER_FROM_BEHIND, "Eliminating"),

@@ -24,6 +24,7 @@ from restitution.planning.forms import (
     ZERO,
     UnwrittenError,
     alike,
+    difference,
     negative,
     product,
     square,
@@ -434,15 +435,37 @@ def _restitution(
         move = Move("law", "restitution-wall", number, (body,))
     else:
         first, second = scene.bodies(number)
-        gap = late[second] - late[first]
-        approach = scene.initial(first).value - scene.initial(second).value
+        early = {each: scene.initial(each).value for each in (first, second)}
+        gap, approach = late[second] - late[first], early[first] - early[second]
         move = Move("law", "restitution", number, (first, second))
     left, right = (_product(each, change) for each in (gap, approach))
-    if e.value == 1:
-        whole = right
-    else:
-        whole = product(tree_of(e.value), right)
-    return scene.desk.write(move, refs, chain(left, (swept(whole), None)))
+    final = chain(left, (swept(_times(e.value, right)), None))
+    if len(late) == 1:
+        return scene.desk.write(move, refs, final)
+    # How fast they are, relative to each other, stands as a difference first.
+    left = _product_of_difference((late[second], late[first]), change)
+    right = _product_of_difference((early[first], early[second]), change)
+    relation = chain(left, (swept(_times(e.value, right)), None))
+    line = scene.desk.write(move, refs, relation)
+    return line if relation == final else scene.desk.write(Move("rearrange"), (line,), final)
+
+
+def _times(e: sp.Expr, product_: Expression) -> Expression:
+    return product_ if e == 1 else product(tree_of(e), product_)
+
+
+def _product_of_difference(pair: tuple[Vector, Vector], change: Vector) -> Expression:
+    """The scalar product of the difference of two vectors with the change of velocity."""
+    terms = []
+    for one, other, by in zip(*pair, change, strict=True):
+        one, other, by = (tidy(sp.expand(each)) for each in (one, other, by))
+        if one == other or by == 0:
+            continue
+        if one == 0 or other == 0:
+            terms.append(_product(Vector(one - other, sp.Integer(0)), Vector(by, sp.Integer(0))))
+        else:
+            terms.append(product(difference(tree_of(one), tree_of(other)), tree_of(by)))
+    return total(terms) if terms else ZERO
 
 
 def _product(a: Vector, b: Vector) -> Expression:

@@ -47,9 +47,22 @@ def grounds_of(derivation: Derivation, roles: Mapping[str, Role], line: Line) ->
             yield from _divisors(roles, line)
             yield from _divided_by(derivation, roles, line)
             yield from _squares_of_sums(derivation, line)
+        case "define":
+            yield from _side(derivation, line)
         case "compare":
             yield from _double_angle(derivation, line)
             yield from _half_plane(derivation, line)
+
+
+def _side(derivation: Derivation, line: Line) -> Iterator[Relation]:
+    """To which side a velocity is turned, where that is given."""
+    for ref in line.premises if line.move.record == "turned" else ():
+        fact = derivation.fact(ref) if isinstance(ref, str) else None
+        match None if fact is None else fact.relation.options:
+            case ((Link(Quantity("direction") as angle, "<" | ">" as sign, right),),) if (
+                in_letters(right) == 0
+            ):
+                yield Relation(((Link(angle, sign, _ZERO),),))
 
 
 def _squares_of_sums(derivation: Derivation, line: Line) -> Iterator[Relation]:

@@ -111,6 +111,8 @@ class Reasons:
         if tangents is not None:
             return (say("derived.as", reasons=(self._laid(tangents),)),)
         grounds = tuple(map(self._ground, grounds_of(self._derivation, self._roles, line)))
+        if line.move.record == "turned":
+            return (say("derived.as", reasons=grounds),) if grounds else ()
         reasoned = line.move.id in _REASONED or self._ordered(line) or self._is_root(line)
         reasoned = reasoned or any(self._cleared(line)) or any(self._dropped(line))
         reasoned = reasoned or self._by_its_sense(line)
