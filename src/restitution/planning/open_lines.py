@@ -118,9 +118,10 @@ def _by_a_ray(scene: Scene, number: int) -> bool:
     symbol, late, lines = _ray_line(scene, number, ray)
     _others(scene, number, ray, late, lines)
     change, axis = _axis(scene, number, late, lines)
-    law = _restitution(scene, number, late, lines, change, axis)
+    law, short = _restitution(scene, number, late, lines, change, axis)
     if fast is None:
-        close(scene, law, symbol)
+        same = scene.desk.relation(law) == short
+        close(scene, law if same else scene.desk.write(Move("rearrange"), (law,), short), symbol)
     else:
         # One of the two senses contradicts the law.
         _by_speed(scene, number, ray, symbol, lines, law)
@@ -425,8 +426,11 @@ def _restitution(
     lines: dict[str, int],
     change: Vector,
     axis: int,
-) -> int:
-    """Newton's law by scalar products with the change of velocity, whose size cancels."""
+) -> tuple[int, Relation]:
+    """Newton's law by scalar products with the change of velocity, whose size cancels.
+
+    Beside the line what it is with the relative velocities worked out.
+    """
     e = scene.coefficient(number)
     refs = together(e.refs, *(scene.initial(each).refs for each in late), lines.values(), (axis,))
     if len(late) == 1:
@@ -441,13 +445,12 @@ def _restitution(
     left, right = (_product(each, change) for each in (gap, approach))
     final = chain(left, (swept(_times(e.value, right)), None))
     if len(late) == 1:
-        return scene.desk.write(move, refs, final)
+        return scene.desk.write(move, refs, final), final
     # How fast they are, relative to each other, stands as a difference first.
     left = _product_of_difference((late[second], late[first]), change)
     right = _product_of_difference((early[first], early[second]), change)
     relation = chain(left, (swept(_times(e.value, right)), None))
-    line = scene.desk.write(move, refs, relation)
-    return line if relation == final else scene.desk.write(Move("rearrange"), (line,), final)
+    return scene.desk.write(move, refs, relation), final
 
 
 def _times(e: sp.Expr, product_: Expression) -> Expression:

@@ -116,8 +116,14 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         if named and not isinstance(sentence, Sentence):
             if self.title(line) is not None:
                 own = facts[0].relation.options[0][0].left
-                of_data = isinstance(own, Letter) and not self._derivation.fact(f"let {own.name}")
-                if of_data and not any(own in walk(each) for each in trees_of(line.relation)):
+                of_the_motion = {
+                    each.relation.only[0].right
+                    for each in self._derivation.facts
+                    if each.id.partition(" ")[0] == "let"
+                }
+                if own not in of_the_motion and not any(
+                    own in walk(each) for each in trees_of(line.relation)
+                ):
                     return ()  # a value of the data, which is put in
                 self._behind[line.number] = say("derived.as", reasons=(sentence,))
                 return ()
