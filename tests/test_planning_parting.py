@@ -1,4 +1,4 @@
-"""Where several solutions part: at a square, in one line for all of them."""
+"""Facts that leave a sense open, and ratios of angles: what several solutions share."""
 
 from __future__ import annotations
 
@@ -40,6 +40,23 @@ find e, alpha
 """
 
 
+OF_A_SINE = """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W
+let beta = angle(velocity(P), W)
+given sin(alpha) = 4/5, sin(beta) = 5/13
+find e
+"""
+OF_A_COSINE = """
+wall W: along i
+sphere P: velocity 13 at alpha to W
+P hits W
+given sin(alpha) = 12/13, cos(angle(velocity(P), W)) = 4/5
+find e
+"""
+
+
 def printed(text: str) -> str:
     solution = solve(parse(text))
     derivation = plan(solution)  # raises where a line is not written out
@@ -76,3 +93,11 @@ def test_a_relation_of_tangents_takes_a_line_of_each() -> None:
     working = printed(OF_TANGENTS)
     assert "tan β = eu sin α/(u cos α) = e tan α" in working
     assert "Since tan α = 3 tan β: tan α = 3e tan α DM1 e = ⅓" in working
+
+
+def test_a_sine_or_cosine_of_an_angle_after_gives_its_tangent() -> None:
+    assert "sin β = 5/13 tan β = 5/12" in printed(OF_A_SINE)
+    assert "5/12 = (4eu/5)/(3u/5) = 4e/3 DM1 e = 5/16" in printed(OF_A_SINE)
+    working = printed(OF_A_COSINE)
+    assert "Let β be the angle between 𝐯_P and W." in working
+    assert "tan β = ¾" in working

@@ -64,7 +64,7 @@ from restitution.planning.offsets import is_sine_of_an_offset, write_sine
 from restitution.planning.premises import background
 from restitution.planning.quantities import formula
 from restitution.planning.quoted import QUOTED, has_root, quoted, quoted_as
-from restitution.planning.related_tangents import write_tangents
+from restitution.planning.related_tangents import write_by_tangent, write_tangents
 from restitution.planning.roots import senses
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.planning.separations import relative_speed
@@ -170,6 +170,10 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
             if angle.kind == "deflection":
                 _decided(scene, angle)
             return _tangent(scene, each, formula(scene, angle))
+        case Apply("sin" | "cos", Quantity("angle")) if not has_quantity(own.right):
+            line = write_by_tangent(scene, each, own.left)
+            if line is not None:
+                return line
         case Apply("cos", Quantity("deflection") as angle) if not has_quantity(own.right):
             return _tangent(scene, each, cosine_of_deflection(scene, angle))
         case Quantity("angle" | "deflection"):
