@@ -13,7 +13,6 @@ from restitution.planning.named_angles import letter_known, letter_of
 from restitution.planning.quantities import formula
 from restitution.planning.scene import GivenEquation, Scene
 
-
 _RANGES = ("0° <= {} <= 90°", "0° <= {} <= 180°")
 
 
