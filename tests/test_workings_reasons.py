@@ -39,8 +39,67 @@ P hits W2: e = e2
 given angle(velocity(P), W2) = 30°
 """
 
+TABLE = """
+wall AB: from (0, 0) to (a, 0)
+wall BC: from (a, 0) to (a, 2a)
+sphere P: at (0, a/4), velocity u at 45° to AB
+P hits AB: e = e1
+P hits BC: e = e2
+P reaches (0, a)
+"""
+RIGHT_ANGLE = """
+wall W: along j
+sphere B: mass m, velocity U at theta
+B hits W
+given velocity(B) perpendicular to velocity(B, 0)
+show tan^2(theta) = e
+"""
+
 # Statement, and what its working says, in this order.
 SAYS = {
+    # e₂ = 4e₁/(4 − 3e₁), where 4 − 3e₁ ≥ 1; P is at (a, 3e₁a/4), and e₁ ≤ 1.
+    "by what an inequality is multiplied, and ends of walls that are out of reach": (
+        TABLE + "find e2 in terms of e1\nfind range of e1",
+        [
+            "4e₁/(4 − 3e₁) ≤ 1",
+            "e₁ ≤ 4/7, as 4 − 3e₁ > 0",
+            "In this range e₂ ≥ 0 and 3e₁a/4 < 2a as well.",
+            "P hits AB between its ends too",
+        ],
+    ),
+    # tan δ = (1 + e)/(3 − 2e), where tan α = ½.
+    "an angle of positive tangent is acute": (
+        REST.format(angle="alpha", m="m", e="")
+        + "given tan(alpha) = 1/2, deflection(A) > 30°\nfind range of e",
+        [
+            "tan δ > √3/3, as δ is acute and δ > 30°",
+            "(1 + e)/(3 − 2e) > √3/3",
+            "(3 + 2√3)e > 3√3 − 3, as 3 − 2e > 0",
+        ],
+    ),
+    # tan²θ = e: the loss is ½mU² cos²θ (1 − e²), with cos²θ = 1/(1 + e).
+    "the squares of sine and cosine come of that of the tangent": (
+        RIGHT_ANGLE + "find energy_lost in terms of m, U, e",
+        [
+            "tan²θ = e   (as required)   (1)",
+            "From (1):\n    sin²θ = e/(1 + e)\n    cos²θ = 1/(1 + e)",
+            "As θ is acute, this holds for e > 0 only.",
+        ],
+    ),
+    # v = (2 − k)u/(2(1 + k)) is u/3 or −u/3.
+    "squares stand without what is below before their difference": (
+        (
+            "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\n"
+            "A hits B: along i, e = 1/2\ngiven speed(A) = u/3\nfind k"
+        ),
+        ["4(1 + k)² = 9(2 − k)²", "(2(1 + k) − 3(2 − k))(2(1 + k) + 3(2 − k)) = 0"],
+    ),
+    # The ratio is 27(1 − e²)/100.
+    "a percentage with which a ratio of energies is compared makes no decimals": (
+        REST.format(angle="alpha", m="3m", e="")
+        + "given tan(alpha) = 4/3\nshow energy_lost/energy(0) <= 27%",
+        ["cos α = ⅗", "≤ 27%"],
+    ),
     # 3(1 + e)² = 3(1 − ek)² + (1 + k)²; 2 − k = 3(1 − e)²/(1 + 3e²).
     "a bound that is not seen at once is told by the difference to it": (
         REST.format(angle="30°", m="k m", e="") + "given speed(A) = speed(B)\nfind range of k",

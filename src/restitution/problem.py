@@ -481,6 +481,16 @@ def trees_of_step(step: Step) -> Iterator[Expression]:
                 yield target
 
 
+def comparisons(problem: Problem) -> Iterator[Compare]:
+    """The equations and inequalities that a problem gives, or has to be shown."""
+    for _, step in problem.steps():
+        match step:
+            case Given():
+                yield from (each for each in step.relations if isinstance(each, Compare))
+            case Show(Compare() as relation):
+                yield relation
+
+
 def trees_of_relation(relation: Relation) -> Iterator[Expression]:
     """The expressions of a relation."""
     if isinstance(relation, Compare):

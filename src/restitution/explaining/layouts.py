@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import fields, replace
 from fractions import Fraction as Ratio
@@ -230,9 +230,25 @@ def _is_of_squares(tree: Expression) -> bool:
 def _is_share_of_a_quantity(node: Expression) -> TypeGuard[Binary]:
     """Whether a part of a quantity is typed in decimals, or as a percentage: 0.25 energy(0)."""
     match node:
-        case Binary("*", Number(value), Quantity("energy" | "energy_lost" | "total_energy_lost")):
+        case Binary("*", Number(value), Quantity(kind)) if kind in _ENERGIES:
             return 0 < value < 1
     return False
+
+
+_ENERGIES = ("energy", "energy_lost", "total_energy_lost")
+
+
+def shares_in(operands: Sequence[Expression]) -> Iterator[Expression]:
+    """The parts of a whole with which a ratio of two energies is compared: they are shares too."""
+    ratios = [
+        each
+        for each in operands
+        if isinstance(each, Binary)
+        and each.op == "/"
+        and all(isinstance(e, Quantity) and e.kind in _ENERGIES for e in (each.left, each.right))
+    ]
+    if ratios:
+        yield from (each for each in operands if isinstance(each, Number) and 0 < each.value < 1)
 
 
 class AsTyped(Forms):

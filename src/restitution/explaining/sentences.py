@@ -681,6 +681,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "answer.by-case": "This holds for {condition}. In all, the range is {forms:semicolon}.",
     "answer.only": "This holds for {condition} only.",
     "range.also": "In this range {bounds:and} as well.",
+    "range.both": "{one} {two}",
     "answer.only-range": (
         "This holds for {condition} only, as there is no such {letter} otherwise."
     ),

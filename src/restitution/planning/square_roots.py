@@ -217,6 +217,9 @@ def _as_a_product(
     trees = [tree_of(sp.factor_terms(each)) for each in parts]
     factors = Binary("-", *trees), Binary("+", *trees)
     zero = Number(Fraction(0))
+    # What is below a line, and what is common, goes first.
+    squares = [_squared(each) for each in parts]
+    number = in_another_form(scene, number, chain(squares[0], (squares[1], None))) or number
     line = in_another_form(scene, number, Relation(((Link(Binary("*", *factors), "=", zero),),)))
     if line is None:
         return None
@@ -225,6 +228,12 @@ def _as_a_product(
         return line
     plain = Binary("*", *(tree_of(each.primitive()[1]) for each in sums))
     return in_another_form(scene, line, Relation(((Link(plain, "=", zero),),))) or line
+
+
+def _squared(value: sp.Expr) -> Expression:
+    """The square of a sum, with its number in front: 4(1 + k)²."""
+    factor, rest = sp.factor_terms(value).as_independent(*value.free_symbols, as_Add=False)
+    return product(tree_of(tidy(factor**2)), Binary("^", tree_of(rest), TWO))
 
 
 def _side_by_side(one: sp.Expr, other: sp.Expr) -> list[sp.Expr]:

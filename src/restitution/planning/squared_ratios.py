@@ -178,8 +178,21 @@ def squares_line(scene: Scene, symbol: sp.Symbol) -> int:
     standing = scene.judge.standing(relation)
     if standing is not None:
         return standing
-    premises: tuple[Ref, ...] = (*known.refs, range_of(scene, symbol.name))
-    return scene.desk.write(Move("triangle"), premises, relation)
+    extent, move = range_of(scene, symbol.name), Move("triangle")
+    squared = _square_above(scene, Apply("tan", letter))
+    if squared is not None and scene.judge.follows(move, (squared, extent), relation):
+        return scene.desk.write(move, (squared, extent), relation)
+    premises: tuple[Ref, ...] = (*known.refs, extent)
+    return scene.desk.write(move, premises, relation)
+
+
+def _square_above(scene: Scene, tangent: Apply) -> int | None:
+    """The line that gives the square of a tangent, of which the root was taken."""
+    for line in reversed(scene.desk.lines):
+        match line.relation:
+            case Relation(((Link(left, "="),),)) if left == square(tangent):
+                return line.number if scene.desk.holds(line.number) else None
+    return None
 
 
 def squares_put(scene: Scene, tree: Expression, symbol: sp.Symbol) -> Expression | None:

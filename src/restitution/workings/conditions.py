@@ -211,7 +211,8 @@ def _sentence(
     reasons = reasons_that_bind(own, unknowns)
     tied = {each.name for each in own.final}
     if any(tied.intersection(_names_in(text)) for text in answer.condition):
-        reasons = ()  # the condition is one of the coefficient itself
+        # The condition is one of the coefficient itself.
+        reasons = tuple(_acute_behind(own, answer.condition))
     for name, square in squares.items():
         acute = say("derived.acute", angle=lay.from_sympy(sp.Symbol(name)))
         reasons = tuple(square if each == acute else each for each in reasons)
@@ -224,6 +225,16 @@ def _by_case(item: ItemResult, general: Answer) -> Sentence:
     """For which values of the data a range holds, and all its forms."""
     forms = tuple(each.layout or "" for each in item.distinct)
     return say("answer.by-case", condition=general.condition_layout or "", forms=forms)
+
+
+def _acute_behind(model: Model, condition: Sequence[str]) -> Iterator[Sentence]:
+    """The acute angles by which a letter is positive, where that is the condition."""
+    for symbol, value in model.final.items():
+        if tuple(condition) != (f"0 < {symbol.name}",):
+            continue
+        roles_ = {each: model.unknowns.roles.get(each.name) for each in value.free_symbols}
+        if all(role == ACUTE for role in roles_.values()) and roles_:
+            yield from (say("derived.acute", angle=lay.from_sympy(each)) for each in roles_)
 
 
 Bound = tuple[Formula, tuple[sp.Symbol, str]]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
 import sympy as sp
@@ -105,6 +105,20 @@ def motion_of(fact: Fact | None) -> tuple[str, Expression] | None:
     match fact.relation.only:
         case (Link(Quantity("along" | "dot", (Quantity("velocity", (Name(body),)), axis)), sign),):
             return body, axis if sign == ">" else Negate(axis)
+    return None
+
+
+def acute_by_its_tangent(
+    line: Line, extent: Relation, cited: Iterable[Relation | None]
+) -> Letter | None:
+    """The angle of up to 180° that a positive tangent makes acute, where that is compared."""
+    match line.relation, extent.options:
+        case (
+            Relation(((Link(Apply("tan", Letter() as angle) as tangent),),)),
+            ((_, Link(own, "<=", Degrees(Fraction(numerator=180)))),),
+        ) if own == angle and line.move.id == "compare":
+            positive = Relation(((Link(tangent, ">", _ZERO),),))
+            return angle if positive in cited else None
     return None
 
 

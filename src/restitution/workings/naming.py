@@ -20,7 +20,7 @@ from restitution.explaining.derivation import (
     Meaning,
     Relation,
 )
-from restitution.explaining.layouts import AsTyped, Forms, of_relation, of_tree
+from restitution.explaining.layouts import AsTyped, Forms, of_relation, of_tree, shares_in
 from restitution.explaining.saying import Sentence, operand, say
 from restitution.explaining.sentences import SENTENCES
 from restitution.explaining.trees import rebuilt, settled, trees_of
@@ -44,7 +44,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.inequalities import turned
 from restitution.planning.straight_walls import equation_of_line
-from restitution.problem import Arrival, Given, Meets, Problem
+from restitution.problem import Arrival, Given, Meets, Problem, comparisons
 from restitution.problem import trees as trees_of_problem
 from restitution.render import layout as lay
 from restitution.shapes import Circle
@@ -79,7 +79,10 @@ class Naming:
         self.several = len(happenings) > 1
         shown = (item.answer for item in self.derivation.items if item.shown)
         typed = [*trees_of_problem(self.problem)]
-        self.forms = Forms([*typed, *(t for each in shown for t in trees_of(each))])
+        whole = [*typed, *(t for each in shown for t in trees_of(each))]
+        compared = (each.operands for each in comparisons(self.problem))
+        shares = {share for operands in compared for share in shares_in(operands)}
+        self.forms = Forms(each for each in whole if each not in shares)
         self._used = {name for tree in typed for name in letters(tree)} | {*self.meanings}
         for line in self.derivation.lines:
             if not isinstance(line.relation, Meaning):

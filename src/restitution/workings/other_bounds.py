@@ -9,7 +9,7 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.derivation import Derivation, Event, Line, Link, Relation
+from restitution.explaining.derivation import Derivation, Event, Line, Link, Ref, Relation
 from restitution.explaining.saying import Sentence, say
 from restitution.explaining.sentences import SentenceId
 from restitution.explaining.unused import lines_under
@@ -49,18 +49,59 @@ def other_bounds(solution: Solution, derivation: Derivation) -> dict[int, Senten
         line = derivation.line(end.line)
         if line is None or not isinstance(ends.item(end.item), Range):
             continue
-        bounds = [each for each in _bounds(derivation, line) if _holds(solution, line, *each)]
-        if bounds:
-            laid = tuple(
-                naming.relation(Relation(((Link(letter, *_OTHER[sign]),),)))  # type: ignore[arg-type]
-                for letter, _, sign in bounds
-            )
-            sentences[line.number] = say("range.also", bounds=laid)
-            continue
+        bounds = [
+            Link(letter, *_OTHER[sign])  # type: ignore[arg-type]
+            for letter, value, sign in _bounds(derivation, line)
+            if _holds(solution, line, letter, value, sign)
+        ]
+        bounds += _other_ends(solution, derivation, line)
         reached = list(_other_walls(solution, derivation, line))
-        if reached:
-            sentences[line.number] = _said_of_walls(naming, line, reached)
+        said = [_said_of_walls(naming, line, reached)] if reached else []
+        if bounds:
+            laid = tuple(naming.relation(Relation(((each,),))) for each in bounds)
+            said.insert(0, say("range.also", bounds=laid))
+        if said:
+            both = len(said) > 1
+            sentences[line.number] = (
+                say("range.both", one=said[0], two=said[1]) if both else said[0]
+            )
     return sentences
+
+
+def _other_ends(solution: Solution, derivation: Derivation, line: Line) -> Iterator[Link]:
+    """The ends of walls that a place cannot pass, where a line tests the other end alone."""
+    for ref in lines_under(derivation, line.number):
+        own = derivation.line(ref) if isinstance(ref, int) else None
+        premises = () if own is None else own.premises
+        facts = (_ends_of_a_wall(derivation, each) for each in premises)
+        tested = next((each for each in facts if each is not None), None)
+        if own is None or tested is None or not isinstance(own.relation, Relation):
+            continue
+        if own.move.id != "compare" or [len(each) for each in own.relation.options] != [1]:
+            continue
+        (link,), (low, high) = own.relation.only, tested
+        if link.left == low.left:
+            other = Link(link.right, high.sign, high.right)
+        elif link.right == high.right:
+            other = Link(low.left, low.sign, link.left)
+        else:
+            continue
+        if _follows(solution, line, other.left, other.sign, other.right):
+            yield other
+
+
+def _ends_of_a_wall(derivation: Derivation, ref: Ref) -> tuple[Link, Link] | None:
+    """That a place lies between the ends of a wall, as a fact says it."""
+    fact = derivation.fact(ref) if isinstance(ref, str) else None
+    if (
+        fact is None
+        or fact.id.partition(" ")[0] != "within"
+        or len(fact.relation.options) != 1
+        or len(fact.relation.only) != 2
+    ):
+        return None
+    low, high = fact.relation.only
+    return low, high
 
 
 Reached = tuple[Event, tuple[Link, ...]]

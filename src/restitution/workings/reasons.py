@@ -52,9 +52,15 @@ from restitution.workings.bounding_parts import (
 )
 from restitution.workings.equality import divisor_left_out, equal_tangents, place_of_zero
 from restitution.workings.factors import factor_cancelled, factor_left
-from restitution.workings.grounds import compared_quantities, grounds_of, motion_of
+from restitution.workings.grounds import (
+    acute_by_its_tangent,
+    compared_quantities,
+    grounds_of,
+    motion_of,
+)
 from restitution.workings.growing import growth, limit_at_an_end, way_of
 from restitution.workings.later_times import later_than
+from restitution.workings.multipliers import multipliers_of
 from restitution.workings.naming import Naming
 from restitution.workings.plain_signs import are_squares, positive_letters
 from restitution.workings.right_angles import RightAngles
@@ -113,6 +119,9 @@ class Reasons:
         grounds = tuple(map(self._ground, grounds_of(self._derivation, self._roles, line)))
         if line.move.record == "turned":
             return (say("derived.as", reasons=grounds),) if grounds else ()
+        multipliers = map(self._laid, multipliers_of(self._derivation, self._roles, line))
+        if multiplied := tuple(multipliers):
+            return (say("derived.as", reasons=(*grounds, *multiplied)),)
         reasoned = line.move.id in _REASONED or self._ordered(line) or self._is_root(line)
         reasoned = reasoned or any(self._cleared(line)) or any(self._dropped(line))
         reasoned = reasoned or self._by_its_sense(line)
@@ -360,9 +369,13 @@ class Reasons:
             return fact.relation
         head, colon, text = ref.partition(":")
         if colon and head.strip() == "acute":
-            angle = self._naming.layout(read_tree(text, self._naming.bodies))
-            return say("derived.acute", angle=angle)
-        return read_relation(ref, self._naming.bodies)
+            return self._acute(read_tree(text, self._naming.bodies))
+        relation = read_relation(ref, self._naming.bodies)
+        acute = acute_by_its_tangent(line, relation, map(self._relation_of, line.premises))
+        return relation if acute is None else self._acute(acute)
+
+    def _acute(self, angle: Expression) -> Sentence:
+        return say("derived.acute", angle=self._naming.layout(angle))
 
     @staticmethod
     def _offers(relation: Relation, line: Line) -> bool:

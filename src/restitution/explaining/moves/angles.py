@@ -32,18 +32,15 @@ RATIOS = ("sin", "cos", "tan")
 
 
 def is_triangle(step: Step, relation: Relation) -> bool:
-    """The other ratios of an angle, or their squares, where one is known, and its range."""
+    """The ratios of an angle, or their squares, where one of them is known, and its range."""
     base = base_of(step)
     if base is None or len(base.options) != 1 or len(relation.options) != 1 or not step.known:
         return False
-    known = {
-        link.left.argument
-        for link in base.only
-        if isinstance(link.left, Apply) and link.left.function in RATIOS
-    }
+    known = {_argument(link.left) for link in base.only}
     return all(
         link.sign == "="
-        and _argument(link.left) in known
+        and (angle := _argument(link.left)) is not None
+        and angle in known
         and not any(
             isinstance(node, Apply) and node.function != "sqrt" for node in walk(link.right)
         )
