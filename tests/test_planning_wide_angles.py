@@ -108,3 +108,37 @@ def test_a_tangent_alone_does_not_tell_an_angle_within_a_turn() -> None:
     )
     complaints = follow(replace(derivation, lines=lines), Oracle(roles(problem)))
     assert "does-not-follow" in {each.reason for each in complaints}
+
+
+TURNED_BY_A_BLOW = """
+sphere P: mass m, velocity u i
+P receives J at theta
+given {0}, deflection(P) = 90°, speed(P) = u/2
+find J, theta
+"""
+
+
+@pytest.mark.parametrize(
+    ("range_", "velocity"),
+    [("90° < theta < 180°", "u/2 j"), ("-180° < theta < -90°", "-u/2 j")],
+)
+def test_a_velocity_by_its_size_and_by_how_far_a_blow_turns_it(range_: str, velocity: str) -> None:
+    text = TURNED_BY_A_BLOW.format(range_)
+    derivation = working(text)
+    names = {"P": "sphere"}
+    turned = next(each for each in derivation.lines if each.move.record == "turned")
+    assert isinstance(turned.relation, Relation)
+    assert write_relation(turned.relation) == f"velocity(P, 1) = {velocity}"
+    assert "J = sqrt(5) m u/2" in answers(derivation)
+    assert not any(each.move.record == "speed" for each in derivation.lines)
+    other = velocity.removeprefix("-") if velocity.startswith("-") else f"-{velocity}"
+    false = replace(turned, relation=read_relation(f"velocity(P, 1) = {other}", names))
+    open_ = replace(turned, premises=tuple(e for e in turned.premises if "theta" not in str(e)))
+    open_ = replace(
+        open_, premises=tuple(e for e in open_.premises if e not in ("given 1", "given 2"))
+    )
+    oracle = Oracle(roles(parse(text)))
+    for each in (false, open_):
+        lines = tuple(each if line is turned else line for line in derivation.lines)
+        reasons = {(e.line, e.reason) for e in follow(replace(derivation, lines=lines), oracle)}
+        assert (turned.number, "does-not-follow") in reasons

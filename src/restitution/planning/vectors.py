@@ -14,12 +14,15 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Name,
+    Polar,
     Quantity,
     has_quantity,
+    letters,
     walk,
 )
 from restitution.planning.desk import Source, chain, together
 from restitution.planning.forms import negative, product, tree_of, vector
+from restitution.planning.premises import background
 from restitution.planning.scene import GivenEquation, Scene
 from restitution.vector import Vector
 
@@ -107,16 +110,17 @@ def turned_velocity(
     sign = scene.model.sign(late.y)
     value = Vector(tidy(size * sp.cos(angle)), tidy(sign * size * sp.sin(angle)))
     tree = tree_of(value)
-    line = scene.desk.write(
-        Move("define", "turned", number, (body,)),
-        together(fast.refs, turned.refs, side, early.refs),
-        chain(
-            Quantity("velocity", (Name(body),), number),
-            (_by_degrees(size, angle, sign) or tree, None),
-            (tree, "rearrange"),
-        ),
+    move = Move("define", "turned", number, (body,))
+    relation = chain(
+        Quantity("velocity", (Name(body),), number),
+        (_by_degrees(size, angle, sign) or tree, None),
+        (tree, "rearrange"),
     )
-    return tree, value, (line,)
+    certain = together(fast.refs, turned.refs, early.refs)
+    premises = scene.judge.needed(move, (*certain, *side), relation, side)
+    if premises is None:
+        return None
+    return tree, value, (scene.desk.write(move, premises, relation),)
 
 
 def _by_degrees(size: sp.Expr, angle: sp.Expr, sign: int) -> Expression | None:
@@ -130,13 +134,21 @@ def _by_degrees(size: sp.Expr, angle: sp.Expr, sign: int) -> Expression | None:
 
 
 def _side(scene: Scene, body: str, number: int) -> tuple[Ref, ...] | None:
-    """What tells to which side a sphere is turned: a given fact, or that one side is taken."""
+    """What tells to which side a sphere is turned: a given fact, or that one side is taken.
+
+    It may be the impulse given to it, where the range of its angle tells that.
+    """
     direction = Quantity("direction", (Name(body),), number)
     for fact in scene.desk.facts:
         if fact.kind == "given" and scene.desk.holds(fact.id) and len(fact.relation.options) == 1:
             link = fact.relation.only[0]
             if direction in (link.left, link.right) and link.sign in ("<", ">"):
                 return (fact.id,)
+    blow = scene.facts.get(f"impulse {number}")
+    if blow is not None and isinstance(blow.relation.only[0].right, Polar):
+        names = letters(blow.relation.only[0].right)
+        ranges = [ref for name in sorted(names) for ref in scene.judge.ranges_given(name)]
+        return together((blow.id,), ranges, background(scene, names))
     return () if scene.sided else None
 
 

@@ -93,6 +93,11 @@ def _side_of(step: Step, event: Event, body: Name) -> int | None:
         ):
             if side == direction and other in (ZERO, Degrees(Fraction(0))) and sign in ("<", ">"):
                 return 1 if sign == ">" else -1
+            if side == Quantity("impulse", (body,), event.number) and sign == "=":
+                # Across its path it had no velocity before: the impulse alone gives it one.
+                push = step.world.value(other)
+                if isinstance(push, Plane) and (own := step.signs.of(push.y, sure=True)):
+                    return own
     if event.number in step.setting.either:
         return 1 if event.wall or body.name != event.bodies[0] else -1
     return None
