@@ -149,3 +149,42 @@ find tan(delta) in terms of alpha
 """
     words = printed(text)
     assert "By the formula for the tangent of a difference: tan δ = (tan β − tan α)" in words
+
+
+def test_an_equation_of_times_between_impacts_has_no_times_from_the_start() -> None:
+    """Across the walls P moves at e u sin α, and then at e² u sin α."""
+    words = printed(
+        "wall L: along i, through (0, 0)\nwall M: along i, through (0, d)\n"
+        "sphere P: at (0, b), velocity u at alpha to L\ngiven 0 < b < d, 0 < e <= 1\n"
+        "P hits L\nP hits M\nP hits L\nshow time(3) - time(2) = (time(2) - time(1))/e"
+    )
+    assert "t₃ − t₂ = (t₂ − t₁)/e (as required)" in words
+    assert "Putting the times together" not in words
+    assert "b/(u sin α)" not in words
+
+
+def test_a_bound_of_letters_stands_above_the_line_that_rests_on_it() -> None:
+    words = printed(
+        "wall L: along i\nwall M: along i\nsphere P: velocity u at alpha to L\n"
+        "P hits L: e = e1\nP hits M: e = e2\ngiven e1 > 0, e2 > 0\n"
+        "show P hits L again\nfind range of speed(P) in terms of u, alpha"
+    )
+    assert words.index("e₁e₂ > 0, as e₁ > 0") < words.index("So P will hit L again")
+    assert words.index("u² − (speed of P)²") < words.index("e₁e₂ ≤ 1, as 0 < e₁ ≤ 1 and e₂ ≤ 1")
+
+
+def test_the_product_of_a_fraction_of_a_speed_and_a_cosine_is_seen_in_the_laws() -> None:
+    words = printed(
+        "sphere A: mass k m, velocity 5/4 u at alpha\nsphere B: mass m, at rest\n"
+        "given cos(alpha) = 4/5\nA hits B: along i, e = 1/2\n"
+        "given speed(B) = 2u/3\nfind k"
+    )
+    assert "km(⅘ × (5u/4))" in words
+
+
+def test_why_a_sine_less_a_cosine_is_less_than_1() -> None:
+    words = printed(
+        "sphere P: mass m, velocity u i\nP receives J at theta\ngiven direction(P) = 60°\n"
+        "find minimum of J over theta"
+    )
+    assert "J > √3 mu, as sin θ − √3 cos θ < sin θ < 1 and θ is acute" in words

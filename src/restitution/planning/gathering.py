@@ -52,7 +52,8 @@ def _with_standing(derivation: Derivation) -> Derivation:
 def _where_needed(derivation: Derivation) -> Derivation:
     """The same working, in which what was written on the way stands where it is first used.
 
-    That is another ratio of an angle, or a component, which may have been written for its sign.
+    That is another ratio of an angle, a bound of letters, or a component, which may have been
+    written for its sign.
     """
     parts = derivation.asked
     items = {each: n for n, each in enumerate(parts)}
@@ -63,7 +64,7 @@ def _where_needed(derivation: Derivation) -> Derivation:
         item = used.get(line.number, line.item)
         ends = any(each.line == line.number for each in derivation.items)
         moves = (
-            (line.move.id == "triangle" or line.move.record == "component")
+            (line.move.id in ("triangle", "sign") or line.move.record == "component")
             and not ends
             and line.number not in within
             and {item, line.item} <= items.keys()
@@ -159,6 +160,9 @@ class _Gathering:
                 self._raise_to_its_roots(line)
         for line in tuple(self._order):
             self._lower_to_its_use(line)
+        for line in tuple(self._order):
+            if line.move.id == "sign" and not any(isinstance(e, int) for e in line.premises):
+                self._lower_to_the_line_on_it(line)
         for line in tuple(self._order):
             if letter_of_offset(line) is not None:
                 self._raise_to_the_start(line)
@@ -265,6 +269,16 @@ class _Gathering:
             target = roots[0] + 1
             if target != at and self._may_stand(line, target):
                 order.insert(target, order.pop(at))
+
+    def _lower_to_the_line_on_it(self, line: Line) -> None:
+        """Puts what is known of letters above the first line that rests on it, in its item."""
+        order, at = self._order, self._order.index(line)
+        users = [n for n, each in enumerate(order) if line.number in each.premises]
+        if any(end.line == line.number for end in self._derivation.items) or not users:
+            return
+        own = order[users[0]]
+        if own.item == line.item and self._place(own) == self._place(line) and users[0] > at + 1:
+            order.insert(users[0] - 1, order.pop(at))
 
     def _raise_to_the_start(self, line: Line) -> None:
         """Puts a line that rests on data alone, and the letters in it, at the start of its item."""

@@ -93,7 +93,10 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
         if frame.is_slanted and in_a_line:
             initial = initial_as_a_line(scene, body) if form is None else initial
             return by_scalar_product(scene, tree, initial, frame, direction, form)
-        return _put(scene, Source(value, initial.refs, frame.refs, form))
+        source = _put(scene, Source(value, initial.refs, frame.refs, form))
+        if form is None and kind == "along":
+            return replace(source, form=_with_its_ratio(value, source.value))
+        return source
     vector = scene.desk.known(Quantity("velocity", (Name(body),), last))
     if last not in scene.model.frames:
         blow = blown(scene, body, last) if vector is None else vector
@@ -321,6 +324,23 @@ def _is_plain(before_: sp.Expr, after_: sp.Expr) -> bool:
         or after_.as_coeff_Mul()[0].q > _EASY
         or len(before_.free_symbols - after_.free_symbols) != 1
     )
+
+
+def _with_its_ratio(value: sp.Expr, put: sp.Expr) -> Expression | None:
+    """A component as a speed times the number of its cosine, ``(5u/4)(4/5)``.
+
+    None where one sees that in what it comes to, as the speed is no fraction.
+    """
+    ratios = value.atoms(sp.sin, sp.cos)
+    if len(ratios) != 1 or value.is_Add or put.has(*ratios):
+        return None
+    size = tidy(value / next(iter(ratios)))
+    share = tidy(put / size)
+    number, rest = size.as_coeff_Mul()
+    if not share.is_Rational or not number.is_Rational or number.is_Integer or rest == 1:
+        return None
+    own = product(tree_of(abs(number) * rest), tree_of(abs(share)))
+    return negative(own) if (number < 0) != (share < 0) else own
 
 
 def _put(scene: Scene, source: Source) -> Source:

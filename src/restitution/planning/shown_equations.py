@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning import journeys, place_trees
 from restitution.planning.angles_by_letters import write_by_equal_letters
 from restitution.planning.between import terms_between
 from restitution.planning.claims import Claims
@@ -110,7 +111,7 @@ class Equation:
             line = line or speed_by_a_tie(self.claims, self.link)
             if line is not None:
                 return line
-        line = self._speed_by_an_angle(quantities)
+        line = self._speed_by_an_angle(quantities) or self._of_durations(quantities)
         if line is not None:
             return line
         standing = self.claims.worths.mark()
@@ -122,6 +123,32 @@ class Equation:
             if line is None:
                 raise
             return line
+
+    def _of_durations(self, quantities: Sequence[Quantity]) -> int | None:
+        """An equation of times between events, by these alone."""
+        trees = [node for side in (self.link.left, self.link.right) for node in walk(side)]
+        between = [each for each in trees if place_trees.is_duration(each)]
+        inside = [node for each in between for node in walk(each) if isinstance(node, Quantity)]
+        if not between or sorted(map(str, inside)) != sorted(
+            str(node) for node in trees if isinstance(node, Quantity)
+        ):
+            return None
+        if any(each.kind != "time" for each in quantities):
+            return None
+        mark = self.claims.worths.mark()
+        lines: list[int] = []
+        try:
+            for each in dict.fromkeys(between):
+                self.claims.worths.solver.determine(journeys.goals(self.scene, each))
+                lines.append(journeys.write(self.scene, each)[0])
+        except NotPlannedError:
+            self.claims.worths.back(mark)
+            return None
+        names = self._known(letters(self.link.left) | letters(self.link.right))
+        line = self.judge.write((Move("put"),), [*lines, *names], self.relation)
+        if line is None:
+            self.claims.worths.back(mark)
+        return line
 
     def _of_equal_angles(self, *sides: Expression) -> int | None:
         """Two angles that are the same: each as an angle, in letters."""

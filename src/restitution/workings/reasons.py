@@ -624,7 +624,14 @@ class Reasons:
         """What bounds a value by its form, the plainest that fits."""
         for bound in (
             *(self._ratio, self._square, self._positive_square),
-            *(self._factor, self._wave, self._square_of_a_ratio, self._share, self._divisor),
+            *(
+                self._factor,
+                self._wave,
+                self._square_of_a_ratio,
+                self._share,
+                self._divisor,
+                self._below_a_sine,
+            ),
         ):
             if reasons := tuple(bound(line)):
                 return reasons
@@ -790,6 +797,32 @@ class Reasons:
         bound = divisor_left_out(above, own, self._roles)
         if bound is not None:
             yield say("derived.fact", fact=self._laid(Relation(((bound,),))))
+
+    def _below_a_sine(self, line: Line) -> Iterator[Sentence]:
+        """That ``sin θ − √3 cos θ`` is less than sin θ, and so than 1, where a value has it below.
+
+        So it is of an angle that is cited as acute.
+        """
+        acute = [str(ref).removeprefix("acute:").strip() for ref in line.premises]
+        match line.relation:
+            case Relation(((Link(subject, ">", bound),),)) if line.move.id == "sign":
+                pass
+            case _:
+                return
+        for ref in line.premises:
+            own = self._relation_of(ref) if isinstance(ref, int) else None
+            match own and own.only[-1].right:
+                case Binary("/", above, Binary("-", Apply("sin", Letter(name)) as sine, less)):
+                    pass
+                case _:
+                    continue
+            if own is None or own.only[0].left != subject or name not in acute or above != bound:
+                continue
+            share = in_letters(less) / in_letters(Apply("cos", Letter(name)))
+            if share.is_number and share.is_positive:
+                whole = Binary("-", sine, less)
+                chain_ = (Link(whole, "<", sine), Link(sine, "<", Number(Fraction(1))))
+                yield say("derived.fact", fact=self._laid(Relation((chain_,))))
 
     def _share(self, line: Line) -> Iterator[Sentence]:
         """That what a value is of its bound is at most 1, where nothing else is cited for that."""

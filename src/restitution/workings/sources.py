@@ -340,6 +340,9 @@ class Sources:
 
     def _is_sum_of_times(self, line: Line, cited: list[int]) -> bool:
         """Whether a line adds up the times of several ways."""
+        assert isinstance(line.relation, Relation)
+        if any(has_quantity(link.right) for links in line.relation.options for link in links):
+            return False  # it relates times to each other
         lines = [line, *(self._lines[each] for each in cited if each in self._lines)]
         return len(lines) == len(line.premises) + 1 and all(
             is_time(each.relation.options[0][0].left)
