@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -26,7 +26,7 @@ from restitution.expression.tree import (
 from restitution.planning.collecting import multiplied_out
 from restitution.planning.conditions import has_quantity_in
 from restitution.planning.desk import UNPLANNED
-from restitution.planning.forms import ZERO, product, total, tree_of
+from restitution.planning.forms import ZERO, product, square, total, tree_of
 from restitution.planning.gathered_squares import one_square_a_side
 from restitution.planning.givens import write_given
 from restitution.planning.impacts import residual
@@ -228,10 +228,11 @@ class Ties:
             total((product(tree_of(x.nth(1)), Letter(symbol.name)), tree_of(expanded(x.nth(0)))))
             for x in polynomials
         ]
-        relation = Relation(((Link(product(*trees), "=", ZERO),),))
         known = self.judge.known(s.name for s in whole.free_symbols)
         moves = (Move("rearrange"), Move("cancel"))
-        return self.judge.write(moves, [start, *known], relation)
+        standard = self.judge.write(moves, [start, *known], _standard_form(polynomials, symbol))
+        relation = Relation(((Link(product(*trees), "=", ZERO),),))
+        return self.judge.write(moves, [standard or start, *known], relation)
 
     def _gathered(self, line: int, symbol: sp.Symbol) -> int:
         """The equation with like terms put together: squares of ratios of an angle, or brackets."""
@@ -395,3 +396,11 @@ def _has_root(relation: Relation) -> bool:
         for side in (link.left, link.right)
         for each in walk(side)
     )
+
+
+def _standard_form(factors: Sequence[sp.Poly], symbol: sp.Symbol) -> Relation:
+    """``a k² + b k + c = 0`` of a product of two factors."""
+    a, b, c = (expanded(each) for each in (factors[0] * factors[1]).all_coeffs())
+    letter = Letter(symbol.name)
+    powers = (product(tree_of(a), square(letter)), product(tree_of(b), letter), tree_of(c))
+    return Relation(((Link(total(powers), "=", ZERO),),))
