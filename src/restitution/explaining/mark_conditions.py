@@ -343,12 +343,11 @@ def _at_sight(work: Work, line: Line) -> bool:
 
 
 def _of_one_component(work: Work, line: Line) -> bool:
-    """It rests on a component, or the letter for one, and on no velocity as a vector."""
-    cited = [e.relation for e in work.cited(line) if isinstance(e.relation, Relation)]
-    lefts = [relation.options[0][0].left for relation in cited]
-    return bool(lefts) and not any(
-        isinstance(left, Quantity) and left.kind == "velocity" for left in lefts
-    )
+    """It is one component, or the letter for it, as a line above has that."""
+    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+    above = [e.relation for e in work.cited(line) if isinstance(e.relation, Relation)]
+    values = [each for each in map(single_sides, above) if each is not None]
+    return sides is not None and [right for _, right in values] == [sides[1]]
 
 
 def _of_a_product(work: Work, line: Line) -> bool:
