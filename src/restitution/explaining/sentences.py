@@ -786,6 +786,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.stays": "the component of {of} stays {value}.",
     "derived.stays-in": "the component of {of} in the direction of {axis} stays {value}.",
     "derived.combine": "Eliminating {letter} from {equations:and}:",
+    "derived.no-value": "there is no {letter} if {bound}",
     "derived.add": "From {equations:and}:",
     "derived.divided": "Dividing top and bottom by {factor}:",
     "derived.negative": "the {component} is negative",
@@ -957,6 +958,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "angles nor sizes are needed."
     ),
     "derived.along-centres": "{body} moves along the line of centres:",
+    "derived.across-centres-with": (
+        "{body} moves perpendicular to the line of centres, where its component is {value}:"
+    ),
     "derived.across-centres": "{body} moves perpendicular to the line of centres:",
     "derived.turned-square": "{body} came parallel to {first} and leaves parallel to {second}. So",
     "derived.axes-apart": "{one} moves parallel to {first}, and {other} parallel to {second}. So",

@@ -37,7 +37,9 @@ def slope(
     ``by_degrees`` are the sizes of the two speeds by an angle of the data.
     """
     (distance, *paces), minus = _sizes(scene, last, first, pace, over)
-    tree = product(distance, Binary("/", *(by_degrees or paces)))
+    first_pace, second_pace = by_degrees or paces
+    ratio = () if first_pace == second_pace else (Binary("/", first_pace, second_pace),)
+    tree = product(distance, *ratio)
     return negative(tree) if minus else tree
 
 

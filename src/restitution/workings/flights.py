@@ -185,10 +185,10 @@ def _by_the_way(derivation: Derivation, line: Line) -> bool:
             pass
         case _:
             return False
-    quotient = any(
-        isinstance(node, Binary) and node.op == "/"
-        for node in walk(line.relation.options[0][0].right)
-    )
+    # Of equal components the quotient is not printed.
+    right = line.relation.options[0][0].right
+    quotient = any(isinstance(node, Binary) and node.op == "/" for node in walk(right))
+    quotient |= isinstance(right, Binary) and right.op in ("+", "-")
     return moved and quotient and not _speaks_of_a_time(derivation, line)
 
 

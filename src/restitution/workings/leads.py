@@ -459,7 +459,11 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             if size not in (Degrees(Fraction(0)), Degrees(Fraction(90)), Degrees(Fraction(180))):
                 square = isinstance(angle, Binary) and angle.right == Degrees(Fraction(90))
                 which = "derived.across-centres" if square else "derived.along-centres"
-                yield say(which, body=body)
+                across = self._across_of(line, body) if square else None
+                if across is not None:
+                    yield say("derived.across-centres-with", body=body, value=across)
+                else:
+                    yield say(which, body=body)
                 return
             none = Unit("i" if size == Degrees(Fraction(90)) else "j")
             yield say("derived.along-axis", body=body, axis=self._naming.layout(none))

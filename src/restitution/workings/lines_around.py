@@ -25,6 +25,7 @@ from restitution.expression.tree import (
     is_zero,
     letters,
 )
+from restitution.render import layout as lay
 from restitution.workings.naming import Naming
 from restitution.workings.reasons import Reasons
 from restitution.workings.sources import Sources
@@ -45,6 +46,17 @@ class LinesAround:
 
     def _cited(self, ref: Ref) -> Line | None:
         return self._derivation.line(ref) if isinstance(ref, int) else None
+
+    def _across_of(self, line: Line, body: str) -> lay.Layout | None:
+        """The component of a body across the line of centres, as a line that is cited has it."""
+        relations = (own.relation for ref in line.premises if (own := self._cited(ref)))
+        for relation in relations:
+            match relation:
+                case Relation(
+                    ((Link(Quantity("across", (Quantity(_, (Name(own),)), _)), "=", value),),)
+                ) if own == body:
+                    return self._naming.layout(value)
+        return None
 
     def _along_the_line(self, line: Line) -> Sentence | None:
         """That a body moves along the line of centres, where an angle to it is one to that."""

@@ -302,7 +302,7 @@ class Reasons:
                     reasons.append(sentence)
         strict = [self._where_it_divides(line, each) for each in bounds]
         merged = (self._laid(each) for each in _merged(strict))
-        return (*reasons, *merged, *map(self._laid, self._below(line, bounds)))
+        return (*reasons, *merged, *self._below(line, bounds))
 
     def _where_it_divides(self, line: Line, bound: Link) -> Link:
         """A bound of a letter that is divided by in what a line compares: it is not zero there."""
@@ -314,8 +314,11 @@ class Reasons:
         divides = any(bound.left in factors(each) for each in below)
         return Link(bound.left, ">", bound.right) if divides else bound
 
-    def _below(self, line: Line, bounds: Sequence[Link]) -> Iterator[Relation]:
-        """That a letter is not zero, where it stands below a line and may be zero otherwise."""
+    def _below(self, line: Line, bounds: Sequence[Link]) -> Iterator[Sentence | lay.Layout]:
+        """That a letter is not zero, where it stands below a line and may be zero otherwise.
+
+        Of a letter that is worked out there would be no value then.
+        """
         assert isinstance(line.relation, Relation)
         match line.relation.options[0]:
             case (Link(Letter() as letter, ">", zero),) if zero == ZERO:
@@ -325,9 +328,15 @@ class Reasons:
                     own = self._relation_of(ref)
                     nodes = () if own is None else walk(own.only[-1].right)
                     below = [e.right for e in nodes if isinstance(e, Binary) and e.op == "/"]
-                    if any(letter in factors(each) for each in below):
-                        yield Relation(((Link(letter, "!=", ZERO),),))
-                        return
+                    if own is None or not any(letter in factors(each) for each in below):
+                        continue
+                    subject, zero_ = own.only[0].left, Relation(((Link(letter, "=", ZERO),),))
+                    if isinstance(subject, Letter):
+                        slots = self._naming.layout(subject), self._laid(zero_)
+                        yield say("derived.no-value", letter=slots[0], bound=slots[1])
+                    else:
+                        yield self._laid(Relation(((Link(letter, "!=", ZERO),),)))
+                    return
 
     def _reason(self, ref: Ref, line: Line) -> Sentence | Relation | None:
         """What is known of a letter, as a reader would say it."""
