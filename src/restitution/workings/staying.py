@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from restitution.explaining.derivation import Derivation, Event, Line, Relation
+from restitution.explaining.derivation import Derivation, Event, Line, Ref, Relation
 from restitution.explaining.layouts import chains
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.tree import Expression, Number, Pair, Quantity, Unit, is_zero
@@ -35,6 +35,7 @@ class Staying:
         self._measures = measures
         self._sources = sources
         self._ends = ends
+        self._lines = {line.number: line for line in derivation.lines}
         self._facts = {fact.id: fact for fact in derivation.facts}
         self._cases = {n: each.number for each in derivation.cases for n in each.lines}
 
@@ -58,15 +59,25 @@ class Staying:
         one, two = (self._cases.get(each.number) for each in (line, other))
         return line.move.event == other.move.event and one == two
 
-    @staticmethod
-    def is_idle(line: Line) -> bool:
-        """Whether a line says that a component stays 0, and earns nothing."""
+    def is_idle(self, line: Line) -> bool:
+        """Whether a line says that a component stays 0, and earns nothing.
+
+        One that was worked out to be 0 is said to stay so.
+        """
         relation = line.relation
         return (
             isinstance(relation, Relation)
             and relation.only[-1].right == Number(Fraction(0))
             and not line.marks
+            and not (line.move.record == "unchanged" and any(map(self._is_product, line.premises)))
         )
+
+    def _is_product(self, ref: Ref) -> bool:
+        """Whether a premise is a component by a scalar product, with what that comes to."""
+        own = self._lines.get(ref) if isinstance(ref, int) else None
+        if own is None or own.move.record != "component" or own.shown != "line":
+            return False
+        return isinstance(own.relation, Relation) and len(own.relation.only) > 1
 
     def is_nothing(self, line: Line) -> bool:
         """Whether a line says that a body at rest has no component, or stays where it is.
