@@ -24,6 +24,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.expression.writing import write_expression
 from restitution.planning.desk import chain
 from restitution.planning.forms import (
     ONE,
@@ -476,7 +477,21 @@ def _steps(link: Link, name: str) -> int:
         min(2, sum(_brackets(each, name) for each in terms))
         + several
         + any(_stands_below(each, name) for each in terms)
+        + _is_of_several_quotients(terms, name)
     )
+
+
+def _is_of_several_quotients(terms: Sequence[Expression], name: str) -> bool:
+    """Whether terms without the unknown are quotients over different letters, one of a sum."""
+    quotients = [
+        each
+        for each in terms
+        if isinstance(each, Binary) and each.op == "/" and letters(each.right)
+        if not _has(each, name)
+    ]
+    sums = (node for each in quotients for node in walk(each.left))
+    several = len({write_expression(each.right) for each in quotients}) > 1
+    return several and any(isinstance(each, Binary) and each.op in ("+", "-") for each in sums)
 
 
 def _terms(tree: Expression) -> Iterator[Expression]:
