@@ -199,3 +199,45 @@ def test_an_equation_of_the_fourth_degree_is_a_quadratic_in_the_tangent() -> Non
     assert "11 tan²α − 6√3 tan α + 1 = 0" in text
     assert "sin⁴" not in text
     assert "sin³" not in text
+
+
+def test_quotients_over_different_letters_are_multiplied_out() -> None:
+    text = printed(
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass k m, at rest\nA hits B: along i\n"
+        "given direction(A) = beta\nfind e in terms of alpha, beta, k"
+    )
+    assert "tan β cos α − (1 + k) sin α = ek tan β cos α" in text
+
+
+def test_a_letter_that_gives_no_value_at_0_is_not_0() -> None:
+    text = printed(
+        "wall OX: from (0, 0) to (6, 0)\nwall OY: from (0, 0) to (0, 2)\n"
+        "sphere P: at (4, 3), velocity -v i - v j\nP hits OX: e = 1/2\nP hits OY: e = e2\n"
+        "P reaches (6, y)\nfind y in terms of e2\nfind range of e2"
+    )
+    assert "e₂ > 0, as e₂ ≥ 0 and there is no y if e₂ = 0" in text
+    assert "The path is in the direction of the velocity: x-coordinate of P" in text
+    assert "= 4 − 3 = 1 m" in text
+
+
+def test_the_sense_of_who_moves_across_the_line_of_centres_has_its_reason() -> None:
+    text = printed(
+        "sphere A, B: mass m\nsphere A: velocity u i\nsphere B: at rest\n"
+        "A hits B: along phi, e = 1\nfind direction(A)"
+    )
+    assert "A moves perpendicular to the line of centres, where its component is −u sin φ" in text
+
+
+def test_a_component_that_is_worked_out_to_be_0_stays_0() -> None:
+    text = printed(
+        "sphere A: mass 1/2, velocity 2i + 3j\nsphere B: mass 1, at rest\n"
+        "A hits B: along 2i + 3j, e = 1/3\nfind velocity(A)"
+    )
+    assert "stay 0 for A and 0 for B" in text
+
+
+def test_what_is_shown_at_the_end_of_a_letter_has_its_value_there() -> None:
+    text = printed(
+        "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\nshow speed(P) <= u"
+    )
+    assert "increases with e, 0 ≤ e ≤ 1 and it is u if e = 1 (as required)" in text

@@ -786,6 +786,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.stays": "the component of {of} stays {value}.",
     "derived.stays-in": "the component of {of} in the direction of {axis} stays {value}.",
     "derived.combine": "Eliminating {letter} from {equations:and}:",
+    "derived.it-is": "it is {value} if {at}",
     "derived.no-value": "there is no {letter} if {bound}",
     "derived.add": "From {equations:and}:",
     "derived.divided": "Dividing top and bottom by {factor}:",

@@ -113,6 +113,22 @@ def limit_at_an_end(
     return None
 
 
+def reached_at_an_end(
+    tree: Expression, bound: Relation, name: str, ends: Sequence[Link]
+) -> tuple[Expression, Expression] | None:
+    """The one bound that a tree has at an end that belongs to its letter, and that end."""
+    if len(bound.only) > 1 or len(bound.only[0].sign) != 2:
+        return None
+    sides = [e for e in (bound.only[0].left, bound.only[0].right) if not has_quantity(e)]
+    for end in ends if len(sides) == 1 and name not in letters(sides[0]) else ():
+        at = end.left if end.right == Letter(name) else end.right
+        if Letter(name) not in (end.left, end.right) or len(end.sign) != 2 or letters(at):
+            continue
+        if _agrees(tree, name, worth(at, name, sp.Integer(0)), sides[0]):
+            return sides[0], at
+    return None
+
+
 def way_of(tree: Expression, name: str, ends: Sequence[Link], bound: Relation) -> int:
     """The sign of the change from the lower to the upper end, all other letters at one point.
 

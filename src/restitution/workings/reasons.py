@@ -58,7 +58,7 @@ from restitution.workings.grounds import (
     grounds_of,
     motion_of,
 )
-from restitution.workings.growing import growth, limit_at_an_end, way_of
+from restitution.workings.growing import growth, limit_at_an_end, reached_at_an_end, way_of
 from restitution.workings.later_times import later_than
 from restitution.workings.multipliers import multipliers_of
 from restitution.workings.naming import Naming
@@ -143,6 +143,8 @@ class Reasons:
             *self._cleared(line),
             *self._dropped(line),
         )
+        # The value at the end of a letter stands behind what is known of that.
+        reasons = tuple(sorted(reasons, key=lambda e: getattr(e, "id", "") == "derived.it-is"))
         reasons = reasons or tuple(self._positive_sum(line)) or tuple(self._positive_ratio(line))
         reasons = reasons or tuple(self._both_squared(line))
         if self._is_root(line):
@@ -569,6 +571,12 @@ class Reasons:
                     low_end = next(low, Link(letter_, ">", ZERO))
                     near = (say("derived.fact", fact=self._laid(Relation(((low_end,),)))),)
             elif any(end.line == line.number and end.shown for end in self._derivation.items):
+                reached = reached_at_an_end(above[0].right, line.relation, name, ends)
+                if reached is not None:
+                    at = self._laid(Relation(((Link(letter_, "=", reached[1]),),)))
+                    value_there = self._naming.layout(reached[0])
+                    yield say("derived.it-is", value=value_there, at=at)
+                    return
                 limit = limit_at_an_end(above[0].right, line.relation, name, ends) or (None, None)
             else:
                 return
