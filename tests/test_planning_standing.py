@@ -233,7 +233,7 @@ def test_a_component_that_is_worked_out_to_be_0_stays_0() -> None:
         "sphere A: mass 1/2, velocity 2i + 3j\nsphere B: mass 1, at rest\n"
         "A hits B: along 2i + 3j, e = 1/3\nfind velocity(A)"
     )
-    assert "stay 0 for A and 0 for B" in text
+    assert "the component of A in the direction of 𝐭 stays 0" in text
 
 
 def test_what_is_shown_at_the_end_of_a_letter_has_its_value_there() -> None:

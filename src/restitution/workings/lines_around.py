@@ -49,9 +49,8 @@ class LinesAround:
 
     def _across_of(self, line: Line, body: str) -> lay.Layout | None:
         """The component of a body across the line of centres, as a line that is cited has it."""
-        relations = (own.relation for ref in line.premises if (own := self._cited(ref)))
-        for relation in relations:
-            match relation:
+        for cited in map(self._cited, line.premises):
+            match None if cited is None else cited.relation:
                 case Relation(
                     ((Link(Quantity("across", (Quantity(_, (Name(own),)), _)), "=", value),),)
                 ) if own == body:
