@@ -204,3 +204,21 @@ def test_a_velocity_that_is_asked_stands_before_it_is_resolved() -> None:
         if each.startswith("along(velocity(A, 1), line_of_centres(1)) = ")
     )
     assert vector < resolved
+
+
+def test_a_speed_follows_from_the_energy_that_is_given() -> None:
+    _, derivation = planned(
+        "wall W: along i\nsphere P: mass 2, velocity 10 at 30° to W\nP hits W\n"
+        "given energy(P) = 76\nfind speed(P), e"
+    )
+    assert said(derivation)[:2] == ["speed(P, 1)^2 = 76", "speed(P, 1) = 2sqrt(19)"]
+
+
+def test_given_inequalities_tell_on_which_side_a_sphere_is() -> None:
+    text = text_of(
+        "wall W: along j, through (0, 0)\nsphere A: mass m, at (3d, 0), velocity -u i, radius r\n"
+        "sphere B: mass m, at (5d, 0), at rest, radius r\ngiven d > 2r\n"
+        "A hits W: e = 1/2\nA hits B: e = 1/2\nfind time(2), position(B)"
+    )
+    assert "t₂ − t₁ = (5d − 2r − r)/(u/2) = 2(5d − 3r)/u" in text
+    assert "B is at rest, so it stays where it is: position of B" in text

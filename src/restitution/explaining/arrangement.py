@@ -26,9 +26,10 @@ from restitution.expression.tree import (
     Unit,
     is_zero,
     rational,
+    walk,
 )
-from restitution.oracle import Oracle, compared
-from restitution.problem import Arrival, Impact, Kick, Problem, Sphere, Wall
+from restitution.oracle import Formula, Oracle, compared
+from restitution.problem import Arrival, Compare, Given, Impact, Kick, Problem, Sphere, Wall
 from restitution.solving.letters import roles
 
 _PLAIN = 12
@@ -111,15 +112,36 @@ class Arrangement:
         except NotComparableError:
             return None
 
-    @staticmethod
-    def sign_in(world: World, value: Quotient) -> int | None:
+    def sign_in(self, world: World, value: Quotient) -> int | None:
         """The sign of a quotient of a world, where it is plain."""
         own = world.expression(value, world.roles)
-        oracle = Oracle(world.roles)
+        oracle = Oracle(world.roles, self.bounds_of_all)
         for sign in (1, -1):
             if oracle.proves(compared(sign * own, ">", 0)):
                 return sign
         return None
+
+    @cached_property
+    def bounds_of_all(self) -> tuple[Formula, ...]:
+        """The inequalities between letters that are given in front of all parts."""
+        world = world_of(self.problem)
+        steps = [step for step in self.problem.parts[0].steps if isinstance(step, Given)]
+        own: list[Formula] = []
+        for relation in (each for step in steps for each in step.relations):
+            match relation:
+                case Compare(operands, operators) if set(operators) <= {"<", "<=", ">", ">="}:
+                    pass
+                case _:
+                    continue
+            if any(isinstance(node, Quantity) for each in operands for node in walk(each)):
+                continue
+            try:
+                values = [world.expression(world.scalar(e), world.roles) for e in operands]
+            except NotComparableError:
+                continue
+            for left, sign, right in zip(values, operators, values[1:], strict=False):
+                own.append(compared(left, sign, right))
+        return tuple(own)
 
     def world(self) -> World:
         """The letters of the statement, and the directions of its walls."""

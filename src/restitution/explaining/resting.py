@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from restitution.explaining.derivation import Derivation, Line, Relation
-from restitution.expression.tree import Letter, Quantity, is_zero
+from restitution.expression.tree import Letter, Pair, Quantity, is_zero
 
 
 def is_of_a_body_at_rest(derivation: Derivation, line: Line) -> bool:
@@ -14,7 +14,12 @@ def is_of_a_body_at_rest(derivation: Derivation, line: Line) -> bool:
     for ref in line.premises:
         if isinstance(ref, str):
             if ref.partition(" ")[0] == "velocity":
-                return False
+                fact = derivation.fact(ref)
+                match None if fact is None else fact.relation.options[0][-1].right:
+                    case Pair(x, y) if is_zero(x) and is_zero(y):
+                        still.append(True)
+                    case _:
+                        return False
             continue
         own = derivation.line(ref)
         if own is None or not isinstance(own.relation, Relation) or len(own.relation.options) > 1:

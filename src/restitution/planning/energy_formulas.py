@@ -129,19 +129,39 @@ def speed_by_its_energy(scene: Scene, speed: Quantity) -> int | None:
     body, stage = body_and_stage(scene, speed)
     if stage not in scene.model.frames or known_speed(scene, body, stage):
         return None
-    known, move = scene.desk.known(Quantity("energy", (Name(body),), stage)), "energy"
+    known, record = scene.desk.known(Quantity("energy", (Name(body),), stage)), "energy"
     if known is None and tuple(scene.model.story.spheres) == (body,):
-        known, move = scene.desk.known(Quantity("energy", (), stage)), "total"
+        known, record = scene.desk.known(Quantity("energy", (), stage)), "total"
     if known is None or any(each.value == 0 for each in parts(scene, body, stage)):
         return None
+    return _speed_of_energy(scene, body, stage, known, record)
+
+
+def speed_by_given_energy(scene: Scene, speed: Quantity) -> int | None:
+    """A speed by its kinetic energy, which is given; None where that is not so."""
+    body, stage = body_and_stage(scene, speed)
+    if stage not in scene.model.frames or known_speed(scene, body, stage):
+        return None
+    energy = Quantity("energy", (Name(body),), stage)
+    for each in scene.given:
+        if each.link.left == energy and each.link.sign == "=" and not has_quantity(each.link.right):
+            known = Source(scene.scalar(each.link.right), each.refs)
+            if not scene.unknown(scene.mass(body).value):
+                return _speed_of_energy(scene, body, stage, known, "energy")
+    return None
+
+
+def _speed_of_energy(scene: Scene, body: str, stage: int, known: Source, record: str) -> int | None:
+    """The lines of a speed by a kinetic energy: its square, and the root of that."""
     mass = scene.mass(body)
     squared = tidy(2 * known.value / mass.value)
     value, more = scene.put(squared)
     size = tidy(sp.sqrt(tidy(value)))
-    if scene.unknown(value) or size.has(sp.Add) or not size.is_rational_function():
+    plain = size.is_rational_function() or tidy(value).is_Rational
+    if scene.unknown(value) or size.has(sp.Add) or not plain:
         return None
     own = Quantity("speed", (Name(body),), stage)
-    define = Move("define", move, stage, (body,) if move == "energy" else ())
+    define = Move("define", record, stage, (body,) if record == "energy" else ())
     relation = chain(square(own), (tree_of(squared), None))
     pool = together(known.refs, mass.refs)
     line = scene.judge.write((define,), pool, relation, shown="inline" if more else "line")

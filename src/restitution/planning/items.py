@@ -30,7 +30,7 @@ from restitution.planning.angle_sums import write_tangent_of_sum
 from restitution.planning.axes import write_axis, write_wall
 from restitution.planning.desk import NotPlannedError, Source, chain, together
 from restitution.planning.either_side import write_sides
-from restitution.planning.energy_formulas import speed_by_its_energy
+from restitution.planning.energy_formulas import speed_by_given_energy, speed_by_its_energy
 from restitution.planning.expressions import outermost, write_expression
 from restitution.planning.forms import ONE, difference, product, square, tree_of
 from restitution.planning.formulas import write_formula
@@ -57,6 +57,11 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
     """
     if isinstance(asked, Quantity) and asked.kind == "velocity" and write_by_momentum(scene, asked):
         solver.take_velocity(asked)
+    if isinstance(asked, Quantity) and asked.kind == "speed":
+        by_energy = speed_by_given_energy(scene, asked)
+        if by_energy is not None:
+            scene.desk.end(name, by_energy, chain(asked, (_right(scene, by_energy), None)))
+            return
     placed = place_trees.serves(asked) or place_trees.is_duration(asked)
     if isinstance(asked, Quantity) and write_total_kept(scene, asked):
         pass  # an impact of two spheres does not change it
