@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from test_planning_closing import planned, said
 
 from restitution.language import parse
@@ -83,7 +85,7 @@ def test_equal_angles_are_shown_by_their_letters() -> None:
     )
     assert "δ = 180° − θ − β" in text
     assert "arctan" not in text
-    assert "ψ = β, as tan ψ = tan β" in text
+    assert re.search("([φψ]) = β, as tan \\1 = tan β", text)
 
 
 def test_who_was_at_rest_moves_off_along_the_line_of_centres() -> None:
