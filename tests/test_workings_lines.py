@@ -204,7 +204,7 @@ def working(text: str) -> str:
     ("text", "sentence"),
     [
         (EQUAL_SPEEDS, "As α is acute, this holds for e > 0 only."),
-        (STOPPED, "As the divisor e is not zero, this holds for e > 0 only."),
+        (STOPPED, "As e = 0 gives no value of k, this holds for e > 0 only."),
         (LOST, "As e² ≥ 0, this holds for s ≤ cos²α only."),
         (BACK, "As P is still moving at the end, this holds for f > 0 only."),
         (FASTER, "This holds for α < 45° only, as there is no such e otherwise."),

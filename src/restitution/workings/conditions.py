@@ -337,7 +337,11 @@ def _reason(model: Model, symbol: sp.Symbol, ends: Collection[str]) -> Sentence 
     if "acute" in ends:
         return say("derived.acute", angle=name)
     if "divisor" in ends:
-        divisor = lay.from_sympy(sp.fraction(sp.together(model.final[symbol]))[1])
+        above, below = sp.fraction(sp.together(model.final[symbol]))
+        divisor = lay.from_sympy(below)
+        if model.proved_sign(above.subs(below, 0)):
+            none = lay.Relation((divisor, zero), ("=",))
+            return say("answer.no-value", place=none, letter=name)
         return say("answer.divisor", divisor=divisor)
     if "moving" in ends:
         return say("answer.moving", body=symbol.name)
