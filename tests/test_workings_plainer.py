@@ -89,6 +89,14 @@ A hits B: along i
 given 1/2 <= e <= 3/4, alpha = 60°
 find range of energy_lost
 """
+ON_TO_A_WALL = """
+sphere A: mass m, velocity 2u at -60°
+sphere B: mass m, at rest
+wall W: along i
+A hits B: along -60°, e = 1/2
+B hits W: e = 2/3
+find velocity(B)
+"""
 
 # Statement, and words of its working, worked out by hand.
 SAYS = [
@@ -109,6 +117,7 @@ SAYS = [
     (ONE_ANGLE, "tan δ = (tan θ − tan α)/(1 + tan θ tan α)"),
     (TURNED_DOWN, "as the angle from 𝐢 to 𝐯_A is negative"),
     (OPEN_LINE, "(s − 2(5 − s)/3)(s + 1) = ½(3(2 + 3) + (4 + 1)(s + 1))"),
+    (ON_TO_A_WALL, "along the line of centres of the first impact"),
 ]
 SAYS_NOT = [
     (ALL_OF_E, "as α = 60°"),

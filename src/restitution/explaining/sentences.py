@@ -135,6 +135,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Let {along} be the unit vector along the line of centres, and {across} the one "
         "perpendicular to it."
     ),
+    "units.along-earlier": (
+        "Let {along} be the unit vector along the line of centres of {impact}."
+    ),
     "units.along-spheres": "Let {along} be the unit vector along the line of centres.",
     "units.across-spheres": (
         "Let {across} be the unit vector perpendicular to the line of centres."

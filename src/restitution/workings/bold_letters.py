@@ -26,6 +26,7 @@ from restitution.explaining.derivation import (
 )
 from restitution.explaining.offset_angles import letter_of_offset
 from restitution.explaining.saying import Sentence, say
+from restitution.explaining.sentences import SENTENCES
 from restitution.explaining.trials import on_either_side
 from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import (
@@ -102,6 +103,7 @@ class BoldLetters:
     _parts: dict[tuple[str, int], str | None] = field(default_factory=dict)
     _units: dict[tuple[int, str], lay.Bold] = field(default_factory=dict)
     _pending: list[Sentence] = field(default_factory=list)
+    _now: int = 0
 
     def __post_init__(self) -> None:
         events = self.derivation.events
@@ -146,6 +148,7 @@ class BoldLetters:
 
     def gather(self, number: int) -> None:
         """Introduces the velocities at an event that the part is going to use."""
+        self._now = number
         if self.used is None:
             return
         bodies = self._events[number].bodies
@@ -306,6 +309,12 @@ class BoldLetters:
             # A line of centres that is worked out leads from the first sphere to the second.
             name = _FROM_THE_FIRST[which]
             slots |= {"first": event.bodies[0], "second": event.bodies[1]}
+        order = 1 + sum(n < number and each.kind != "kick" for n, each in self._events.items())
+        earlier = number < self._now and f"ordinal.{order}" in SENTENCES
+        if name == "units.along-spheres" and earlier:
+            impact = say("event.impact", order=say(f"ordinal.{order}"))
+            self._pending.append(say("units.along-earlier", impact=impact, **slots))
+            return
         self._pending.append(say(name, **slots))
 
     def _ratios(self, number: int) -> dict[sp.Expr, sp.Expr]:
