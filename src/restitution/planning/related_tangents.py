@@ -1,4 +1,4 @@
-"""Tangents of angles of the motion in a relation that is given: *tan α = 2 tan β*."""
+"""Ratios of angles of the motion that are given: *tan α = 3 tan β*, *sin β = 5/13*."""
 
 from __future__ import annotations
 
