@@ -98,11 +98,11 @@ def range_limitations(outcome: Outcome, region: Region, values: sp.Set) -> tuple
     if not isinstance(values, sp.Interval) or region.proof == "undecided":
         return ()
     gap = _gap(values)
-    if gap is None or not region.trials:
+    if not region.trials:
         return ()
     facts = [each for each in presupposed(outcome) if region.letter not in letters_of(each)]
     base = Oracle(region.roles, tuple(facts))
-    if base.decide(gap.formula):
+    if gap is None or base.decide(gap.formula):
         return _defined(outcome, region.trials[0], base, values.args[:2])
     return tuple(_limits(outcome, region.trials[0], base, [gap]))
 
