@@ -12,7 +12,8 @@ import pytest
 
 import restitution
 from restitution.practice.judgement import Judgement
-from restitution.practice.judging.judging import judge
+from restitution.practice.judging.judging import bench_of, judge
+from restitution.practice.judging.verdicts import Judge
 from restitution.practice.letters.declaring import letters_from_mapping
 from restitution.practice.reading.working import read_working
 from restitution.solving.solution import Solution
@@ -132,3 +133,13 @@ def of_chain(middle: str, size: str) -> str:
     letters = {"v": "velocity(P)", "u": "velocity(P, 0)", "I": "impulse"}
     (line,) = Trial(UNLIKE, size, letters, ((f"I = {middle} = {size}", "", None),)).judged().lines
     return line.verdict
+
+
+def test_letters_in_doubt_are_tried_without_the_laws_of_their_lines() -> None:
+    """A meaning that explains too little is given up, and asks for no law and no name."""
+    trial = next(each for each in TRIALS if each.title == "a sign in it, and what follows")
+    question = bench_of(solved(trial.statement), None)
+    script = read_working("\n".join(text for text, _, _ in trial.lines), question.problem)
+    judge_ = Judge(question.worlds, {}, question.names, question.question, names=False)
+    assert judge_.judged(script, lambda lines: len(lines) == 1) == ()
+    assert all(not line.uses for line in judge_.judged(script))

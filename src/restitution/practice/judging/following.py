@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import chain
 
 import numpy as np
 
@@ -164,7 +165,7 @@ class Following(OwnValues):
             put: dict[Expression, Expression] = dict(own.items())
             left, right = (exchanged(side, put) for side in (claim.left, claim.right))
             other = replace(claim, left=left, right=right)
-            for world in (*self.worlds, *self.students()):
+            for world in chain(self.worlds, self.students()):
                 grade = self.accuracy(other, world, line, link)
                 if grade is not None:
                     lines = tuple(dict.fromkeys(numbers[each] for each in inside))

@@ -318,7 +318,7 @@ class Holding:
             meanings = [
                 staged(tree, world.problem, world.part, now)
                 for tree in trees
-                if is_vague(phrase) or are_alike(tree, trees[0])
+                if is_vague(phrase) or is_relative(phrase) or are_alike(tree, trees[0])
                 for now in stages
             ]
             self._phrases[key] = tuple(dict.fromkeys(meanings))

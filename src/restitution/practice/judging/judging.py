@@ -7,7 +7,7 @@ not a mistake.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -222,6 +222,18 @@ def _numbers(expressions: Iterable[Expression]) -> Iterator[Fraction]:
     )
 
 
+@dataclass(frozen=True)
+class _Idle:
+    """Whether a meaning explains too little: more lines are false, or all that are in doubt."""
+
+    open: Collection[int]
+    most: int
+
+    def __call__(self, lines: Sequence[JudgedLine]) -> bool:
+        false = {line.line.number for line in lines if line.verdict == "false"}
+        return len(false) > self.most or false.issuperset(self.open)
+
+
 class _Sitting:
     """One script before the bench."""
 
@@ -295,7 +307,7 @@ class _Sitting:
             if not is_phrase(m.letter) and m.letter not in unknown
         }
         bench = self.bench
-        for world in judge_.students()[:1]:
+        for world in islice(judge_.students(), 1):
             own = meanings_of(
                 self.script, bench.problem, bench.solution, bench.solved.part.label, known, (world,)
             ).best
@@ -339,8 +351,10 @@ class _Sitting:
                 continue
             if next(tries, None) is None:
                 break
-            _, others = self._judged(self.script, rival, names=False)
-            if sum(line.verdict == "false" for line in others) > most:
+            open_ = {line.number for line in false if set(doubtful[line.number]) & _names_in(line)}
+            judge_ = self._judge(rival, names=False)
+            others = judge_.judged(self.script, _Idle(open_, most))
+            if not others:
                 continue
             lines = tuple(
                 self._doubted(line, other, doubtful[line.line.number], asks)

@@ -51,6 +51,7 @@ from restitution.practice.judging.plain_mistakes import (
 from restitution.practice.judging.slips import Correction, corrections
 from restitution.practice.letters.candidates import Candidate, candidates
 from restitution.practice.reading.lines import text_of
+from restitution.practice.reading.phrases import is_phrase, is_relative
 from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import difference, numbers_of
 from restitution.practice.worlds.arrays import Array
@@ -124,7 +125,7 @@ class JudgedSoFar(Protocol):
     def base(self) -> World:
         """The solution in which most lines are true."""
 
-    def students(self) -> tuple[World, ...]:
+    def students(self) -> Sequence[World]:
         """The worlds in which the lines so far hold, as far as they can hold together."""
 
     def altered(self, variant: VariantAt) -> World | None:
@@ -166,6 +167,15 @@ class Names:
         plain = None if variants else plainly(entry, judge.base, judge.entries, mended)
         if not variants and not plain and slip == "sign":
             plain = sign_of_a_component(entry, judge.base, mended, near)
+            left, right = entry.claim.left, entry.claim.right
+            within = any(each.part not in (left, right) for each in mended)
+            if (
+                isinstance(left, Letter)
+                and is_phrase(left.name)
+                and is_relative(left.name)
+                and within
+            ):
+                plain = "restitution-sign"
             if is_sum_of_angles(entry) and _is_deflection(entry):
                 plain = "deflection-difference"
         direct = all(_is_direct(each.event.number, judge.base) for each in variants)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
-from typing import Protocol
+from typing import Protocol, overload
 
 from restitution.errors import RestitutionError
 from restitution.explaining.misconceptions import VariantAt
@@ -48,6 +48,37 @@ ALTERED = 3
 """So many of the altered laws that explain a mistake are looked into."""
 
 
+class _InTurn(Sequence[World]):
+    """Worlds that are made when they are asked for, and kept: most lines need the first alone."""
+
+    def __init__(self, worlds: Iterator[World]) -> None:
+        self._rest, self._made = worlds, list[World]()
+
+    def __iter__(self) -> Iterator[World]:
+        place = 0
+        while place < len(self._made) or self._more():
+            yield self._made[place]
+            place += 1
+
+    def __len__(self) -> int:
+        while self._more():
+            pass
+        return len(self._made)
+
+    @overload
+    def __getitem__(self, place: int) -> World: ...
+    @overload
+    def __getitem__(self, place: slice) -> Sequence[World]: ...
+    def __getitem__(self, place: int | slice) -> World | Sequence[World]:
+        return tuple(self)[place]
+
+    def _more(self) -> bool:
+        world = next(self._rest, None)
+        if world is not None:
+            self._made.append(world)
+        return world is not None
+
+
 class Naming(Protocol):
     """The interface of what names mistakes."""
 
@@ -84,7 +115,7 @@ class OwnValues(Holding):
         self._names = names
         self._explained: dict[int, Explained] = {}
         self._stated: set[tuple[str, int | None, tuple[str, ...]]] = set()
-        self._own: tuple[int, tuple[World, ...]] = (-1, ())
+        self._own: tuple[int, Sequence[World]] = (-1, ())
         self._own_numbers = OwnNumbers()
         self._known_uses: dict[tuple[Claim, int, bool], tuple[Use, ...]] = {}
 
@@ -103,21 +134,22 @@ class OwnValues(Holding):
 
     # --- worlds -------------------------------------------------------------------------------
 
-    def students(self) -> tuple[World, ...]:
+    def students(self) -> Sequence[World]:
         """The worlds in which the lines so far hold, as far as they can hold together."""
         if self._own[0] != len(self.entries):
-            self._own = len(self.entries), tuple(self._worlds_of_student())
+            worlds = self._worlds_of_student(tuple(self.entries))
+            self._own = len(self.entries), _InTurn(worlds)
         return self._own[1]
 
-    def _worlds_of_student(self) -> Iterator[World]:
-        broken = self._broken()
+    def _worlds_of_student(self, entries: Sequence[Entry]) -> Iterator[World]:
+        broken = self._broken(entries)
         facts = any(fact.law for fact in facts_of(self._base))
         for latest, laws_first in ((True, False), (False, False), (True, True)):
             if laws_first and not facts:
                 continue
             world = student_world(
                 self._base,
-                self.entries,
+                entries,
                 self.question.unknown,
                 latest=latest,
                 broken=() if laws_first else broken,
@@ -126,35 +158,35 @@ class OwnValues(Holding):
             if world is not None:
                 yield world
         # A quantity wrongly worked out need not be what its components make of it.
-        own = [each for each in self.entries if not (each.wrong and label_in(each.claim.left))]
-        if own and len(own) < len(self.entries):
+        own = [each for each in entries if not (each.wrong and label_in(each.claim.left))]
+        if own and len(own) < len(entries):
             world = student_world(self._base, own, self.question.unknown, laws_first=facts)
             if world is not None:
                 yield world
-        own = self._without_sources() if not broken else []
+        own = self._without_sources(entries) if not broken else []
         if own:
             world = student_world(self._base, own, self.question.unknown, laws_first=facts)
             if world is not None:
                 yield world
 
-    def _without_sources(self) -> list[Entry]:
+    def _without_sources(self, entries: Sequence[Entry]) -> list[Entry]:
         """The lines without those from which a slip was worked out: they do not hold with it.
 
         None where there are no such lines.
         """
         sources = {
             place
-            for place, (above, entry) in enumerate(pairwise(self.entries))
+            for place, (above, entry) in enumerate(pairwise(entries))
             if above.right and entry.wrong
         }
-        own = [each for place, each in enumerate(self.entries) if place not in sources]
-        return own if len(own) < len(self.entries) else []
+        own = [each for place, each in enumerate(entries) if place not in sources]
+        return own if len(own) < len(entries) else []
 
-    def _broken(self) -> frozenset[tuple[str, int | None]]:
+    def _broken(self, entries: Sequence[Entry]) -> frozenset[tuple[str, int | None]]:
         """The laws in whose place the student has an altered one."""
         return frozenset(
             (use.principle, use.event)
-            for entry in self.entries
+            for entry in entries
             if entry.wrong
             for use in self.uses_of_entry(entry)
             if use.altered is not None
@@ -170,7 +202,7 @@ class OwnValues(Holding):
             for variant in mistake.variants[:ALTERED]
             for law in variant.laws
         )
-        return self._broken().union(named)
+        return self._broken(self.entries).union(named)
 
     def altered(self, variant: VariantAt) -> World | None:
         """The world of an altered law, all else being right."""

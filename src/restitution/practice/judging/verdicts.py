@@ -6,7 +6,7 @@ judged in the student's own world as well. The truth of a line never depends on 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import chain
@@ -96,8 +96,12 @@ class Judge(Following):
 
     # --- a script ---------------------------------------------------------------------------------
 
-    def judged(self, script: Script) -> tuple[JudgedLine, ...]:
-        """Every line with its verdict."""
+    def judged(
+        self, script: Script, idle: Callable[[Sequence[JudgedLine]], bool] | None = None
+    ) -> tuple[JudgedLine, ...]:
+        """Every line with its verdict; none where ``idle`` says of the first lines that all is in
+        vain.
+        """
         self._base = self._likeliest(script)
         self._take_acute(script)
         question = self.question
@@ -106,6 +110,8 @@ class Judge(Following):
         for line in script.lines:
             lines.append(self._judged(line))
             self._event_above = line.scope.event
+            if idle is not None and idle(lines):
+                return ()
         return tuple(self._named(line) for line in lines)
 
     def _named(self, line: JudgedLine) -> JudgedLine:
@@ -256,9 +262,13 @@ class Judge(Following):
     def _becoming(self, line: ScriptLine, link: Link) -> JudgedLink | None:
         """A component that changes its size: ``4 becomes 2``."""
         claim = link.readings[0]
-        tried: list[tuple[Verdict, World]] = [("true", world) for world in self.worlds]
-        tried += [("follows", world) for world in (self.students() if self.wrong else ())]
-        for verdict, world in tried:
+        if next(changes_of_sizes(claim, line, self._base), None) is None:
+            return None
+        true: Iterator[tuple[Verdict, World]] = (("true", world) for world in self.worlds)
+        own: Iterator[tuple[Verdict, World]] = (
+            ("follows", world) for world in (self.students() if self.wrong else ())
+        )
+        for verdict, world in chain(true, own):
             for pair in changes_of_sizes(claim, line, world):
                 first, second = (self.accuracy(each, world, line, link) for each in pair)
                 if first is not None and second is not None:

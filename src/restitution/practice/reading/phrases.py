@@ -50,6 +50,7 @@ __all__ = [
 MAX_CANDIDATES = 40
 # What people compare with the start under any heading.
 _OF_THE_WHOLE = frozenset(("energy", "loss", "gain", "ratio"))
+_MOVING = frozenset(("speed", "velocity"))
 _VAGUE = frozenset(("magnitude", "angle", "ratio"))
 _DIRECTION = re.compile(
     r"\b(along|of|to|direction)\s+((?:\(?\s*-?\s*[\d√./()\s]*[ij][\s)/\d√.+-]*){2,})", re.IGNORECASE
@@ -79,7 +80,10 @@ def is_phrase(name: str) -> bool:
 
 def is_relative(name: str) -> bool:
     """Whether a phrase names a speed of approach or of separation, and so its moment."""
-    return any(HEADS.get(word) in ("approach", "separation") for word in name.casefold().split())
+    words = name.casefold().split()
+    return any(HEADS.get(word) in ("approach", "separation") for word in words) or (
+        not {"rel", "relative"}.isdisjoint(words) and any(HEADS.get(x) in _MOVING for x in words)
+    )
 
 
 def tells_after(name: str, problem: Problem) -> bool:
@@ -441,14 +445,14 @@ class _Reader:
             return
         line = self.line(event)
         difference: Expression = velocities[0]
-        if len(velocities) > 1 and "relative" in heads:
-            yield Binary("-", velocities[0], velocities[1])
-            yield Binary("-", velocities[1], velocities[0])
         if len(velocities) > 1:
             difference = Binary("-", velocities[0], velocities[1])
         value = Quantity("along", (difference, line))
         yield value if approach else Negate(value)
         yield Negate(value) if approach else value
+        if len(velocities) > 1 and "relative" in heads:
+            yield Binary("-", velocities[0], velocities[1])
+            yield Binary("-", velocities[1], velocities[0])
         if len(velocities) > 1:
             yield Apply("abs", difference)
 
