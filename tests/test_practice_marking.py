@@ -76,9 +76,9 @@ BY_HAND = [
     (WALL, "b", "+++", "tan b = (u/5)/(4u/5) = 1/4; b = 14.0; deflection = 36.9 + 14.0 = 50.9"),
     (WALL, "b", "+--", "tan b = 1/4; b = 14.0; deflection = 14.0"),
     # A value may hold the angle that is asked for; a slip keeps the method, and what stays in it.
-    (EQUAL, None, "+++++++++", "along; apart; v and w; sizes; tan α = √21/12"),
-    (EQUAL, None, "++++++++-", "along; apart; v and w; w² = v² - u² sin² α"),
-    (EQUAL, None, "-+++++---", "along; apart; 6v = u cos α; v = 1/3 u cos α"),
+    (EQUAL, None, "++++++++++", "along; apart; v and w; sizes; tan α = √21/12"),
+    (EQUAL, None, "+++++++++-", "along; apart; v and w; w² = v² - u² sin² α"),
+    (EQUAL, None, "-+++++----", "along; apart; 6v = u cos α; v = 1/3 u cos α"),
     # Of two angles, a line earns the method of its own, with what it cannot be had without.
     (TURNED, None, "++-+--", "tan b = 5/36; b = 7.91; deflection = 7.91"),
     (TURNED, None, "--+---", "tan a = 5/12; a = 22.6; deflection = 22.6"),
