@@ -97,6 +97,12 @@ A hits B: along -60°, e = 1/2
 B hits W: e = 2/3
 find velocity(B)
 """
+DOWN_AN_AXIS = """
+wall W: along i + j
+sphere P: mass 1, velocity 3i
+P hits W: e = 1
+find direction(P)
+"""
 
 # Statement, and words of its working, worked out by hand.
 SAYS = [
@@ -118,6 +124,7 @@ SAYS = [
     (TURNED_DOWN, "as the angle from 𝐢 to 𝐯_A is negative"),
     (OPEN_LINE, "(s − 2(5 − s)/3)(s + 1) = ½(3(2 + 3) + (4 + 1)(s + 1))"),
     (ON_TO_A_WALL, "along the line of centres of the first impact"),
+    (DOWN_AN_AXIS, "P moves in the direction of 𝐣: angle from 𝐢 to 𝐯_P = 90°"),
 ]
 SAYS_NOT = [
     (ALL_OF_E, "as α = 60°"),

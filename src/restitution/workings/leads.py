@@ -465,8 +465,10 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 else:
                     yield say(which, body=body)
                 return
-            none = Unit("i" if size == Degrees(Fraction(90)) else "j")
-            yield say("derived.along-axis", body=body, axis=self._naming.layout(none))
+            axis: Expression = Unit("j" if size == Degrees(Fraction(90)) else "i")
+            back = size != angle or size == Degrees(Fraction(180))
+            along = self._naming.layout(Negate(axis) if back else axis)
+            yield say("derived.along-axis", body=body, axis=along)
             return
         if line.move.record in ("perpendicular", "parallel") and self.title(line) is None:
             apart = self._apart(line) if line.move.record == "perpendicular" else None
