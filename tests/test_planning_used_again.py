@@ -140,3 +140,13 @@ def test_chords_of_other_components_are_worked_out_one_by_one() -> None:
     printed = worked(CHORDS.format("1/2"))
     assert "as long" not in printed
     assert printed.count("length of the chord =") == 3
+
+
+def test_a_component_comes_of_the_other_one_by_the_shorter_law() -> None:
+    printed = worked(
+        "sphere A: mass m, velocity 4u i\nsphere B: mass k m, velocity -u i\n"
+        "A hits B: along i, e = 1/5\n"
+        "part a\ngiven velocity(A) opposite to i\nfind range of k\n"
+        "part b\ngiven velocity(B) opposite to i\nfind range of k\n"
+    )
+    assert "Substituting for v in (2):\n    w − 2(2 − k)u/(1 + k) = ⅕(4u + u)\n" in printed

@@ -868,8 +868,8 @@ class Solver:
             later = [s for s in open_ if s in self._after(law.number)]
             if len(later) != 1:
                 continue
-            number = self._law_line(law)
             (symbol,) = later
+            number = self._shorter_law(law, symbol) or self._law_line(law)
             own_residual = residual(self.scene, number)
             if symbol not in own_residual.free_symbols:
                 continue  # it is known by now
@@ -883,6 +883,15 @@ class Solver:
             self.scene.desk.know(Letter(symbol.name), value, (line,))
             return (own,)
         return None
+
+    def _shorter_law(self, law: Law, symbol: sp.Symbol) -> int | None:
+        """The law of restitution with what is known, where both laws stand and it is enough."""
+        if law.kind != "momentum" or written_law(self.scene, law.kind, law.number) is None:
+            return None
+        other = written_law(self.scene, "restitution", law.number)
+        if other is None or set(self.scene.unknown(residual(self.scene, other))) != {symbol}:
+            return None
+        return with_known(self.scene, other)
 
     def _separation(self, left: list[Candidate], goals: Sequence[sp.Expr]) -> bool:
         """Writes the law of restitution alone, where only the speed of separation is wanted."""
