@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Name,
     Quantity,
     letters,
     walk,
@@ -282,11 +283,21 @@ def _with_its_first_letter(scene: Scene, term: Term, line: int) -> Term:
         link = desk.last_link(ref)
         if link.left != term.angle or not isinstance(link.right, Letter):
             continue
+        if len({_is_to_a_wall(scene, letter) for letter in (link.left, link.right)}) > 1:
+            continue  # that the wall is parallel to the line of centres has to be said
         for each in (line, ref):
             desk.lines[each - 1] = replace(desk.line(each), shown="silent")
         rest = tuple(each for each in desk.line(line).premises if each != ref)
         return Term(link.right, term.tangent, rest, (ref,))
     return term
+
+
+def _is_to_a_wall(scene: Scene, letter: Expression) -> bool:
+    """Whether a letter stands for an angle to a wall."""
+    assert isinstance(letter, Letter)
+    meanings = (line.relation for line in scene.desk.lines if isinstance(line.relation, Meaning))
+    own = next((each.quantity for each in meanings if each.letter == letter.name), None)
+    return isinstance(own, Quantity) and any(isinstance(each, Name) for each in own.arguments)
 
 
 def _by_its_letter(scene: Scene, side: Direction, tangent: sp.Expr) -> Term | None:

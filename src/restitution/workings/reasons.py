@@ -5,26 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-import sympy as sp
-
-from restitution.errors import RestitutionError
 from restitution.explaining.derivation import (
-    FLIPPED,
     Derivation,
     Line,
     Link,
-    Move,
     Ref,
     Relation,
     Sign,
 )
 from restitution.explaining.notation import read_relation, read_tree
-from restitution.explaining.quotients import NotComparableError, Quotient
 from restitution.explaining.saying import Sentence, say
-from restitution.explaining.setting import Setting
-from restitution.explaining.step import Step
-from restitution.explaining.trees import rebuilt
-from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -34,23 +24,15 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
-    has_quantity,
     letters,
     walk,
 )
-from restitution.planning.forms import factors, tree_of
+from restitution.planning.forms import factors
 from restitution.planning.inequalities import turned
 from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.solving.letters import roles
-from restitution.workings.bounding_parts import (
-    is_bound_by,
-    squared,
-    squares_below,
-    squares_of_terms,
-    wave_of,
-)
-from restitution.workings.equality import divisor_left_out, equal_tangents, place_of_zero
+from restitution.workings.equality import equal_tangents
 from restitution.workings.factors import factor_cancelled, factor_left
 from restitution.workings.grounds import (
     acute_by_its_tangent,
@@ -65,17 +47,12 @@ from restitution.workings.naming import Naming
 from restitution.workings.plain_signs import are_squares, positive_letters
 from restitution.workings.right_angles import RightAngles
 from restitution.workings.seen import growth_said, less_than_its_limit
+from restitution.workings.shape_reasons import DOWN, UP, ZERO, ShapeReasons, is_short
 from restitution.workings.signs_of_factors import signs_of_factors
 from restitution.workings.sources import Sources, bound_broken, root_of_a_square
 
 _REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
 _OF_SQUARES = frozenset({"speed", "size", "energy", "total"})
-# A longer expression is told by the name of what it is worth.
-_LONGEST = 24
-ZERO = Number(Fraction(0))
-SQUARED = 2
-_UP, _DOWN = ("<", "<="), (">", ">=")
-_WEAK = ("<=", ">=")
 
 
 class Reasons:
@@ -88,6 +65,7 @@ class Reasons:
         self._sources = sources
         self._roles = roles(problem)
         self._naming = naming
+        self._shapes = ShapeReasons(derivation, naming, self._roles)
         self._right_angles = RightAngles(derivation, naming, self._roles)
 
     def is_positive(self, name: str) -> bool:
@@ -137,7 +115,7 @@ class Reasons:
         reasons = (
             *self._monotone(line),
             *self._at_its_end(line),
-            *self._shape(line),
+            *self._shapes.of(line),
             *self._known(line),
             *self._silent(line),
             *self._cleared(line),
@@ -250,7 +228,7 @@ class Reasons:
 
     def _is_root(self, line: Line) -> bool:
         """Whether of an equation of squares the roots are taken, which may have two signs."""
-        above = [own for ref in line.premises if (own := self._relation_of(ref)) is not None]
+        above = [own for ref in line.premises if (own := self._shapes.relation_of(ref)) is not None]
         assert isinstance(line.relation, Relation)
         if line.move.id != "rearrange" or len(above) != 1 or len(line.relation.options) != 1:
             return False
@@ -269,7 +247,7 @@ class Reasons:
         """Whether values were put into an inequality."""
         assert isinstance(line.relation, Relation)
         signs = {each.sign for links in line.relation.options for each in links}
-        return line.move.id == "put" and bool(signs & {*_UP, *_DOWN})
+        return line.move.id == "put" and bool(signs & {*UP, *DOWN})
 
     def is_own_range(self, line: Line) -> bool:
         """Whether a line only says what a letter may be anyway: all its values are possible."""
@@ -296,7 +274,7 @@ class Reasons:
         bounds: list[Link] = []
         for ref in line.premises:
             match self._reason(ref, line):
-                case Relation(options=((link,),)) if link.sign in (*_UP, *_DOWN):
+                case Relation(options=((link,),)) if link.sign in (*UP, *DOWN):
                     bounds.append(link)
                 case Relation() as relation:
                     reasons.append(self._laid(relation))
@@ -310,7 +288,7 @@ class Reasons:
         """A bound of a letter that is divided by in what a line compares: it is not zero there."""
         if line.move.id != "monotone" or bound.sign != ">=" or bound.right != ZERO:
             return bound
-        cited = [own for ref in line.premises if (own := self._relation_of(ref)) is not None]
+        cited = [own for ref in line.premises if (own := self._shapes.relation_of(ref)) is not None]
         nodes = [node for own in cited for node in walk(own.only[-1].right)]
         below = [e.right for e in nodes if isinstance(e, Binary) and e.op == "/"]
         divides = any(bound.left in factors(each) for each in below)
@@ -327,7 +305,7 @@ class Reasons:
                 if line.move.id != "sign" or Link(letter, ">=", ZERO) not in bounds:
                     return
                 for ref in line.premises:
-                    own = self._relation_of(ref)
+                    own = self._shapes.relation_of(ref)
                     nodes = () if own is None else walk(own.only[-1].right)
                     below = [e.right for e in nodes if isinstance(e, Binary) and e.op == "/"]
                     if own is None or not any(letter in factors(each) for each in below):
@@ -358,7 +336,7 @@ class Reasons:
             return None  # it stands before the line
         if fact is not None:
             signs = {each.sign for links in fact.relation.options for each in links}
-            ordered = signs and signs <= {*_UP, *_DOWN, "!="}
+            ordered = signs and signs <= {*UP, *DOWN, "!="}
             motion = motion_of(fact)
             if motion is not None and (line.move.id == "reject" or line.move.record == "speed"):
                 # That a sign is given by the direction of motion is said where it is used.
@@ -382,7 +360,7 @@ class Reasons:
         if colon and head.strip() == "acute":
             return self._acute(read_tree(text, self._naming.bodies))
         relation = read_relation(ref, self._naming.bodies)
-        acute = acute_by_its_tangent(line, relation, map(self._relation_of, line.premises))
+        acute = acute_by_its_tangent(line, relation, map(self._shapes.relation_of, line.premises))
         return relation if acute is None else self._acute(acute)
 
     def _acute(self, angle: Expression) -> Sentence:
@@ -408,7 +386,7 @@ class Reasons:
                 if role is None or role.kind != "positive":
                     return
                 for ref in line.premises:
-                    if _bounds_below(self._relation_of(ref), letter):
+                    if _bounds_below(self._shapes.relation_of(ref), letter):
                         return
                 yield self._laid(Relation(((Link(letter, ">", ZERO),),)))
 
@@ -416,7 +394,7 @@ class Reasons:
         """That the letter which is sought is positive, by which an inequality is multiplied."""
         if line.move.id not in ("compare", "rearrange") or len(line.premises) != 1:
             return
-        above = self._relation_of(line.premises[0])
+        above = self._shapes.relation_of(line.premises[0])
         assert isinstance(line.relation, Relation)
         if above is None or len(above.options) != 1 or len(line.relation.options) != 1:
             return
@@ -431,7 +409,7 @@ class Reasons:
             return
         (name,) = names
         role = self._roles.get(name)
-        if role is not None and role.kind == "positive" and above.only[0].sign in (*_UP, *_DOWN):
+        if role is not None and role.kind == "positive" and above.only[0].sign in (*UP, *DOWN):
             yield self._laid(Relation(((Link(Letter(name), ">", ZERO),),)))
 
     def _dropped(self, line: Line) -> Iterator[lay.Layout]:
@@ -439,14 +417,6 @@ class Reasons:
         factor = factor_left(self._derivation, line)
         if factor is not None:
             yield self._laid(Relation(((Link(factor, "!=", ZERO),),)))
-
-    def _relation_of(self, ref: Ref) -> Relation | None:
-        """What a premise says."""
-        if isinstance(ref, int):
-            own = self._derivation.line(ref)
-            return own.relation if own is not None and isinstance(own.relation, Relation) else None
-        fact = self._derivation.fact(ref)
-        return None if fact is None else fact.relation
 
     def _positive(self, line: Line) -> Iterator[Sentence]:
         """The silent reason: the letter stands for something positive."""
@@ -460,7 +430,7 @@ class Reasons:
 
         A reader sees it by that, and of 1 + e + e² there is nothing that has to be cited.
         """
-        cited = [self._relation_of(ref) for ref in line.premises]
+        cited = [self._shapes.relation_of(ref) for ref in line.premises]
         if line.move.id != "sign" or len(cited) != 1 or cited[0] is None:
             return
         whole = cited[0].options[0][-1].right
@@ -475,7 +445,7 @@ class Reasons:
 
     def _positive_ratio(self, line: Line) -> Iterator[lay.Layout]:
         """That a letter is positive, of a ratio of an angle that is so by it."""
-        cited = [self._relation_of(ref) for ref in line.premises]
+        cited = [self._shapes.relation_of(ref) for ref in line.premises]
         match line.relation:
             case Relation(((Link(Apply(), ">", right),),)) if right == ZERO and len(cited) == 1:
                 pass
@@ -488,7 +458,7 @@ class Reasons:
     def _both_squared(self, line: Line) -> Iterator[Sentence]:
         """That both sides of an inequality may be squared."""
         assert isinstance(line.relation, Relation)
-        cited = [own for ref in line.premises if (own := self._relation_of(ref)) is not None]
+        cited = [own for ref in line.premises if (own := self._shapes.relation_of(ref)) is not None]
         squared = line.move.id == "compare" and len(cited) == 1
         if squared and are_squares(line.relation, cited[0], self._roles):
             yield say("derived.squared")
@@ -502,7 +472,7 @@ class Reasons:
             for fact in self._derivation.facts
             if fact.kind == "range" and len(fact.relation.options) == 1
             for link in fact.relation.only
-            if link.sign in (*_UP, *_DOWN)
+            if link.sign in (*UP, *DOWN)
             and any(letters(side) & names for side in (link.left, link.right))
         ]
         yield from (self._laid(each) for each in _merged(bounds))
@@ -511,7 +481,7 @@ class Reasons:
         """That a quantity increases, or decreases, between the ends that are cited."""
         if line.move.id != "monotone":
             return
-        if any(self._square_of_a_ratio(line)):
+        if any(self._shapes.square_of_a_ratio(line)):
             return  # a limit says no more than that
         growths = [
             own.relation
@@ -548,7 +518,7 @@ class Reasons:
         if grown is not None:
             name, sense = grown
             whole = above[0].right
-            if not _is_short(whole):
+            if not is_short(whole):
                 part = _part_with(whole, name)
                 turn = 0 if part is None else way_of(part, name, ends, line.relation)
                 whole, sense = (above[0].left, sense) if part is None or not turn else (part, turn)
@@ -567,7 +537,7 @@ class Reasons:
             if name in positive and far is not None:
                 if len(line.relation.only) > 1:  # the other end is where the letter is near 0
                     least = (turned(e) if e.right == letter_ else e for e in ends)
-                    low = (e for e in least if e.left == letter_ and e.sign in _DOWN)
+                    low = (e for e in least if e.left == letter_ and e.sign in DOWN)
                     low_end = next(low, Link(letter_, ">", ZERO))
                     near = (say("derived.fact", fact=self._laid(Relation(((low_end,),)))),)
             elif any(end.line == line.number and end.shown for end in self._derivation.items):
@@ -601,7 +571,7 @@ class Reasons:
     def _at_its_end(self, line: Line) -> Iterator[Sentence]:
         """How a bound goes with a letter that is in it twice, where its end is put in for that."""
         assert isinstance(line.relation, Relation)
-        cited = [self._relation_of(ref) for ref in line.premises if isinstance(ref, int)]
+        cited = [self._shapes.relation_of(ref) for ref in line.premises if isinstance(ref, int)]
         match line.relation.options, cited:
             case [((Link(subject, sign_, bound),),), [Relation(((Link(own, first, worth),),))]]:
                 pass
@@ -637,250 +607,11 @@ class Reasons:
         last = self._derivation.line(end.line)
         return end.shown or (last is not None and last.move.record == "approached")
 
-    def _shape(self, line: Line) -> tuple[Sentence, ...]:
-        """What bounds a value by its form, the plainest that fits."""
-        for bound in (
-            *(self._ratio, self._square, self._positive_square),
-            *(
-                self._factor,
-                self._wave,
-                self._square_of_a_ratio,
-                self._share,
-                self._divisor,
-                self._below_a_sine,
-            ),
-        ):
-            if reasons := tuple(bound(line)):
-                return reasons
-        return ()
-
-    def _ratio(self, line: Line) -> Iterator[Sentence]:
-        """How the ratio of an angle, which is cited, compares with that of a given angle."""
-        assert isinstance(line.relation, Relation)
-        match line.relation.options:
-            case ((Link(Letter() as angle, sign_, bound),),) if line.move.id in ("sign", "compare"):
-                pass
-            case _:
-                return
-        cited = [own for ref in line.premises if (own := self._relation_of(ref)) is not None]
-        acute = any(str(ref).startswith("acute:") for ref in line.premises)
-        for own in cited if acute and sign_ in (*_UP, *_DOWN) and not letters(bound) else ():
-            for link in own.options[0] if len(own.options) == 1 else ():
-                match link:
-                    case Link(Apply("sin" | "cos" | "tan" as ratio, inside), "=", value) if (
-                        inside == angle and not letters(value)
-                    ):
-                        other = in_letters(Apply(ratio, bound))
-                        way = FLIPPED[sign_] if ratio == "cos" else sign_
-                        chain_ = (link, Link(value, way, tree_of(other)))
-                        last = Link(tree_of(other), "=", Apply(ratio, bound))
-                        yield say("derived.fact", fact=self._laid(Relation(((*chain_, last),))))
-                        return
-
-    def _square(self, line: Line) -> Iterator[Sentence]:
-        """That a square is not negative, where a bound is what is left without it."""
-        assert isinstance(line.relation, Relation)
-        links = line.relation.options[0]
-        if line.move.id != "sign" or len(links) != 1 or links[0].sign not in (">=", "<="):
-            return
-        above = [self._derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
-        for own in above:
-            if own is None or not isinstance(own.relation, Relation):
-                continue
-            left, bound = own.relation.options[0][0].left, links[0].right
-            if left == Binary("^", links[0].left, Number(Fraction(2))):
-                bound = Binary("^", bound, Number(Fraction(2)))
-            elif left != links[0].left:
-                continue
-            for link in own.relation.options[0]:
-                for term, square in (
-                    *squares_of_terms(link.right, links[0].sign),
-                    *squares_below(link.right),
-                ):
-                    if self._is_left(link.right, term, bound):
-                        facts = [Link(square, ">=", ZERO)]
-                        match term:
-                            case Binary("/", _, Letter(name) as below) if (
-                                name in self._roles and self._roles[name].kind == "positive"
-                            ):
-                                facts.append(Link(below, ">", ZERO))
-                        for fact in facts:
-                            yield say("derived.fact", fact=self._laid(Relation(((fact,),))))
-                        return
-
-    def _positive_square(self, line: Line) -> Iterator[Sentence]:
-        """That a square is not negative, or that of a ratio positive, as what it is equal to is."""
-        assert isinstance(line.relation, Relation)
-        match line.relation.options:
-            case ((Link(_, ">" | "<" | ">=" | "<=" as sign, right),),) if (
-                right == ZERO and line.move.id == "sign"
-            ):
-                pass
-            case _:
-                return
-        own = [self._relation_of(ref) for ref in line.premises]
-        strict = sign in ("<", ">")
-        match own:
-            case [Relation(((Link(Binary("^", base, Number(power)) as square, "=", _),),))] if (
-                power == SQUARED and isinstance(base, Apply if strict else Apply | Letter)
-            ):
-                bound = Relation(((Link(square, ">" if strict else ">=", ZERO),),))
-                yield say("derived.fact", fact=self._laid(bound))
-
-    def _is_left(self, whole: Expression, square: Expression, bound: Expression) -> bool:
-        """Whether a bound is what is left of a whole without a square."""
-        rest = rebuilt(whole, lambda each: ZERO if each == square else each)
-        match rest:
-            case Apply("sqrt", inside):
-                rest, bound = inside, squared(bound)
-            case Binary("*", factor, Apply("sqrt", inside)):
-                rest, bound = Binary("*", squared(factor), inside), squared(bound)
-        step = Step(Setting(self._roles), Move("rearrange"), (), ())
-        try:
-            gap = step.residual(Link(rest, "=", bound))
-        except NotComparableError:
-            return False
-        return isinstance(gap, Quotient) and gap.vanishes
-
-    def _factor(self, line: Line) -> Iterator[Sentence]:
-        """That a square is not negative, where it is a factor of the difference to a bound."""
-        assert isinstance(line.relation, Relation)
-        refs = [ref for ref in line.premises if isinstance(ref, int)]
-        own = self._derivation.line(refs[0]) if line.move.id == "sign" and len(refs) == 1 else None
-        if own is None or not isinstance(own.relation, Relation):
-            return
-        match own.relation.options:
-            case ((Link(Binary("-"), "=", right),),) if line.relation.options[0][0].sign in _WEAK:
-                above = right.left if isinstance(right, Binary) and right.op == "/" else right
-                for factor in factors(above):
-                    match factor:
-                        case Binary("^", base, Number(Fraction(numerator=2))) if isinstance(
-                            base, Binary
-                        ) and base.op in ("+", "-"):
-                            fact = self._laid(Relation(((Link(factor, ">=", ZERO),),)))
-                            place = place_of_zero(base, self._roles, self._derivation)
-                            if place is None:
-                                yield say("derived.fact", fact=fact)
-                            else:
-                                where = self._laid(Relation(((place,),)))
-                                yield say("derived.fact-equal", fact=fact, place=where)
-
-    def _wave(self, line: Line) -> Iterator[Sentence]:
-        """Why a sum or a product of a sine and a cosine is bounded, where a bound comes of that."""
-        assert isinstance(line.relation, Relation)
-        links = line.relation.options[0]
-        if line.move.id != "sign" or len(links) != 1 or links[0].sign not in _UP:
-            return
-        for ref in line.premises:
-            own = self._derivation.line(ref) if isinstance(ref, int) else None
-            if own is None or not isinstance(own.relation, Relation):
-                continue
-            wholes = [each.right for each in reversed(own.relation.options[0])]
-            for whole, node in ((each, node) for each in wholes for node in walk(each)):
-                wave = wave_of(node)
-                if wave is not None and is_bound_by(whole, node, wave[0], links[0].right):
-                    yield say("derived.fact", fact=self._laid(Relation((wave[1],))))
-                    return
-
-    def _square_of_a_ratio(self, line: Line) -> Iterator[Sentence]:
-        """That the square of a sine or cosine is at most 1, which gives a bound of a value."""
-        assert isinstance(line.relation, Relation)
-        links = line.relation.options[0]
-        if line.move.id not in ("sign", "monotone") or len(links) != 1:
-            return
-        most = Number(Fraction(1))
-        for own in map(self._relation_of, line.premises):
-            if own is None or own.options[0][0].left != links[0].left:
-                continue
-            whole = own.options[0][-1].right
-            for node in walk(whole):
-                match node:
-                    case Binary("^", Apply("sin" | "cos", x), Number(value=power)) if power == 2:
-                        alone = sum(each == x for each in walk(whole)) == 1
-                        if (alone or line.move.id == "sign") and is_bound_by(
-                            whole, node, most, links[0].right
-                        ):
-                            strict = links[0].sign in ("<", ">")
-                            bound = Relation(((Link(node, "<" if strict else "<=", most),),))
-                            yield say("derived.fact", fact=self._laid(bound))
-                            return
-
-    def _divisor(self, line: Line) -> Iterator[Sentence]:
-        """That what a square was divided by is more than 1, where a bound has it no more."""
-        above = self._relation_of(line.premises[0]) if line.premises else None
-        own = line.relation
-        if line.move.id != "compare" or above is None or not isinstance(own, Relation):
-            return
-        bound = divisor_left_out(above, own, self._roles)
-        if bound is not None:
-            yield say("derived.fact", fact=self._laid(Relation(((bound,),))))
-
-    def _below_a_sine(self, line: Line) -> Iterator[Sentence]:
-        """That ``sin θ − √3 cos θ`` is less than sin θ, and so than 1, where a value has it below.
-
-        So it is of an angle that is cited as acute.
-        """
-        acute = [str(ref).removeprefix("acute:").strip() for ref in line.premises]
-        match line.relation:
-            case Relation(((Link(subject, ">", bound),),)) if line.move.id == "sign":
-                pass
-            case _:
-                return
-        for ref in line.premises:
-            own = self._relation_of(ref) if isinstance(ref, int) else None
-            match own and own.only[-1].right:
-                case Binary("/", above, Binary("-", Apply("sin", Letter(name)) as sine, less)):
-                    pass
-                case _:
-                    continue
-            if own is None or own.only[0].left != subject or name not in acute or above != bound:
-                continue
-            share = in_letters(less) / in_letters(Apply("cos", Letter(name)))
-            if share.is_number and share.is_positive:
-                whole = Binary("-", sine, less)
-                chain_ = (Link(whole, "<", sine), Link(sine, "<", Number(Fraction(1))))
-                yield say("derived.fact", fact=self._laid(Relation((chain_,))))
-
-    def _share(self, line: Line) -> Iterator[Sentence]:
-        """That what a value is of its bound is at most 1, where nothing else is cited for that."""
-        assert isinstance(line.relation, Relation)
-        links = line.relation.options[0]
-        if line.move.id != "sign" or len(links) != 1 or links[0].sign not in _UP:
-            return
-        values: dict[Expression, Expression] = {}
-        for ref in line.premises:
-            own = self._derivation.line(ref) if isinstance(ref, int) else None
-            if (
-                own is None
-                or not isinstance(own.relation, Relation)
-                or len(own.relation.options) > 1
-            ):
-                return  # a reason is cited
-            values[own.relation.only[0].left] = own.relation.only[-1].right
-        sides = [
-            rebuilt(side, lambda each: values.get(each, each))
-            for side in (links[0].left, links[0].right)
-        ]
-        if not values or any(map(has_quantity, sides)):
-            return
-        try:
-            value, most = (in_letters(each) for each in sides)
-        except (RestitutionError, TypeError, ValueError):
-            return
-        share = sp.factor(value / most)
-        if not share.free_symbols or sp.fraction(share)[1].free_symbols or share.has(sp.zoo):
-            return
-        if any(not atom.exp.is_Integer for atom in share.atoms(sp.Pow)):
-            return
-        link = Link(tree_of(share), links[0].sign, Number(Fraction(1)))
-        if _is_short(link.left):
-            yield say("derived.fact", fact=self._laid(Relation(((link,),))))
-
 
 def _bounds_below(relation: Relation | None, letter: Letter) -> bool:
     """Whether a relation says that a letter is more than something."""
     return relation is not None and any(
-        (link.left == letter and link.sign in _DOWN) or (link.right == letter and link.sign in _UP)
+        (link.left == letter and link.sign in DOWN) or (link.right == letter and link.sign in UP)
         for links in relation.options
         for link in links
     )
@@ -891,13 +622,13 @@ def _far_end(
 ) -> Expression | None:
     """The bound that is approached as a letter grows, where nothing cited bounds it above."""
     for end in ends:
-        above = end.left if end.sign in _UP else end.right
+        above = end.left if end.sign in UP else end.right
         if above == Letter(name):
             return None
     for link in bound.only:
         for side, other, signs in (
-            (link.left, link.right, _UP if sense > 0 else _DOWN),
-            (link.right, link.left, _DOWN if sense > 0 else _UP),
+            (link.left, link.right, UP if sense > 0 else DOWN),
+            (link.right, link.left, DOWN if sense > 0 else UP),
         ):
             if side == subject and link.sign in signs:
                 return other
@@ -912,12 +643,7 @@ def _part_with(tree: Expression, name: str) -> Expression | None:
             return None
         above = tree.left
     parts = [factor for factor in factors(above) if name in letters(factor)]
-    return parts[0] if len(parts) == 1 and _is_short(parts[0]) else None
-
-
-def _is_short(tree: Expression) -> bool:
-    """Whether an expression fits behind a line as what grows or falls."""
-    return sum(1 for _ in walk(tree)) <= _LONGEST
+    return parts[0] if len(parts) == 1 and is_short(parts[0]) else None
 
 
 def _letters_below(links: Sequence[Link]) -> set[str]:
@@ -947,6 +673,6 @@ def _merged(bounds: list[Link]) -> Iterator[Relation]:
 
 def _upwards(link: Link) -> Link:
     """A bound with its lower side on the left."""
-    if link.sign in _UP:
+    if link.sign in UP:
         return link
     return Link(link.right, "<" if link.sign == ">" else "<=", link.left)

@@ -118,9 +118,10 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
         return False
     if isinstance(left, Plane) or isinstance(right, Plane) or isinstance(above, Plane):
         return False
-    squares = left * left - right * right
-    if may_match(step, line, (squares,)) and matches(step, line, squares):
-        return True  # in whichever sense
+    if isinstance(link.left, Quantity):
+        squares = left * left - right * right
+        if may_match(step, line, (squares,)) and matches(step, line, squares):
+            return True  # the size of an impulse, in whichever sense
     # A sense takes long to decide: it is asked only where either would make the line.
     if not may_match(step, line, (left - right, left + right)):
         return False
