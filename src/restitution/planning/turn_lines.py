@@ -297,7 +297,10 @@ def _is_to_a_wall(scene: Scene, letter: Expression) -> bool:
     assert isinstance(letter, Letter)
     meanings = (line.relation for line in scene.desk.lines if isinstance(line.relation, Meaning))
     own = next((each.quantity for each in meanings if each.letter == letter.name), None)
-    return isinstance(own, Quantity) and any(isinstance(each, Name) for each in own.arguments)
+    match own:
+        case Quantity("angle", sides):
+            return any(isinstance(side, Name) for side in sides)
+    return False
 
 
 def _by_its_letter(scene: Scene, side: Direction, tangent: sp.Expr) -> Term | None:
