@@ -326,8 +326,8 @@ def following(repeat: int) -> None:
 def planning(repeat: int) -> None:
     """Every example planned: in ms an item, and against solving it."""
     from restitution import parse, solve
-    from restitution.planning.desk import NotPlannedError
     from restitution.planning.planner import plan
+    from restitution.planning.writing.desk import NotPlannedError
 
     items, ratios, unplanned = [], [], 0
     for path in sorted(EXAMPLES.glob("*.impact")):

@@ -18,8 +18,8 @@ from restitution.explaining.derivation import Derivation
 from restitution.explaining.follower import follow
 from restitution.language import parse
 from restitution.oracle import Oracle
-from restitution.planning.desk import NotPlannedError
 from restitution.planning.planner import plan
+from restitution.planning.writing.desk import NotPlannedError
 from restitution.solving import Solution, solve
 from restitution.solving.letters import roles
 

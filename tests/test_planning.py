@@ -14,7 +14,7 @@ from numbers_of_workings import BeyondError, worlds
 from planned import LIST, listed, planned, statements
 
 from restitution.explaining.derivation import Derivation
-from restitution.planning import routes
+from restitution.planning.routes import choice
 from restitution.solving import Solution
 
 STATEMENTS = statements()
@@ -121,14 +121,14 @@ def test_what_is_listed_is_a_law() -> None:
 @pytest.mark.parametrize("name", some(ACCEPTED))
 def test_the_cheapest_way_is_taken(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The next best ways cost no less."""
-    cheapest = routes.Routes.cheapest
+    cheapest = choice.Routes.cheapest
     costs: list[list[float]] = []
 
-    def watched(self: routes.Routes, *args: object, **kwargs: object) -> object:
+    def watched(self: choice.Routes, *args: object, **kwargs: object) -> object:
         found = cheapest(self, *args, **kwargs)  # type: ignore[arg-type]
         costs.append([sum(each.cost for each in way) for way in found])
         return found
 
-    monkeypatch.setattr(routes.Routes, "cheapest", watched)
+    monkeypatch.setattr(choice.Routes, "cheapest", watched)
     assert planned(STATEMENTS[name]) is not None
     assert all(each == sorted(each) for each in costs), costs

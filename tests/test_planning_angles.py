@@ -15,8 +15,8 @@ from restitution.explaining.follower import follow
 from restitution.explaining.notation import read_relation, write_relation
 from restitution.language import parse
 from restitution.oracle import Oracle
-from restitution.planning.desk import NotPlannedError
 from restitution.planning.planner import plan
+from restitution.planning.writing.desk import NotPlannedError
 from restitution.solving import solve
 from restitution.solving.letters import roles
 from restitution.solving.solution import Solution

@@ -14,8 +14,8 @@ from restitution.explaining.trees import trees_of
 from restitution.expression.tree import walk
 from restitution.language import parse
 from restitution.oracle import Oracle
-from restitution.planning.desk import NotPlannedError
 from restitution.planning.planner import plan
+from restitution.planning.writing.desk import NotPlannedError
 from restitution.solving import solve
 from restitution.solving.letters import roles
 from restitution.workings import to_text

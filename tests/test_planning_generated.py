@@ -13,8 +13,8 @@ from plain_physics import World
 from strategies import Question
 
 from restitution.language import parse
-from restitution.planning.desk import NotPlannedError
 from restitution.planning.planner import plan
+from restitution.planning.writing.desk import NotPlannedError
 from restitution.solving import solve
 
 MANY, NIGHTLY = 25, 2000

@@ -15,10 +15,10 @@ from restitution.expression.tree import letters
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning import planner
-from restitution.planning.desk import NotPlannedError
-from restitution.planning.order import Solver
 from restitution.planning.planner import plan
-from restitution.planning.scene import Scene
+from restitution.planning.routes.order import Solver
+from restitution.planning.writing.desk import NotPlannedError
+from restitution.planning.writing.scene import Scene
 from restitution.solving import Solution, solve
 from restitution.solving.letters import roles
 from restitution.workings import explain, to_text

@@ -16,10 +16,11 @@ from restitution.explaining.notation import read_relation, write_relation
 from restitution.explaining.storing import from_json, to_json
 from restitution.language import parse, read
 from restitution.oracle import Oracle
-from restitution.planning import order, planner
-from restitution.planning.desk import NotPlannedError
+from restitution.planning import planner
 from restitution.planning.planner import plan
-from restitution.planning.scene import Scene
+from restitution.planning.routes import order
+from restitution.planning.writing.desk import NotPlannedError
+from restitution.planning.writing.scene import Scene
 from restitution.solving import Solution, solve
 from restitution.solving.letters import roles
 from restitution.workings import explain, to_text

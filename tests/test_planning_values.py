@@ -19,9 +19,9 @@ from restitution.expression.evaluate import Evaluator
 from restitution.expression.tree import Expression, Letter, Quantity, has_quantity
 from restitution.language import parse
 from restitution.oracle import Oracle
-from restitution.planning.desk import chain
-from restitution.planning.forms import alike
 from restitution.planning.planner import plan
+from restitution.planning.writing.desk import chain
+from restitution.planning.writing.forms import alike
 from restitution.solving import solve
 from restitution.solving.letters import roles
 from restitution.solving.solution import Solution

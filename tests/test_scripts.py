@@ -19,7 +19,7 @@ from slipped_scripts import LIKE_LAWS, SlippedScript, slipped
 
 import restitution
 from restitution.errors import RestitutionError
-from restitution.planning.desk import NotPlannedError
+from restitution.planning.writing.desk import NotPlannedError
 
 SEED = int(os.environ.get("SEED", "16"))
 EXAMPLES = sorted((ROOT / "src" / "restitution" / "examples").glob("*.impact"))

@@ -9,8 +9,8 @@ from tariffs import Tariff, by_rule, near, off_by, read_tariffs
 from restitution.explaining.derivation import Derivation
 from restitution.explaining.follower import follow
 from restitution.language.reading import parse
-from restitution.planning.desk import NotPlannedError
 from restitution.planning.planner import plan
+from restitution.planning.writing.desk import NotPlannedError
 from restitution.solving import solve
 
 TARIFFS = read_tariffs()

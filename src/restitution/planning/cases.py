@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from restitution.explaining.derivation import Case, Derivation, ItemEnd, Line, Ref
-from restitution.planning.desk import Desk, NotPlannedError
+from restitution.planning.writing.desk import Desk, NotPlannedError
 
 
 def joined(before: Desk, drafts: Sequence[Desk]) -> Desk:

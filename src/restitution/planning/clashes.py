@@ -21,22 +21,22 @@ from restitution.explaining.derivation import Move, Note, Ref, Relation, equatio
 from restitution.explaining.facts import facts_of, links_of
 from restitution.explaining.trees import trees_of
 from restitution.expression.tree import Letter, Name, Quantity, has_quantity, letters, walk
-from restitution.planning.axes import frame_at
-from restitution.planning.checking import require_true
-from restitution.planning.claims import Claims
-from restitution.planning.collecting import multiplied_out
-from restitution.planning.desk import UNPLANNED, Desk, together
-from restitution.planning.forms import tree_of
-from restitution.planning.givens import write_given
-from restitution.planning.impacts import after, residual
-from restitution.planning.items import goals
-from restitution.planning.order import Solver
-from restitution.planning.polynomials import factored, numerator
-from restitution.planning.premises import background
-from restitution.planning.ratios import inside_functions
-from restitution.planning.rewriting import in_another_form
-from restitution.planning.scene import Scene
+from restitution.planning.axes.by_changes import frame_at
+from restitution.planning.closing.collecting import multiplied_out
+from restitution.planning.closing.ratios import inside_functions
+from restitution.planning.formulas.impacts import after, residual
+from restitution.planning.formulas.rewriting import in_another_form
+from restitution.planning.inequalities.claims import Claims
+from restitution.planning.routes.givens import write_given
+from restitution.planning.routes.items import goals
+from restitution.planning.routes.order import Solver
 from restitution.planning.unfinished import require_followed
+from restitution.planning.writing.checking import require_true
+from restitution.planning.writing.desk import UNPLANNED, Desk, together
+from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.polynomials import factored, numerator
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import Scene
 from restitution.problem import Aligned, AtRest, Compare, Given, Part, Problem, Step, Value
 from restitution.problem import Relation as Said
 from restitution.solving import solve

@@ -12,7 +12,7 @@ from restitution.explaining.derivation import FLIPPED, Derivation, Line, Link, R
 from restitution.explaining.follower import reader_of
 from restitution.expression.tree import Binary, Negate, is_zero
 from restitution.oracle import Oracle
-from restitution.planning.forms import factors_above
+from restitution.planning.writing.forms import factors_above
 
 _FORMS = frozenset({"rearrange", "cancel", "identity"})
 _STARTING = frozenset({"rearrange", "put"})

@@ -9,13 +9,13 @@ from restitution.components.telling import model
 from restitution.errors import ImpossibleError
 from restitution.explaining.derivation import Ref, Relation
 from restitution.expression.tree import Letter, letters
-from restitution.planning.axes import frame_at
-from restitution.planning.checking import require_true
-from restitution.planning.desk import UNPLANNED, Desk
-from restitution.planning.order import Solver
-from restitution.planning.premises import background
-from restitution.planning.scene import Scene
+from restitution.planning.axes.by_changes import frame_at
+from restitution.planning.routes.order import Solver
 from restitution.planning.unfinished import require_followed
+from restitution.planning.writing.checking import require_true
+from restitution.planning.writing.desk import UNPLANNED, Desk
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import Scene
 from restitution.solving.setting import out_of_range
 from restitution.solving.solution import Branch, PartSolution, Solution
 

@@ -41,33 +41,23 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle import Oracle
-from restitution.planning import place_trees
-from restitution.planning.axes import frame_at
+from restitution.planning.axes.by_changes import frame_at
+from restitution.planning.axes.offsets import given_by_offsets, paths_beside
+from restitution.planning.axes.open_lines import write_open_lines
 from restitution.planning.cases import joined, without_idle
-from restitution.planning.checking import require_true
 from restitution.planning.clashes import write_clash
-from restitution.planning.desk import UNPLANNED, Desk, NotPlannedError
-from restitution.planning.direct_ratios import with_direct_ratios
-from restitution.planning.direct_tangents import with_direct_tangents
-from restitution.planning.directions_of_others import write_velocities_of_others
+from restitution.planning.closing.wanted_letters import with_wanted_letters
 from restitution.planning.early import Early, early_items, terms
-from restitution.planning.either_side import on_one_side, write_other_side
-from restitution.planning.extrema import only_answer, write_extremum
-from restitution.planning.facts_once import with_facts_once
-from restitution.planning.forms import tree_of
-from restitution.planning.gathering import gathered, numbered_anew, without_unprinted_angles
-from restitution.planning.given_terms import turn_round
-from restitution.planning.items import write_item
-from restitution.planning.late_facts import write_with_facts
+from restitution.planning.inequalities.extrema import only_answer, write_extremum
+from restitution.planning.inequalities.ranges import relation_of, write_range
 from restitution.planning.latest_forms import with_factors_kept, with_latest_forms
-from restitution.planning.offsets import given_by_offsets, paths_beside
-from restitution.planning.open_lines import write_open_lines
-from restitution.planning.order import Solver
 from restitution.planning.out_of_range import write_out_of_range
-from restitution.planning.ranges import relation_of, write_range
-from restitution.planning.refusals import note_of, write_refusal
-from restitution.planning.scene import Scene
-from restitution.planning.shows import write_show
+from restitution.planning.routes.directions_of_others import write_velocities_of_others
+from restitution.planning.routes.items import write_item
+from restitution.planning.routes.late_facts import write_with_facts
+from restitution.planning.routes.order import Solver
+from restitution.planning.routes.refusals import note_of, write_refusal
+from restitution.planning.shows.forward import write_show
 from restitution.planning.unfinished import (
     answer_of,
     note_unwritten,
@@ -75,7 +65,17 @@ from restitution.planning.unfinished import (
     write_unfinished,
 )
 from restitution.planning.unreached import write_unreached
-from restitution.planning.wanted_letters import with_wanted_letters
+from restitution.planning.writing import place_trees
+from restitution.planning.writing.checking import require_true
+from restitution.planning.writing.desk import UNPLANNED, Desk, NotPlannedError
+from restitution.planning.writing.direct_ratios import with_direct_ratios
+from restitution.planning.writing.direct_tangents import with_direct_tangents
+from restitution.planning.writing.either_side import on_one_side, write_other_side
+from restitution.planning.writing.facts_once import with_facts_once
+from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.gathering import gathered, numbered_anew, without_unprinted_angles
+from restitution.planning.writing.given_terms import turn_round
+from restitution.planning.writing.scene import Scene
 from restitution.problem import (
     Extremum,
     Item,

@@ -8,19 +8,19 @@ from functools import partial
 from restitution.explaining.derivation import Line, Link, Meaning, Ref, Relation
 from restitution.explaining.facts import links_of, staged
 from restitution.expression.tree import Expression, Letter, Quantity, has_quantity, letters, walk
-from restitution.planning.checking import require_true
-from restitution.planning.desk import UNPLANNED, Desk, NotPlannedError, Source
-from restitution.planning.expressions import write_expression
-from restitution.planning.forms import tree_of
-from restitution.planning.frames import Frame
-from restitution.planning.givens import write_given
-from restitution.planning.impacts import momentum, rebound, restitution, unchanged
-from restitution.planning.items import determine, goals
-from restitution.planning.order import Solver
-from restitution.planning.ranges import relation_of
-from restitution.planning.refusals import note_of
-from restitution.planning.roots import written_law
-from restitution.planning.scene import GivenEquation, Scene
+from restitution.planning.angles.expressions import write_expression
+from restitution.planning.closing.roots import written_law
+from restitution.planning.formulas.impacts import momentum, rebound, restitution, unchanged
+from restitution.planning.inequalities.ranges import relation_of
+from restitution.planning.routes.givens import write_given
+from restitution.planning.routes.items import determine, goals
+from restitution.planning.routes.order import Solver
+from restitution.planning.routes.refusals import note_of
+from restitution.planning.writing.checking import require_true
+from restitution.planning.writing.desk import UNPLANNED, Desk, NotPlannedError, Source
+from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.problem import Item, Problem, Range, Show, Value, trees_of_relation
 from restitution.solving.solution import ItemResult
 

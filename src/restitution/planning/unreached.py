@@ -24,15 +24,15 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
-from restitution.planning.checking import require_true
-from restitution.planning.claims import Claims
 from restitution.planning.clashes import scene_without, with_what_is_needed
-from restitution.planning.desk import UNPLANNED, Desk, chain, together
-from restitution.planning.forms import ZERO, tree_of
-from restitution.planning.order import Solver
-from restitution.planning.premises import background
-from restitution.planning.scene import Scene
+from restitution.planning.inequalities.claims import Claims
+from restitution.planning.routes.order import Solver
 from restitution.planning.unfinished import require_followed
+from restitution.planning.writing.checking import require_true
+from restitution.planning.writing.desk import UNPLANNED, Desk, chain, together
+from restitution.planning.writing.forms import ZERO, tree_of
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import Scene
 from restitution.problem import Event, Find, Impact, Part, Problem, Step, Value
 from restitution.shapes import Circle
 from restitution.solving import solve

@@ -44,8 +44,8 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle import REAL, Oracle, Role, compared
-from restitution.planning.forms import tree_of
-from restitution.planning.unit_vectors import whole_direction
+from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.unit_vectors import whole_direction
 from restitution.render import layout as lay
 from restitution.vector import Vector
 from restitution.workings.in_force import inequalities

@@ -12,7 +12,7 @@ from restitution.explaining.derivation import Link
 from restitution.explaining.trees import rebuilt
 from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, letters, walk
-from restitution.planning.forms import tree_of
+from restitution.planning.writing.forms import tree_of
 from restitution.solving.signs import sign
 
 

@@ -18,7 +18,7 @@ from restitution.expression.tree import Apply, Letter, has_quantity, is_zero, le
 from restitution.oracle import All, BeyondError, Formula, Oracle
 from restitution.oracle import Relation as Claim
 from restitution.oracle.roles import ACUTE
-from restitution.planning.ranges import general_answer
+from restitution.planning.inequalities.ranges import general_answer
 from restitution.problem import Find, Given, Range, Value
 from restitution.render import layout as lay
 from restitution.render.layout import Layout

@@ -23,7 +23,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.forms import tree_of
+from restitution.planning.writing.forms import tree_of
 from restitution.workings.naming import Naming
 
 _ARCS = ("arctan", "arcsin", "arccos")

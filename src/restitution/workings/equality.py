@@ -12,7 +12,7 @@ from restitution.explaining.derivation import FLIPPED, Derivation, Line, Link, R
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, letters
 from restitution.oracle import Role
-from restitution.planning.forms import tree_of
+from restitution.planning.writing.forms import tree_of
 
 
 def place_of_zero(

@@ -9,7 +9,7 @@ from restitution.explaining.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.trees import exchanged
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Binary, Expression, Letter, is_zero, letters
-from restitution.planning.forms import UnwrittenError, factors_above, tree_of
+from restitution.planning.writing.forms import UnwrittenError, factors_above, tree_of
 from restitution.workings.right_angles import in_letters_alone
 
 

@@ -24,7 +24,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.forms import swept
+from restitution.planning.writing.forms import swept
 from restitution.workings.measured import rounded, worth
 
 # Of a value on the way, so that three are right in the end.

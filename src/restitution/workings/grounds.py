@@ -28,7 +28,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle.roles import Role
-from restitution.planning.forms import factors, tree_of
+from restitution.planning.writing.forms import factors, tree_of
 
 _ZERO, _ONE, _TWO = (Number(Fraction(n)) for n in (0, 1, 2))
 _ORDER = ("<", "<=", ">", ">=")

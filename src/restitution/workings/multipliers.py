@@ -11,7 +11,7 @@ from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Apply, Binary, Expression, Number, has_quantity, walk
 from restitution.oracle import Oracle, Role
 from restitution.oracle import Relation as Claim
-from restitution.planning.forms import factors
+from restitution.planning.writing.forms import factors
 from restitution.workings.in_force import inequalities
 from restitution.workings.right_angles import in_letters_alone
 

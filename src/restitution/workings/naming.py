@@ -42,8 +42,8 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.inequalities import turned
-from restitution.planning.straight_walls import equation_of_line
+from restitution.planning.writing.inequalities import turned
+from restitution.planning.writing.straight_walls import equation_of_line
 from restitution.problem import Arrival, Given, Meets, Problem, comparisons
 from restitution.problem import trees as trees_of_problem
 from restitution.render import layout as lay

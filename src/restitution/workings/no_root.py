@@ -8,7 +8,7 @@ from restitution.explaining.derivation import Link, Relation
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, walk
-from restitution.planning.forms import tree_of
+from restitution.planning.writing.forms import tree_of
 from restitution.workings.naming import Naming
 
 _UNIT = frozenset({"sin", "cos"})

@@ -11,7 +11,7 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Fact, Link
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Negate, Polar, Quantity
-from restitution.planning.forms import tree_of
+from restitution.planning.writing.forms import tree_of
 from restitution.render import layout as lay
 from restitution.workings.measured import vector_worth, with_its_unit, worth
 from restitution.workings.naming import Naming

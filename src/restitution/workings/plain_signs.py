@@ -11,7 +11,7 @@ from restitution.explaining.derivation import Link, Relation
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, walk
 from restitution.oracle.roles import Role
-from restitution.planning.forms import factors_above
+from restitution.planning.writing.forms import factors_above
 
 
 def is_never_negative(tree: Expression, roles: Mapping[str, Role]) -> bool:

@@ -10,7 +10,7 @@ from restitution.exact import tidy
 from restitution.explaining.derivation import Derivation, Event, Fact, Line, Link, Relation
 from restitution.explaining.saying import Sentence, say
 from restitution.expression.tree import Binary, Expression, Quantity, Unit
-from restitution.planning.forms import tree_of
+from restitution.planning.writing.forms import tree_of
 from restitution.render import layout as lay
 from restitution.vector import Vector
 from restitution.workings.measured import vector_worth, with_its_unit, worth

@@ -27,8 +27,8 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.forms import factors
-from restitution.planning.inequalities import turned
+from restitution.planning.writing.forms import factors
+from restitution.planning.writing.inequalities import turned
 from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.solving.letters import roles

@@ -16,7 +16,7 @@ from restitution.explaining.trees import rebuilt
 from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import Expression, Negate, Quantity, has_quantity, letters
 from restitution.oracle import REAL, Oracle, compared
-from restitution.planning.forms import ZERO, product, tree_of
+from restitution.planning.writing.forms import ZERO, product, tree_of
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Show
 from restitution.render import layout as lay
 from restitution.render.text import to_text

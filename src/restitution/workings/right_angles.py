@@ -28,7 +28,7 @@ from restitution.expression.tree import (
 )
 from restitution.oracle import Formula, Oracle, Role
 from restitution.oracle import Relation as Claim
-from restitution.planning.forms import factors_above, tree_of
+from restitution.planning.writing.forms import factors_above, tree_of
 from restitution.workings.in_force import inequalities
 from restitution.workings.naming import Naming
 

@@ -28,7 +28,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.forms import coordinates
+from restitution.planning.writing.forms import coordinates
 from restitution.problem import Value
 from restitution.render import layout as lay
 from restitution.render.text import to_text

@@ -20,7 +20,7 @@ from restitution.explaining.saying import Sentence, say
 from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import Expression, Letter, has_quantity
 from restitution.oracle import REAL, BeyondError, Formula, Oracle, Role, compared
-from restitution.planning.forms import tree_of
+from restitution.planning.writing.forms import tree_of
 from restitution.render import layout as lay
 
 _MOST = 24

@@ -34,7 +34,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle.roles import Role
-from restitution.planning.forms import factors, tree_of
+from restitution.planning.writing.forms import factors, tree_of
 from restitution.workings.bounding_parts import (
     is_bound_by,
     squared,

@@ -20,7 +20,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle import BeyondError, Formula, Oracle, Role, compared
-from restitution.planning.forms import factors
+from restitution.planning.writing.forms import factors
 
 _ZERO = Number(Fraction(0))
 # The sign of one factor is seen beside what is cited.

@@ -15,7 +15,7 @@ from restitution.expression.tree import (
     Unit,
     is_zero,
 )
-from restitution.planning.forms import tree_of
+from restitution.planning.writing.forms import tree_of
 from restitution.workings.measured import vector_worth, with_its_unit
 from restitution.workings.naming import Naming
 

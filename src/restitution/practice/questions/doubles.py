@@ -15,7 +15,7 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle
-from restitution.planning.checking import Floats
+from restitution.planning.writing.checking import Floats
 from restitution.problem import Part, Problem, Value
 from restitution.solving import facts
 from restitution.solving.conditions import Equation

@@ -1,0 +1,1 @@
+"""Directions, and the angles between them, deflections among them."""

@@ -1,0 +1,228 @@
+"""A sum or difference of angles that is given: by the tangents of both, or as a complement."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    Quantity,
+    has_quantity,
+    letters,
+)
+from restitution.planning.angles.quantities import formula
+from restitution.planning.angles.turn_lines import Term, by_tangents
+from restitution.planning.formulas.impacts import scene_value
+from restitution.planning.formulas.turns import Form
+from restitution.planning.writing.angles import RIGHT
+from restitution.planning.writing.desk import NotPlannedError, chain, together
+from restitution.planning.writing.forms import (
+    ONE,
+    difference,
+    in_tangents,
+    product,
+    square,
+    swept,
+    tree_of,
+)
+from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import GivenEquation, Scene
+
+
+def is_sum(scene: Scene, each: GivenEquation) -> bool:
+    """Whether a fact ties two angles by their sum or difference, one of which has a letter."""
+    return _terms(scene, each) is not None
+
+
+def _terms(scene: Scene, each: GivenEquation) -> tuple[str, str, int, sp.Expr] | None:
+    """Two letters, the sign of the second (the first has +), and what the sum is worth.
+
+    The sign is 2 where the first is twice the second.
+    """
+    sides = (each.link.left, each.link.right)
+    names = list(dict.fromkeys(name for side in sides for name in sorted(letters(side))))
+    if len(names) != 2 or any(has_quantity(side) for side in sides):
+        return None
+    if not any(_quantity(scene, own) is not None for own in names):
+        return None
+    first, second = (scene.model.unknowns.letter(own) for own in names)
+    if not (isinstance(first, sp.Symbol) and isinstance(second, sp.Symbol)):
+        return None
+    left, right = (scene_value(scene, side) for side in sides)
+    gap = expanded(left - right)
+    a, b = (sp.diff(gap, own) for own in (first, second))
+    if {abs(a), abs(b)} == {1, 2} and a * b < 0 and gap.subs({first: 0, second: 0}) == 0:
+        twice, once = names if abs(a) == 1 else names[::-1]
+        # Where the statement gives the smaller angle, its double is put in for the other.
+        moved = _quantity(scene, once) is not None
+        return (twice, once, 2, sp.Integer(0)) if moved else None
+    if abs(a) != 1 or abs(b) != 1:
+        return None
+    rest = gap.subs({first: 0, second: 0})
+    if a == -1 and b == 1:
+        names, a, b = names[::-1], b, a
+    return names[0], names[1], int(a * b), tidy(-a * rest)
+
+
+def _quantity(scene: Scene, name: str) -> Quantity | None:
+    """The angle for which a letter of the statement stands."""
+    fact = scene.facts.get(f"let {name}")
+    if fact is None:
+        return None
+    own = fact.relation.only[0].left
+    return own if isinstance(own, Quantity) and own.kind in ("angle", "direction") else None
+
+
+def stated(scene: Scene, each: GivenEquation) -> int:
+    """A fact about letters as a line; what a letter in it stands for is put in by another one."""
+    line = scene.desk.write(Move("fact"), (each.fact.id,), each.fact.relation)
+    if not each.lets:
+        return line
+    opened = Relation(((each.link,),))
+    put = scene.judge.write((Move("put"), Move("rearrange")), (*each.lets, line), opened)
+    if put is None:
+        raise NotPlannedError("what a letter stands for is not put in")
+    return put
+
+
+def write_sum(scene: Scene, each: GivenEquation) -> int:
+    """The equation in tangents. Raises NotPlannedError where there is none."""
+    terms = _terms(scene, each)
+    assert terms is not None
+    *names, sign, angle = terms
+    tangents: list[Expression] = []
+    refs: list[Ref] = []
+    for name in names:
+        tree, own = _tangent(scene, Letter(name))
+        tangents.append(tree)
+        refs += own
+    base: Ref = stated(scene, each) if each.lets else each.fact.id
+    ranges = background(scene, names)
+    subjects = [Apply("tan", Letter(name)) for name in names]
+    if sign == -1 and angle == 0:
+        return _write_same(scene, each, subjects, tangents, refs)
+    if sign == 2:
+        below = difference(ONE, square(subjects[1]))
+        doubled = Binary("/", product(Number(Fraction(2)), subjects[1]), below)
+        relation: Relation = chain(subjects[0], (doubled, None))
+        move = Move("identity", "double-angle")
+    elif angle == sp.pi / 2 and sign == 1:
+        relation = chain(product(*subjects), (ONE, None))
+        move = Move("identity", "complement")
+    else:
+        above: Expression = Binary("+" if sign == 1 else "-", *subjects)
+        both = product(*subjects)
+        below = difference(ONE, both) if sign == 1 else Binary("+", ONE, both)
+        value = tree_of(tidy(sp.tan(angle)))
+        relation = Relation(((Link(Binary("/", above, below), "=", value),),))
+        move = Move("identity", "sum-of-angles")
+    own_refs = scene.judge.enough(move, (base,), relation, ranges)
+    if own_refs is None and move.record == "complement":
+        own_refs = _by_the_other(scene, each, names, relation, ranges)
+    if own_refs is None:
+        raise NotPlannedError("a sum of angles")
+    number = scene.desk.write(move, own_refs, relation)
+    values = dict(zip(subjects, tangents, strict=True))
+    link = scene.desk.last_link(number)
+    put = Relation(((Link(_with(link.left, values), "=", _with(link.right, values)),),))
+    premises = scene.judge.enough(Move("put"), (number, *together(refs)), put, ranges)
+    if premises is None:
+        raise NotPlannedError("a sum of angles")
+    return scene.desk.write(Move("put"), premises, put)
+
+
+def write_tangent_of_sum(scene: Scene, letter: Letter) -> int | None:
+    """The line of the tangent of an angle that the statement makes of two others; None of another.
+
+    Both are letters, for angles of the data or of the motion.
+    """
+    fact = scene.facts.get(f"let {letter.name}")
+    match fact and fact.relation.only[0].left:
+        case Binary("+" | "-" as sign, Letter() as first, Letter() as second):
+            pass
+        case _:
+            return None
+    assert fact is not None
+    mark = scene.desk.mark()
+    terms = [Term(each, *_tangent(scene, each)) for each in (first, second)]
+    form: Form = "sum" if sign == "+" else "difference"
+    line = by_tangents(scene, fact.id, form, terms, Apply("tan", letter))
+    if line is None:
+        scene.desk.back(mark)
+    return line
+
+
+def _write_same(
+    scene: Scene,
+    each: GivenEquation,
+    subjects: Sequence[Expression],
+    tangents: Sequence[Expression],
+    refs: Sequence[Ref],
+) -> int:
+    """Two angles that are the same: the tangent of one is put in for that of the other."""
+    move = Move("put")
+    if len(refs) < 2:
+        # The other one is of the data.
+        last = chain(tangents[0], (tangents[1], None))
+        line = scene.judge.write((move,), (*refs, each.fact.id), last)
+    else:
+        first = chain(subjects[1], (tangents[0], None))
+        middle = scene.judge.write((move,), (refs[0], each.fact.id), first)
+        last = chain(tangents[0], (tangents[1], None))
+        line = None if middle is None else scene.judge.write((move,), (middle, refs[1]), last)
+    if line is None:
+        raise NotPlannedError("two angles that are the same")
+    return line
+
+
+def _by_the_other(
+    scene: Scene,
+    each: GivenEquation,
+    names: Sequence[str],
+    relation: Relation,
+    ranges: Sequence[Ref],
+) -> tuple[Ref, ...] | None:
+    """What two complements rest on, of which the sum is given: one of them by the other."""
+    moved = [name for name in names if _quantity(scene, name) is not None]
+    for name in moved:
+        (other,) = (own for own in names if own != name)
+        alone = chain(Letter(name), (Binary("-", RIGHT, Letter(other)), None))
+        if scene.judge.follows(Move("rearrange"), (each.fact.id,), alone):
+            line = scene.desk.write(Move("rearrange"), (each.fact.id,), alone)
+            return scene.judge.enough(Move("identity", "complement"), (line,), relation, ranges)
+    return None
+
+
+def _with(tree: Expression, values: Mapping[Any, Expression]) -> Expression:
+    return swept(rebuilt(tree, lambda each: values.get(each, each)))
+
+
+def _tangent(scene: Scene, letter: Letter) -> tuple[Expression, tuple[Ref, ...]]:
+    """The tangent of an angle, by components where the letter stands for one of the motion."""
+    quantity = _quantity(scene, letter.name)
+    if quantity is None:
+        return Apply("tan", letter), ()
+    own = formula(scene, quantity)
+    own = replace(own, quantity=letter, refs=together((f"let {letter.name}",), own.refs))
+    value: Any = tidy(own.value)
+    final = tree_of(in_tangents(value))
+    number = scene.desk.write(
+        own.move, own.refs, chain(own.left, (swept(own.right), None), (final, "rearrange"))
+    )
+    return final, (number,)
+
+
+__all__ = ["is_sum", "stated", "write_sum", "write_tangent_of_sum"]

@@ -1,0 +1,236 @@
+"""Deflections: one that is given, as an equation in components; the cosine of one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, Ref, Relation
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Name,
+    Polar,
+    Quantity,
+    is_zero,
+    letters,
+)
+from restitution.planning.angles.given_turns import given_turn
+from restitution.planning.angles.wall_turns import given_at_a_wall, related_at_a_wall
+from restitution.planning.formulas.angle_formulas import cosine
+from restitution.planning.formulas.definitions import Formula
+from restitution.planning.formulas.impacts import in_direction
+from restitution.planning.writing.desk import NotPlannedError, Source, chain, link, together
+from restitution.planning.writing.forms import (
+    ZERO,
+    difference,
+    product,
+    square,
+    swept,
+    total,
+    tree_of,
+)
+from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import GivenEquation, Scene
+
+
+def write_deflection(scene: Scene, each: GivenEquation) -> int:
+    """The line of a deflection that is given: a right angle by the scalar product, else tan δ."""
+    quantity = each.link.left
+    assert isinstance(quantity, Quantity)
+    (name,), event = quantity.arguments, quantity.stage
+    if not isinstance(name, Name) or event not in scene.model.frames:
+        raise NotPlannedError("a deflection by a blow")
+    assert isinstance(event, int)
+    frame = scene.frame(event)
+    early, late = (
+        tuple(in_direction(scene, kind, name.name, stage, frame) for kind in ("along", "across"))
+        for stage in (event - 1, event)
+    )
+    angle, refs = scene.put(scene.scalar(each.link.right))
+    if angle == sp.pi / 2:
+        return _at_right_angles(scene, each, name.name, event, early, late)
+    if frame.wall is not None:
+        line = given_at_a_wall(scene, each, name.name, frame, angle)
+        line = line or related_at_a_wall(scene, each)
+    else:
+        line = given_turn(scene, each)
+    if line is not None:
+        return line
+    (c, s), (d, t) = early, late
+    cross = c.value * t.value - s.value * d.value
+    trees = [tree_of(own.value) for own in (c, s, d, t)]
+    above = [product(trees[0], trees[3]), product(trees[1], trees[2])]
+    if scene.model.sign(cross) < 0:
+        above.reverse()
+    below = total((product(trees[0], trees[2]), product(trees[1], trees[3])))
+    tangent, more = scene.put(sp.tan(angle))
+    degrees = tree_of(angle, angle=True)
+    named = isinstance(degrees, Degrees)
+    left = Apply("tan", degrees) if named else tree_of(tidy(tangent))
+    relation = chain(left, (swept(Binary("/", difference(*above), below)), None))
+    move = Move("define", "tan-deflection", event, (name.name,))
+    sources = together(each.refs, refs, *(own.refs for own in (*early, *late)))
+    return _written(scene, move, sources, relation, (*frame.refs, *more))
+
+
+def _at_right_angles(
+    scene: Scene,
+    each: GivenEquation,
+    body: str,
+    event: int,
+    early: tuple[Source, ...],
+    late: tuple[Source, ...],
+) -> int:
+    pairs = list(zip(early, late, strict=True))
+    tree: Any = total(product(tree_of(p.value), tree_of(q.value)) for p, q in pairs)
+    used: list[Any] = []
+    for p, q in pairs:
+        zero = next((own for own in (p, q) if own.value == 0), None)
+        used += [zero] if zero is not None else [p, q]
+    refs = together(each.refs, *(own.refs for own in used))
+    move = Move("define", "perpendicular", event, (body,))
+    relation = Relation(((link(swept(tree), ZERO),),))
+    return _written(scene, move, refs, relation, scene.frame(event).refs)
+
+
+def _written(
+    scene: Scene, move: Move, refs: Sequence[Ref], relation: Relation, axis: tuple[Ref, ...]
+) -> int:
+    names = {
+        name
+        for links in relation.options
+        for each in links
+        for side in (each.left, each.right)
+        for name in letters(side)
+    }
+    own = scene.judge.enough(move, refs, relation, (*axis, *background(scene, names)))
+    if own is None:
+        raise NotPlannedError("a deflection to either side")
+    return scene.desk.write(move, own, relation)
+
+
+def turned_at_a_wall(
+    scene: Scene, turned: GivenEquation, fast: GivenEquation
+) -> tuple[int, int] | None:
+    """Both laws at a wall, of a speed after it and its angle to the wall.
+
+    The angle is given, or is what a deflection leaves of it. None where what is given is not that:
+    the angle at which the body comes, an angle or a deflection, and a speed.
+    """
+    match turned.link.left, fast.link.left:
+        case (
+            Quantity("deflection", (Name(body),), int(event)),
+            Quantity("speed", (Name(other),), int(stage)),
+        ):
+            pass
+        case (
+            Quantity("angle", (Quantity("velocity", (Name(body),), int(event)), Name())),
+            Quantity("speed", (Name(other),), int(stage)),
+        ):
+            pass
+        case _:
+            return None
+    if body != other or stage != event or event not in scene.model.frames:
+        return None
+    frame = scene.frame(event)
+    fact = scene.facts.get(f"velocity {body}")
+    if frame.wall is None or fact is None or scene.last_event(body, event - 1):
+        return None
+    match fact.relation.only[0].right:
+        case Polar(size, angle, wall=Name(name)) if name == frame.wall:
+            pass
+        case _:
+            return None
+    wall = Name(frame.wall)
+    later = Quantity("angle", (Quantity("velocity", (Name(body),), event), wall))
+    if turned.link.left == later:
+        rest: Expression = turned.link.right
+        source: Ref = turned.fact.id
+    elif turned.link.left.kind == "deflection":
+        rest = Binary("-", turned.link.right, angle)
+        source = scene.desk.write(
+            Move("define", "sum", event, (body,)),
+            together((turned.fact.id, fact.id)),
+            chain(later, (rest, None)),
+        )
+    else:
+        return None
+    refs = together((turned.fact.id, fact.id, f"wall {wall.name}", fast.fact.id), frame.refs)
+    size_after = fast.link.right
+    law = Move("law", "unchanged", event, (body,))
+    along = chain(
+        product(size_after, Apply("cos", rest)), (product(size, Apply("cos", angle)), None)
+    )
+    away = chain(
+        product(size_after, Apply("sin", rest)),
+        (product(tree_of(scene.coefficient(event).value), size, Apply("sin", angle)), None),
+    )
+    e = scene.coefficient(event)
+    lines = []
+    for move, relation, more in (
+        (law, along, ()),
+        (replace(law, record="restitution-wall"), away, e.refs),
+    ):
+        pool = [each for each in together(refs, more) if each != turned.fact.id]
+        own = scene.judge.enough(move, [source, fast.fact.id, fact.id, *more], relation, pool)
+        if own is None:
+            return None
+        lines.append(scene.desk.write(move, own, relation))
+    return lines[0], lines[1]
+
+
+# --- the cosine ---------------------------------------------------------------------------------
+
+
+def _pair(scene: Scene, body: str, stage: int, frame: Frame) -> tuple[Source, Source]:
+    along, across = (in_direction(scene, each, body, stage, frame) for each in ("along", "across"))
+    return along, across
+
+
+def _product(a: Source, b: Source) -> Expression:
+    trees = tree_of(a.value), tree_of(b.value)
+    if a.value == b.value and a.value.is_Symbol:
+        return square(trees[0])
+    return trees[0] if is_zero(trees[0]) else product(*trees)
+
+
+def scalar_product(
+    scene: Scene, pair: Sequence[tuple[str, int]], event: int
+) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
+    """The scalar product of two velocities, each of a body after an event, by components.
+
+    As a tree, as a value that is not worked out, and what it rests on.
+    """
+    frame = scene.frame(event)
+    (a, b), (c, d) = (_pair(scene, body, stage, frame) for body, stage in pair)
+    tree = total(_product(x, y) for x, y in ((a, c), (b, d)))
+    refs = together(*(each.whole for each in (a, b, c, d)), frame.names_axis("along"))
+    return tree, a.value * c.value + b.value * d.value, refs
+
+
+def cosine_of_deflection(scene: Scene, quantity: Quantity) -> Formula:
+    """``cos(deflection) = (a c + b d)/(√(a² + b²) √(c² + d²))``; the value is what stands above."""
+    (name,) = quantity.arguments
+    if not isinstance(name, Name) or not isinstance(quantity.stage, int):
+        raise NotPlannedError("the deflection of what is no body")
+    event = quantity.stage
+    frame = scene.frame(event)
+    early = _pair(scene, name.name, event - 1, frame)
+    late = _pair(scene, name.name, event, frame)
+    both = ((name.name, event - 1), (name.name, event))
+    above, value, refs = scalar_product(scene, both, event)
+    sizes = (
+        Apply("sqrt", total(square(tree_of(each.value)) for each in pair if each.value != 0))
+        for pair in (early, late)
+    )
+    value = tidy(value)
+    move = Move("define", "scalar-angle", event, (name.name,))
+    return Formula(move, cosine, quantity, Binary("/", above, product(*sizes)), value, refs)

@@ -1,0 +1,253 @@
+"""Expressions of several quantities: each is worked out, and its value takes its place."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, Ref
+from restitution.explaining.trees import exchanged
+from restitution.expression.quantities import ANGLES
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    children,
+    walk,
+)
+from restitution.planning.angles.quantities import formula
+from restitution.planning.angles.turning import angle_line, write_decimal
+from restitution.planning.closing.losses_by_products import write_loss_by_products
+from restitution.planning.closing.squared_ratios import write_by_squares
+from restitution.planning.formulas.definitions import write_formula
+from restitution.planning.formulas.energy_formulas import energy_change
+from restitution.planning.formulas.named_angles import letter_of
+from restitution.planning.formulas.separations import relative_speed
+from restitution.planning.formulas.velocity_formulas import squared_speed, velocity_source
+from restitution.planning.journeys import distances, journeys
+from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
+from restitution.planning.writing.forms import outer_terms, square, swept, total, tree_of
+from restitution.planning.writing.place_trees import is_duration
+from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.roots_below import in_shorter_form
+from restitution.planning.writing.scene import Scene
+from restitution.vector import Vector
+
+_DATA = ("mass", "restitution")
+
+
+def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
+    """The line in which an expression comes to its value, with the value.
+
+    Raises NotPlannedError where something in it is open.
+    """
+    if is_angle_sum(asked) and isinstance(asked, Binary):
+        return _angle_sum(scene, asked)
+    if isinstance(asked, Apply) and asked.function == "abs":
+        inside = scene.value(asked.argument)
+        if isinstance(inside, Vector):
+            return _write_size(scene, asked, inside)
+    own = energy_change(scene, asked) or squared_speed(scene, asked)
+    if own is not None:
+        return write_formula(scene, own), tree_of(own.value)
+    values: dict[Expression, Expression] = {}
+    refs: list[Ref] = []
+    ranges: list[Ref] = []
+    for node in outermost(asked):
+        source = _value_of(scene, node)
+        if source is None:
+            continue
+        angle = isinstance(node, Quantity) and node.kind in ANGLES
+        values[node] = _angle_tree(scene, source) if angle else tree_of(source.value)
+        refs += source.refs
+        if not isinstance(source.value, Vector):
+            ranges += distances.ranges(scene, sp.sympify(source.value, strict=True))
+    if not refs:
+        raise NotPlannedError("an expression of data")
+    value = _worth(scene, asked, values)
+    angle = isinstance(asked, Quantity) and asked.kind in ANGLES
+    final = tree_of(value, angle=angle)
+    if value == 0 and isinstance(asked, Binary) and asked.op == "/":
+        nothing = chain(asked, (final, None))
+        ways = (Move("rearrange"), Move("put"), Move("divide"))
+        line = scene.judge.write(ways, together(refs), nothing)
+        if line is None:
+            raise NotPlannedError("a quotient that is zero")
+        return line, final
+    right = swept(exchanged(asked, values))
+    if isinstance(value, Vector):
+        if Counter(outer_terms(right)) == Counter(outer_terms(final)):
+            right = final  # the component along i first
+        line = scene.desk.write(Move("put"), together(refs), chain(asked, (right, None)))
+        if right != final:
+            line = scene.desk.write(Move("rearrange"), (line,), chain(asked, (final, None)))
+        return line, final
+    final = in_shorter_form(scene, right, final)
+    if len(set(refs)) == 1:
+        # Of one line there is nothing to put in.
+        line = scene.desk.write(Move("rearrange"), refs, chain(asked, (final, None)))
+        return line, final
+    # What stands first is where the line starts from: of a quotient what is above.
+    premises = sorted(dict.fromkeys((*refs, *ranges)), key=lambda ref: isinstance(ref, str))
+    whole = chain(asked, (right, None), (final, "rearrange"))
+    if _is_of_both(right) and not scene.judge.follows(Move("put"), premises, whole):
+        # Squares of a sine and a cosine come together by the identity, on a line of its own.
+        line = scene.desk.write(Move("put"), premises, chain(asked, (right, None)))
+        moves = (Move("rearrange"), Move("identity", "pythagoras"))
+        last = scene.judge.write(moves, [line, *ranges], chain(asked, (final, None)))
+        if last is None:
+            raise NotPlannedError("an expression of sines and cosines")
+        return last, final
+    return scene.desk.write(Move("put"), premises, whole), final
+
+
+def _is_of_both(tree: Expression) -> bool:
+    """Whether the sine and the cosine of one angle stand in an expression."""
+    sines, cosines = (
+        {e.argument for e in walk(tree) if isinstance(e, Apply) and e.function == each}
+        for each in ("sin", "cos")
+    )
+    return bool(sines & cosines)
+
+
+def _angle_sum(scene: Scene, asked: Binary) -> tuple[int, Any]:
+    """A sum of angles of the motion, each of which is a line; with its decimal."""
+    quantities = [each for each in outermost(asked) if isinstance(each, Quantity)]
+    lines = [angle_line(scene, quantity) for quantity in quantities]
+    values: dict[Expression, Expression] = {
+        each: scene.desk.last_link(line).right for each, line in zip(quantities, lines, strict=True)
+    }
+    right = swept(exchanged(asked, values))
+    relation = chain(asked, (right, None))
+    named = [
+        letter_of(scene, each)[1]
+        for each, line in zip(quantities, lines, strict=True)
+        if isinstance(scene.desk.last_link(line).left, Letter)
+    ]
+    refs = scene.judge.needed(Move("put"), (*lines, *named), relation, lines)
+    if refs is None:
+        raise NotPlannedError("a sum of angles of the motion")
+    line = scene.desk.write(Move("put"), refs, relation)
+    line, answer = write_decimal(scene, line)
+    return line, answer.only[0].right
+
+
+def size_of(scene: Scene, asked: Apply, inside: Vector) -> tuple[tuple[Ref, ...], list[sp.Expr]]:
+    """The components of a vector of which the size is taken, and the line that says the vector."""
+    if isinstance(asked.argument, Quantity):
+        source = _value_of(scene, asked.argument)
+        refs = () if source is None else source.refs
+    else:
+        refs = (write_expression(scene, asked.argument)[0],)
+    put, _ = scene.put(inside)
+    return refs, [tidy(expanded(each)) for each in put]
+
+
+def _write_size(scene: Scene, asked: Apply, inside: Vector) -> tuple[int, Any]:
+    """The size of a vector, by its components."""
+    apart = relative_speed(scene, asked.argument)
+    if apart is not None:
+        parts, refs = apart
+    else:
+        refs, values = size_of(scene, asked, inside)
+        parts = [(tree_of(value), value) for value in values]
+    final = tree_of(tidy(sp.sqrt(expanded(sum(value**2 for _, value in parts)))))
+    moving = [tree for tree, value in parts if value != 0]
+    if len(moving) < 2:
+        relation = chain(asked, (final, None))
+    else:
+        root = Apply("sqrt", total(square(tree) for tree in moving))
+        relation = chain(asked, (root, None), (final, "rearrange"))
+    return scene.desk.write(Move("define", "size"), refs, relation), final
+
+
+def is_angle_sum(tree: Expression) -> bool:
+    """Whether angles of the motion are added, or taken from each other."""
+    match tree:
+        case Binary("+" | "-", left, right):
+            return is_angle_sum(left) and is_angle_sum(right)
+        case Quantity(kind):
+            return kind in ANGLES
+    return False
+
+
+def outermost(tree: Expression) -> list[Expression]:
+    """The quantities and letters in an expression, but for what stands inside a quantity.
+
+    The time between two events is one of them.
+    """
+    ratios = {
+        each.argument
+        for each in walk(tree)
+        if isinstance(each, Apply) and isinstance(each.argument, Letter)
+    }
+
+    def unknowns(node: Expression) -> Iterator[Expression]:
+        if isinstance(node, Quantity) or is_duration(node):
+            yield node
+        elif isinstance(node, Letter):
+            if node not in ratios:
+                yield node
+        elif isinstance(node, Apply) and node.argument in ratios:
+            yield node
+        else:
+            for child in children(node):
+                yield from unknowns(child)
+
+    return list(dict.fromkeys(unknowns(tree)))
+
+
+def _value_of(scene: Scene, node: Expression) -> Source | None:
+    """What a quantity or a letter is worth, by a line; one is written where there is none."""
+    known = scene.desk.known(node)
+    if known is not None:
+        value, more = scene.put(known.value)
+        return Source(value, together(known.refs, more))
+    if isinstance(node, Quantity) and node.kind in ANGLES:
+        line = angle_line(scene, node)
+        return Source(scene.scalar(scene.desk.last_link(line).right), (line,))
+    if isinstance(node, Quantity) and node.kind in _DATA:
+        return _datum(scene, node)
+    match node:
+        case Quantity("velocity", (Name(body),), int(stage)) if not scene.last_event(body, stage):
+            return velocity_source(scene, body, 0)
+    if is_duration(node):
+        number, value = journeys.write(scene, node)
+        return Source(value, (number,))
+    if isinstance(node, Quantity):
+        if write_by_squares(scene, node, formula) is not None:
+            return scene.desk.known(node)
+        if write_loss_by_products(scene, node) is not None:
+            return scene.desk.known(node)
+        own = formula(scene, node)
+        return Source(own.value, (write_formula(scene, own),))
+    return None
+
+
+def _datum(scene: Scene, node: Quantity) -> Source:
+    match node:
+        case Quantity("mass", (Name(body),)):
+            return scene.mass(body)
+    return scene.data(f"e {node.stage}")
+
+
+def _angle_tree(scene: Scene, source: Source) -> Expression:
+    lines = [ref for ref in source.refs if isinstance(ref, int)]
+    if len(lines) != 1:
+        raise NotPlannedError("an angle by several lines")
+    return scene.desk.last_link(lines[0]).right
+
+
+def _worth(scene: Scene, asked: Expression, values: dict[Expression, Expression]) -> Any:
+    put = exchanged(asked, values)
+    value = scene.value(put)
+    if isinstance(value, Vector):
+        return Vector(*(tidy(expanded(each)) for each in value))
+    return tidy(scene.scalar(put))

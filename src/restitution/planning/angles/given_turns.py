@@ -1,0 +1,271 @@
+"""A deflection, or an angle between two velocities, that is given: as an equation in components."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, Ref, Relation
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Quantity,
+    letters,
+)
+from restitution.planning.angles.known_turns import by_the_known, other_angle
+from restitution.planning.angles.quantities import formula
+from restitution.planning.angles.turn_lines import (
+    Term,
+    by_tangents,
+    made_of_angles,
+    meeting,
+    terms_of,
+)
+from restitution.planning.angles.turning import angle_line
+from restitution.planning.formulas.named_angles import letter_of
+from restitution.planning.formulas.turns import NONE, Direction, Turn, turns_of
+from restitution.planning.writing.angles import RIGHT
+from restitution.planning.writing.desk import chain, together
+from restitution.planning.writing.forms import (
+    ONE,
+    TWO,
+    ZERO,
+    difference,
+    product,
+    square,
+    swept,
+    tree_of,
+)
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import GivenEquation, Scene
+
+
+def given_turn(scene: Scene, each: GivenEquation) -> int | None:
+    """The equation of an angle between two velocities that is given, or its tangent.
+
+    None where it is not made of two angles to one line.
+    """
+    match each.link.left:
+        case Quantity() as asked:
+            ratio = False
+        case Apply("tan", Quantity() as asked):
+            ratio = True
+        case _:
+            return None
+    mark = scene.desk.mark()
+    for turn in turns_of(scene, asked):
+        line = _by_ratio(scene, each, turn) if ratio else _by_angle(scene, each, turn)
+        if line is not None:
+            return line
+        scene.desk.back(mark)
+    return None
+
+
+def _by_angle(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
+    value, refs = scene.put(scene.scalar(each.link.right))
+    given = together(each.refs, refs)
+    angles = [side.angle for side in (turn.first, turn.second)]
+    right = each.link.right if not refs else tree_of(value, angle=True)
+    mark = scene.desk.mark()
+    line = _one_angle(scene, each, turn, right, value)
+    if line is not None:
+        return line
+    scene.desk.back(mark)
+    if None not in angles:
+        relation = chain(turn.made_of(*angles), (right, None))
+        return made_of_angles(scene, turn, relation, given)
+    if scene.model.identically_zero(sp.cos(value)):
+        return None
+    ratio, more = scene.put(sp.tan(value))
+    if not ratio.free_symbols:
+        own = Term(right, tree_of(tidy(ratio)), more if isinstance(right, Letter) else ())
+        line = by_the_known(scene, turn, own, ratio, given)
+        if line is not None:
+            return line
+    if any(map(partial(_is_across, scene), (turn.first, turn.second))):
+        return None  # of a right angle there is no tangent
+    terms = terms_of(scene, turn)
+    if terms is None:
+        return None
+    relation = chain(turn.made_of(*(own.angle for own in terms)), (right, None))
+    number = made_of_angles(scene, turn, relation, given)
+    if number is None:
+        return None
+    doubled = _as_its_double(scene, turn, terms, right, number)
+    if doubled is not None:
+        return doubled
+    tangent, more = scene.put(sp.tan(value))
+    if more:
+        put = (tree_of(tangent), more)
+        return by_tangents(scene, number, turn.form, terms, Apply("tan", right), put)
+    return by_tangents(scene, number, turn.form, terms, tree_of(tidy(tangent)))
+
+
+def _as_its_double(
+    scene: Scene, turn: Turn, terms: tuple[Term, Term], right: Expression, number: int
+) -> int | None:
+    """The equation of ``β − α = α``, which says that β is 2α; None of another turn."""
+    own, other = terms
+    if turn.form != "difference" or not isinstance(right, Letter) or other.angle != right:
+        return None
+    mark = scene.desk.mark()
+    twice = chain(own.angle, (product(TWO, right), None))
+    line = scene.judge.write((Move("rearrange"),), (number,), twice)
+    tangents = Apply("tan", own.angle), Apply("tan", right)
+    double = Binary("/", product(TWO, tangents[1]), difference(ONE, square(tangents[1])))
+    known = (*background(scene, letters(own.angle) | letters(right)), *meeting(scene))
+    for move, pool, relation in (
+        (Move("identity", "double-angle"), (), chain(tangents[0], (double, None))),
+        (Move("put"), own.refs, chain(own.tangent, (double, None))),
+    ):
+        if line is None:
+            break
+        refs = scene.judge.enough(move, (line, *pool), relation, known)
+        line = None if refs is None else scene.desk.write(move, refs, relation)
+    if line is None:
+        scene.desk.back(mark)
+    return line
+
+
+def _is_across(scene: Scene, side: Direction) -> bool:
+    """Whether a velocity turns out to have no component along the line of centres."""
+    along = sp.sympify(side.along.value, strict=True)
+    return scene.model.identically_zero(scene.model.in_data(along))
+
+
+def _by_ratio(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
+    terms = terms_of(scene, turn)
+    if terms is None:
+        return None
+    letter, meaning = letter_of(scene, turn.asked)
+    ratio, more = scene.put(scene.scalar(each.link.right))
+    if not ratio.free_symbols:
+        own = Term(Letter(letter), tree_of(ratio), together(each.refs, more, (meaning,)))
+        line = by_the_known(scene, turn, own, ratio, (meaning,))
+        if line is not None:
+            return line
+    relation = chain(Letter(letter), (turn.made_of(*(own.angle for own in terms)), None))
+    number = made_of_angles(scene, turn, relation, ())
+    if number is None:
+        return None
+    value, refs = scene.put(scene.scalar(each.link.right))
+    tangent = Apply("tan", Letter(letter))
+    given = together(each.refs, refs, (letter_of(scene, turn.asked)[1],))
+    return by_tangents(scene, number, turn.form, terms, tangent, (tree_of(value), given))
+
+
+def _one_angle(
+    scene: Scene, each: GivenEquation, turn: Turn, given: Expression, value: Any
+) -> int | None:
+    """The one angle that is not told, as a number of degrees, and what that says of components."""
+    sides: Sequence[Direction] = (turn.first, turn.second)
+    own = [e for e in sides if e.angle is None] or [
+        e for e in sides if isinstance(e.angle, Letter) and scene.unknown(scene.scalar(e.angle))
+    ]
+    data = [e for e in own if _is_at_whole_degrees(e)]
+    if len(own) == len(sides) and len(data) == 1:
+        # One velocity is given as a vector: its angle has lines of its own.
+        known = _by_components(scene, data[0])
+        sides = [known if e is data[0] else e for e in sides]
+        own = [e for e in sides if e is not known]
+    if len(own) != 1:
+        return None
+    (side,) = own
+    (other,) = (e.angle for e in sides if e is not side)
+    rest = sp.Integer(0) if other is None else scene.scalar(other)
+    if other is None or rest.free_symbols != value.free_symbols:
+        return None
+    first = side is turn.first
+    tree, _, _ = other_angle(turn, first, given, other)
+    if other == NONE:
+        return None
+    worth = {
+        "sum": value - rest,
+        "difference": value + rest if first else rest - value,
+        "rest of sum": sp.pi - value - rest,
+        "rest of difference": sp.pi + rest - value if first else value + rest - sp.pi,
+    }[turn.form]
+    final = tree_of(tidy(worth), angle=True)
+    if not isinstance(final, Degrees):
+        return None
+    named: tuple[Ref, ...] = ()
+    subject = side.angle
+    if subject is None:
+        letter, meaning = letter_of(scene, side.named)
+        subject, named = Letter(letter), (meaning,)
+    relation = chain(subject, (tree, None), (final, "rearrange"))
+    refs = [ref for own in sides for ref in own.sources]
+    pool = dict.fromkeys(
+        (
+            *each.refs,
+            *named,
+            *refs,
+            *turn.first.refs,
+            *turn.second.refs,
+            *turn.pushed,
+            *turn.frame.refs,
+        )
+    )
+    pool = dict.fromkeys(ref for ref in pool if isinstance(ref, int) or ref in scene.facts)
+    premises = scene.judge.needed(turn.move, pool, relation, (*each.refs, *named))
+    if premises is None:
+        return None
+    line = scene.desk.write(turn.move, premises, relation)
+    return line if side.angle is not None else _of_components(scene, turn, side, line, final)
+
+
+def _is_at_whole_degrees(side: Direction) -> bool:
+    """Whether a velocity of the data has components of a slope that is one of whole degrees."""
+    along, across = (sp.sympify(each.value, strict=True) for each in (side.along, side.across))
+    if side.velocity.stage or side.angle is not None or along.is_zero is not False:
+        return False
+    slope = tidy(across / along)
+    return bool(slope.is_number and slope.is_positive) and _in_degrees(sp.atan(slope)) is not None
+
+
+def _in_degrees(angle: sp.Expr) -> Degrees | None:
+    tree = tree_of(tidy(angle), angle=True)
+    return tree if isinstance(tree, Degrees) else None
+
+
+def _by_components(scene: Scene, side: Direction) -> Direction:
+    """A direction of the data with its angle, which lines give by its components."""
+    _, meaning = letter_of(scene, side.named)
+    line = angle_line(scene, side.named)
+    slope = sp.sympify(side.across.value / side.along.value, strict=True)
+    return replace(side, angle=_in_degrees(sp.atan(slope)), sources=(meaning, line))
+
+
+def _body(side: Direction) -> str:
+    (body,) = side.velocity.arguments
+    return str(getattr(body, "name", ""))
+
+
+def _of_components(
+    scene: Scene, turn: Turn, side: Direction, line: int, angle: Degrees
+) -> int | None:
+    """What an angle to the line of centres says of components: a tangent, or one that is 0."""
+    _, meaning = letter_of(scene, side.named)
+    bodies = (_body(side),)
+    axis = turn.frame.refs
+    if angle == RIGHT:
+        move = Move("define", "perpendicular", turn.frame.number, bodies)
+        relation: Relation = chain(tree_of(side.along.value), (ZERO, None))
+        pool = (line, meaning, *side.along.refs, *axis)
+        refs = scene.judge.needed(move, pool, relation)
+        return None if refs is None else scene.desk.write(move, refs, relation)
+    own = formula(scene, side.named)
+    relation = chain(Apply("tan", angle), (swept(own.right), None))
+    names = {str(symbol) for symbol in sp.sympify(own.value, strict=True).free_symbols}
+    refs = scene.judge.enough(
+        own.move, (line, meaning, *own.refs), relation, (*axis, *background(scene, names))
+    )
+    return None if refs is None else scene.desk.write(own.move, refs, relation)

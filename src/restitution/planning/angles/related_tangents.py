@@ -1,0 +1,77 @@
+"""Ratios of angles of the motion that are given: *tan α = 3 tan β*, *sin β = 5/13*."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref
+from restitution.expression.tree import Apply, Expression, Letter, Quantity, walk
+from restitution.planning.angles.quantities import formula
+from restitution.planning.formulas.named_angles import letter_known, letter_of
+from restitution.planning.writing.desk import NotPlannedError, chain, together
+from restitution.planning.writing.forms import in_tangents, neat, swept, tree_of
+from restitution.planning.writing.scene import GivenEquation, Scene
+
+_RANGES = ("0° <= {} <= 90°", "0° <= {} <= 180°")
+
+
+def write_tangents(scene: Scene, link: Link) -> tuple[dict[Expression, Expression], list[Ref]]:
+    """Lines of the tangents in a relation: what each is by them, and the lines.
+
+    Raises NotPlannedError where an angle has no line by its tangent.
+    """
+    values: dict[Expression, Expression] = {}
+    refs: list[Ref] = []
+    for node in (node for side in (link.left, link.right) for node in walk(side)):
+        match node:
+            case Apply("tan", Quantity("angle" | "deflection") as angle) if node not in values:
+                own = formula(scene, angle)
+                if own.left != node:
+                    raise NotPlannedError("a relation with angles")
+                final = tree_of(in_tangents(neat(own.value)))
+                named = letter_known(scene, angle)
+                left = node if named is None else Apply("tan", Letter(named[0]))
+                premises = together(own.refs, () if named is None else (named[1],))
+                relation = chain(left, (swept(own.right), None), (final, "rearrange"))
+                if not scene.judge.follows(own.move, premises, relation):
+                    raise NotPlannedError("to which side a sphere turns is open")
+                refs.append(scene.desk.write(own.move, premises, relation))
+                values[node] = final
+    return values, refs
+
+
+def write_by_tangent(scene: Scene, each: GivenEquation, ratio: Apply) -> int | None:
+    """A sine or a cosine of an angle that is given: its tangent, as a quotient of components.
+
+    None where it is no number, or the tangent does not follow from it.
+    """
+    angle, right = ratio.argument, each.link.right
+    assert isinstance(angle, Quantity)
+    value = scene.scalar(right)
+    if not value.is_number or not 0 < value < 1:
+        return None
+    own = formula(scene, angle)
+    if own.left != Apply("tan", angle):
+        return None
+    mark = scene.desk.mark()
+    letter, meaning = letter_of(scene, angle)
+    named = Apply(ratio.function, Letter(letter))
+    first = scene.judge.write(
+        (Move("fact"),), (each.fact.id, *each.lets, meaning), chain(named, (right, None))
+    )
+    other = tidy(sp.sqrt(1 - value**2))
+    tangent = tree_of(value / other if ratio.function == "sin" else other / value)
+    known = (*scene.judge.known([letter]), *(each.format(letter) for each in _RANGES))
+    second = first and scene.judge.write(
+        (Move("triangle"),),
+        (first, meaning, *known),
+        chain(Apply("tan", Letter(letter)), (tangent, None)),
+    )
+    final = tree_of(in_tangents(neat(own.value)))
+    relation = chain(tangent, (swept(own.right), None), (final, "rearrange"))
+    premises = second and scene.judge.enough(own.move, (second, meaning, *own.refs), relation)
+    if not premises:
+        scene.desk.back(mark)
+        return None
+    return scene.desk.write(own.move, premises, relation)

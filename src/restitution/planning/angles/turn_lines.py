@@ -1,0 +1,383 @@
+"""Lines of an angle that is made of two others: in numbers, or by the tangents of both."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from restitution import exact
+from restitution.exact import tidy
+from restitution.explaining.derivation import Line, Meaning, Move, Ref, Relation
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    letters,
+    walk,
+)
+from restitution.planning.angles.quantities import formula
+from restitution.planning.axes.offsets import angle_of_an_offset
+from restitution.planning.formulas.named_angles import letter_known, letter_of, tangent_line
+from restitution.planning.formulas.turns import NONE, Direction, Form, Turn
+from restitution.planning.writing.angle_ratios import given_ratio, range_of, write_other_ratio
+from restitution.planning.writing.angles import RIGHT, STRAIGHT
+from restitution.planning.writing.desk import chain, together
+from restitution.planning.writing.forms import ONE, TWO, difference, product, swept, total, tree_of
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import Scene
+
+
+@dataclass(frozen=True)
+class Term:
+    """An angle of which another is made: as lines say it, its tangent, and what that rests on.
+
+    ``same`` says that it is one which has a letter already.
+    """
+
+    angle: Expression
+    tangent: Expression
+    refs: tuple[Ref, ...] = ()
+    same: tuple[Ref, ...] = ()
+
+
+def write_turn(
+    scene: Scene,
+    turn: Turn,
+    angle_line: Callable[[Scene, Quantity], int],
+    in_letters: bool = False,
+) -> int | None:
+    """The line of an angle by two that are worked out.
+
+    None where they have letters, unless it is sought ``in_letters``.
+    """
+    mark = scene.desk.mark()
+    have_angles = turn.first.angle is not None and turn.second.angle is not None
+    have_angles = have_angles or in_letters
+    trees: list[Expression | None] = []
+    refs: list[Ref] = []
+    whole: Any = sp.Integer(0)
+    for side, factor in zip((turn.first, turn.second), _SIGNS[turn.form], strict=True):
+        own = _in_numbers(scene, turn, side, angle_line, letters_too=have_angles)
+        if own is None:
+            scene.desk.back(mark)
+            return None
+        tree, known = own
+        trees.append(tree)
+        refs += known
+        whole += factor * (0 if tree is None else scene.scalar(tree))
+    if turn.form.startswith("rest"):
+        whole += sp.pi
+    letter, meaning = letter_of(scene, turn.asked)
+    right = turn.made_of(*trees)
+    value = exact.tidy_angle(whole)
+    plain = not value.atoms(sp.atan)
+    collected = None if plain else _collected(turn, trees) or _with_one_number(turn, trees)
+    final = tree_of(value, angle=True, as_it_is=True) if plain else collected or right
+    relation = chain(Letter(letter), (right, None), (final, "rearrange"))
+    pool = dict.fromkeys((meaning, *refs, *turn.first.refs, *turn.second.refs, *_axis(turn)))
+    premises = scene.judge.needed(turn.move, pool, relation, (meaning,))
+    if premises is None:
+        earlier = [*dict.fromkeys((*_before_put(scene, turn), *pool))]
+        premises = scene.judge.needed(turn.move, earlier, relation, (meaning,))
+    if premises is None:
+        scene.desk.back(mark)
+        return None
+    _without_arcs(scene, premises, mark.lines)
+    return scene.desk.write(turn.move, premises, relation)
+
+
+def _before_put(scene: Scene, turn: Turn) -> tuple[Ref, ...]:
+    """The components of both velocities as they stood before values were put in.
+
+    A coefficient that stands in them tells signs, by what is known of it.
+    """
+    refs: list[Ref] = []
+    names: set[str] = set()
+    for ref in (*turn.first.refs, *turn.second.refs):
+        if isinstance(ref, int) and scene.desk.line(ref).move.id == "put":
+            refs += scene.desk.line(ref).premises
+    for ref in refs:
+        own = scene.desk.line(ref).relation if isinstance(ref, int) else None
+        if isinstance(own, Relation) and len(own.options) == 1:
+            names |= letters(own.only[-1].right)
+    return (*background(scene, names), *refs)
+
+
+def _without_arcs(scene: Scene, premises: Iterable[Ref], since: int) -> None:
+    """Takes the lines ``θ = arctan(2)`` off paper: the tangents say it, and so does the sum."""
+    for ref in premises:
+        if not isinstance(ref, int) or ref <= since:
+            continue
+        own = scene.desk.line(ref)
+        arcs = isinstance(own.relation, Relation) and any(
+            isinstance(each, Apply) and each.function.startswith("arc")
+            for each in walk(own.relation.only[-1].right)
+        )
+        if own.move.id == "inverse" and arcs and not _is_by_data(scene, own):
+            scene.desk.lines[ref - 1] = replace(own, shown="silent")
+
+
+def _is_by_data(scene: Scene, line: Line) -> bool:
+    """Whether the ratio behind an angle stands in no line."""
+    return not any(
+        isinstance(ref, int) and not isinstance(scene.desk.line(ref).relation, Meaning)
+        for ref in line.premises
+    )
+
+
+def _with_one_number(turn: Turn, trees: Sequence[Expression | None]) -> Expression | None:
+    """The angle with what is in degrees added up: 180° − 60° − arctan(2) is 120° − arctan(2)."""
+    signs = _SIGNS[turn.form]
+    degrees = [Fraction(180 if turn.form.startswith("rest") else 0)]
+    degrees += [
+        sign * tree.value
+        for sign, tree in zip(signs, trees, strict=True)
+        if isinstance(tree, Degrees)
+    ]
+    others = [
+        (sign, tree)
+        for sign, tree in zip(signs, trees, strict=True)
+        if tree is not None and not isinstance(tree, Degrees)
+    ]
+    if len([each for each in degrees if each]) < 2 or len(others) != 1:
+        return None
+    total_, ((sign, other),) = sum(degrees, Fraction(0)), others
+    if total_ > 0:
+        return Binary("+" if sign > 0 else "-", Degrees(total_), other)
+    return Binary("-", other, Degrees(-total_)) if total_ and sign > 0 else None
+
+
+def _collected(turn: Turn, trees: Sequence[Expression | None]) -> Expression | None:
+    """The angle by twice another one, where both of which it is made are the same."""
+    one, other = trees
+    if one is None or one != other or turn.form not in ("sum", "rest of sum"):
+        return None
+    double = product(TWO, one)
+    return double if turn.form == "sum" else Binary("-", STRAIGHT, double)
+
+
+_SIGNS: Mapping[Form, tuple[int, int]] = {
+    "sum": (1, 1),
+    "difference": (1, -1),
+    "rest of sum": (-1, -1),
+    "rest of difference": (-1, 1),
+}
+
+
+def _axis(turn: Turn) -> tuple[Ref, ...]:
+    return together(turn.frame.names_axis("along"), turn.frame.names_axis("across"))
+
+
+def _in_numbers(
+    scene: Scene,
+    turn: Turn,
+    side: Direction,
+    angle_line: Callable[[Scene, Quantity], int],
+    *,
+    letters_too: bool,
+) -> tuple[Expression | None, tuple[Ref, ...]] | None:
+    """An angle to the line of centres in degrees, or as that of a number; None with letters."""
+    if side.angle == NONE:
+        return None, ()
+    if side.angle is not None:
+        own = () if side.angle == RIGHT else (*side.sources, *turn.frame.refs)
+        if not letters(side.angle):
+            return side.angle, own
+        value, more = scene.put(scene.scalar(side.angle))
+        if not value.free_symbols:
+            return tree_of(value, angle=True), together(own, more)
+        if isinstance(side.angle, Letter) and side.angle.name in scene.ratio_facts:
+            line = inverse_of_data(scene, side.angle.name)
+            return scene.desk.last_link(line).right, together(own, (line,))
+        return (side.angle, own) if letters_too else None
+    ratio = tidy(side.across.value / side.along.value)
+    if ratio.free_symbols and not letters_too:
+        return None
+    line = angle_of_an_offset(scene, side.named) or angle_line(scene, side.named)
+    return scene.desk.last_link(line).right, (line, letter_of(scene, side.named)[1])
+
+
+def inverse_of_data(scene: Scene, name: str) -> int:
+    """The line of an angle of which a ratio is given, by the inverse of that."""
+    own, value, ref = given_ratio(scene, name)
+    right = Apply(f"arc{own.function}", value)
+    return scene.desk.write(
+        Move("inverse"), (ref, range_of(scene, name)), chain(Letter(name), (right, None))
+    )
+
+
+def write_turn_tangent(scene: Scene, turn: Turn, subject: Expression) -> int | None:
+    """The line of the tangent of an angle, by those of two others; None where they are not known.
+
+    ``subject`` is the angle that is asked, or the letter for it.
+    """
+    mark = scene.desk.mark()
+    terms, tangent = terms_of(scene, turn), None
+    if terms is not None:
+        relation = chain(subject, (turn.made_of(*(term.angle for term in terms)), None))
+        number = made_of_angles(scene, turn, relation, together(*(term.same for term in terms)))
+        if number is not None:
+            tangent = by_tangents(scene, number, turn.form, terms, Apply("tan", subject))
+    if tangent is None:
+        scene.desk.back(mark)
+    return tangent
+
+
+def terms_of(scene: Scene, turn: Turn) -> tuple[Term, Term] | None:
+    """Both angles with their tangents, which are written; None where one of them has none."""
+    if not {turn.first.angle, turn.second.angle}.isdisjoint((RIGHT, NONE)):
+        return None
+    return _term(scene, turn.first), _term(scene, turn.second)
+
+
+def made_of_angles(
+    scene: Scene, turn: Turn, relation: Relation, given: tuple[Ref, ...]
+) -> int | None:
+    """The line that makes an angle of two others."""
+    named = [
+        letter_of(scene, side.named)[1] for side in (turn.first, turn.second) if side.angle is None
+    ]
+    subject = relation.only[0].left
+    if isinstance(subject, Letter):
+        named.append(letter_of(scene, turn.asked)[1])
+    refs = (*turn.first.sources, *turn.second.sources)
+    components = (*turn.first.refs, *turn.second.refs)
+    axis = (*_axis(turn), *turn.frame.refs, *meeting(scene))
+    pool = dict.fromkeys((*given, *named, *refs, *components, *axis))
+    premises = scene.judge.needed(turn.move, pool, relation, named)
+    return None if premises is None else scene.desk.write(turn.move, premises, relation)
+
+
+def meeting(scene: Scene) -> tuple[Ref, ...]:
+    """That spheres are not too far beside each other to meet, where the data are lengths."""
+    return tuple(each for each in scene.facts if each.startswith("offset "))
+
+
+def _term(scene: Scene, side: Direction) -> Term:
+    """An angle to the line of centres with its tangent."""
+    if side.angle is None:
+        own = formula(scene, side.named)
+        if (same := _by_its_letter(scene, side, own.value)) is not None:
+            return same
+        line, letter = tangent_line(scene, side.named, own, own.move)
+        term = Term(Letter(letter), scene.desk.last_link(line).right, (line,))
+        return _with_its_first_letter(scene, term, line)
+    return term_of_data(scene, side.angle)
+
+
+def _with_its_first_letter(scene: Scene, term: Term, line: int) -> Term:
+    """An angle by the letter that it has already: the lines with a second one are not printed."""
+    desk = scene.desk
+    for ref in desk.line(line).premises if desk.line(line).move.id == "put" else ():
+        own = desk.line(ref) if isinstance(ref, int) else None
+        if own is None or own.move.record != "difference" or not isinstance(ref, int):
+            continue
+        link = desk.last_link(ref)
+        if link.left != term.angle or not isinstance(link.right, Letter):
+            continue
+        if len({_is_to_a_wall(scene, letter) for letter in (link.left, link.right)}) > 1:
+            continue  # that the wall is parallel to the line of centres has to be said
+        for each in (line, ref):
+            desk.lines[each - 1] = replace(desk.line(each), shown="silent")
+        rest = tuple(each for each in desk.line(line).premises if each != ref)
+        return Term(link.right, term.tangent, rest, (ref,))
+    return term
+
+
+def _is_to_a_wall(scene: Scene, letter: Expression) -> bool:
+    """Whether a letter stands for an angle to a wall."""
+    assert isinstance(letter, Letter)
+    meanings = (line.relation for line in scene.desk.lines if isinstance(line.relation, Meaning))
+    own = next((each.quantity for each in meanings if each.letter == letter.name), None)
+    match own:
+        case Quantity("angle", sides):
+            return any(isinstance(side, Name) for side in sides)
+    return False
+
+
+def _by_its_letter(scene: Scene, side: Direction, tangent: sp.Expr) -> Term | None:
+    """The angle of a path to the line of centres in whose letter the components stand already."""
+    known = letter_known(scene, side.named)
+    symbol = None if known is None else scene.model.unknowns.letter(known[0])
+    if symbol is None or not scene.unknown(symbol) or tidy(tangent - sp.tan(symbol)) != 0:
+        return None
+    return Term(Letter(symbol.name), Apply("tan", Letter(symbol.name)))
+
+
+def term_of_data(scene: Scene, angle: Expression) -> Term:
+    """An angle of the data with its tangent: its value, where the angle was worked out."""
+    tangent = Apply("tan", angle)
+    if not isinstance(angle, Letter):
+        value = sp.tan(scene.scalar(angle))
+        return Term(angle, tangent if value.free_symbols else tree_of(tidy(value)))
+    symbol = scene.model.unknowns.letter(angle.name)
+    if symbol not in scene.model.final or symbol in scene.free:
+        return Term(angle, tangent)
+    if scene.desk.known(tangent) is None:
+        write_other_ratio(scene, symbol, "tan")
+    known = scene.desk.known(tangent)
+    return Term(angle, tangent) if known is None else Term(angle, tree_of(known.value), known.refs)
+
+
+def by_tangents(
+    scene: Scene,
+    base: Ref,
+    form: Form,
+    terms: Sequence[Term],
+    turned: Expression,
+    given: tuple[Expression, tuple[Ref, ...]] | None = None,
+) -> int | None:
+    """The tangent of an angle that a line, or a fact, makes of two others; None without one.
+
+    ``turned`` is the tangent that is sought, or the value that is given for it; with ``given`` it
+    is a tangent of which the value is given, with what gives it.
+    """
+    own = _tangent_of(form, *map(_tangent, terms))
+    names = {name for each in terms for name in letters(each.angle)}
+    known = (*background(scene, names), *meeting(scene))
+    asked = isinstance(turned, Apply)
+    relation = chain(turned, (own, None)) if asked else chain(own, (turned, None))
+    refs = scene.judge.enough(Move("identity", "sum-of-angles"), (base,), relation, known)
+    if refs is None:
+        return None
+    number = scene.desk.write(Move("identity", "sum-of-angles"), refs, relation)
+    if given is None and all(_tangent(term) == term.tangent for term in terms):
+        return number
+    tangents = [term.tangent for term in terms]
+    both = scene.scalar(product(*tangents))
+    both_tree = tree_of(tidy(both)) if both.free_symbols else None
+    put = swept(_tangent_of(form, tangents[0], tangents[1], both_tree))
+    final = tree_of(tidy(scene.scalar(put)))
+    relation = chain(turned if given is None else given[0], (put, None), (final, "rearrange"))
+    sources = together(*(term.refs for term in terms), () if given is None else given[1])
+    refs = scene.judge.enough(Move("put"), (number, *sources), relation, known)
+    return None if refs is None else scene.desk.write(Move("put"), refs, relation)
+
+
+def _tangent(term: Term) -> Expression:
+    """The tangent of an angle, as one of which the value is not yet put in."""
+    plain = isinstance(term.angle, Letter | Degrees)
+    return Apply("tan", term.angle) if plain or letters(term.tangent) else term.tangent
+
+
+def _tangent_of(
+    form: Form, p: Expression, q: Expression, both: Expression | None = None
+) -> Expression:
+    """The tangent of an angle by those of the two of which it is made, and by their product."""
+    both = swept(product(p, q)) if both is None else both
+    match form:
+        case "sum":
+            return Binary("/", total((p, q)), difference(ONE, both))
+        case "difference":
+            return Binary("/", difference(p, q), Binary("+", ONE, both))
+        case "rest of sum":
+            return Binary("/", total((p, q)), difference(both, ONE))
+    return Binary("/", difference(q, p), Binary("+", ONE, both))

@@ -1,0 +1,718 @@
+"""Angles that are asked: a letter, a ratio of it by components, the angle, and its decimal."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from restitution import exact
+from restitution.exact import tidy, tidy_angle
+from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Polar,
+    Quantity,
+    Unit,
+    letters,
+)
+from restitution.planning.angles.directions import (
+    along_an_axis,
+    along_the_centres,
+    direction_ratio,
+    in_degrees_of,
+)
+from restitution.planning.angles.lines_between import (
+    angle_of_lines,
+    cosine_of,
+    is_line,
+    is_moving,
+    whole_velocity,
+)
+from restitution.planning.angles.quantities import formula
+from restitution.planning.angles.scalar_angles import (
+    is_long,
+    write_cosine,
+    write_right_angle,
+    write_right_angle_of_axes,
+)
+from restitution.planning.angles.turn_lines import inverse_of_data, write_turn, write_turn_tangent
+from restitution.planning.angles.wall_turns import tangent_at_a_wall
+from restitution.planning.closing.cotangents import write_open_angle
+from restitution.planning.formulas.definitions import Formula
+from restitution.planning.formulas.impacts import in_direction
+from restitution.planning.formulas.named_angles import (
+    ANGLES,
+    letter_known,
+    letter_of,
+    ratio_line,
+    tangent_line,
+)
+from restitution.planning.formulas.standing_vectors import stand_as_vectors
+from restitution.planning.formulas.turned_directions import turn_of_directions
+from restitution.planning.formulas.turns import turns_of, velocities_of
+from restitution.planning.formulas.velocity_formulas import (
+    body_and_stage,
+    in_the_plane,
+    known_speed,
+    known_vector,
+    size_that_stands,
+    velocity_source,
+)
+from restitution.planning.writing.angle_ratios import range_of
+from restitution.planning.writing.angles import angle_to_a_line
+from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
+from restitution.planning.writing.forms import (
+    TWO,
+    difference,
+    product,
+    swept,
+    total,
+    tree_of,
+)
+from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.given_angles import given_angle
+from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.premises import background, sign_known
+from restitution.planning.writing.ratio_of_an_angle import RANGES, Ratio
+from restitution.planning.writing.same_angles import angle_by_the_same, write_same_angle
+from restitution.planning.writing.scene import Scene
+from restitution.vector import Vector
+
+_FIGURES = 3
+
+
+def write_angle(scene: Scene, asked: Expression) -> tuple[int, Relation]:
+    """The lines of an angle that is asked: the number of the last, and the answer that it says.
+
+    Raises NotPlannedError where there is no plan for it.
+    """
+    line = angle_line(scene, quantity_of(scene, asked))
+    scene.desk.show(line)
+    return write_decimal(scene, line)
+
+
+def quantity_of(scene: Scene, asked: Expression) -> Quantity:
+    """The angle that is asked, or for which a letter of the statement stands."""
+    if isinstance(asked, Quantity):
+        return asked
+    fact = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
+    quantity = None if fact is None else fact.relation.only[0].left
+    if not isinstance(quantity, Quantity):
+        raise NotPlannedError("a letter that stands for no angle")
+    return quantity
+
+
+def is_angle(scene: Scene, tree: Expression) -> bool:
+    """Whether a tree is an angle of the motion, or a letter of the statement for one."""
+    try:
+        return quantity_of(scene, tree).kind in ANGLES
+    except NotPlannedError:
+        return False
+
+
+def angle_line(scene: Scene, asked: Quantity) -> int:
+    """The line that says what an angle is, exactly; it is written once."""
+    known = scene.desk.known(asked) or _by_its_letter(scene, asked)
+    standing = None if known is None else _with_values(scene, asked, known)
+    if standing is not None:
+        return standing
+    line = None
+    if asked.kind == "direction":
+        line = along_the_centres(scene, asked) or along_an_axis(scene, asked)
+    if line is None:
+        line = write_right_angle_of_axes(scene, asked)
+    if line is None:
+        line = turn_of_directions(scene, asked) or _same_angle(scene, asked)
+    if line is None:
+        own = _by_a_known_ratio(scene, asked) or _ratio(scene, asked)
+        line = own if isinstance(own, int) else _by_inverse(scene, own)
+    scene.desk.know(asked, scene.scalar(scene.desk.last_link(line).right), (line,))
+    return line
+
+
+def _with_values(scene: Scene, asked: Quantity, known: Source) -> int | None:
+    """The line of an angle that stands, with the letters put in that have values by now.
+
+    None where they cannot be put in.
+    """
+    number = next(ref for ref in known.refs if isinstance(ref, int))
+    value, refs = scene.put(known.value)
+    if not refs:
+        return number
+    subject = scene.desk.last_link(number).left
+    relation = chain(subject, (tree_of(tidy_angle(value), angle=True, as_it_is=True), None))
+    premises = scene.judge.enough(Move("put"), (number, *refs), relation)
+    if premises is None:
+        return None
+    line = scene.desk.write(Move("put"), premises, relation)
+    scene.desk.know(asked, value, (line,))
+    return line
+
+
+def _same_angle(scene: Scene, asked: Quantity) -> int | None:
+    """The line that an angle is one that is known already; None where it is none."""
+    mark = scene.desk.mark()
+    letter, meaning = letter_of(scene, asked)
+    line = write_same_angle(scene, asked, letter, meaning)
+    value = None if line is None else angle_by_the_same(scene, line)
+    if line is None or value is None:
+        scene.desk.back(mark)
+    return value
+
+
+def _by_its_letter(scene: Scene, asked: Quantity) -> Source | None:
+    """An angle for which the working has a letter that is known."""
+    for line in scene.desk.lines:
+        if isinstance(line.relation, Meaning) and line.relation.quantity == asked:
+            return scene.desk.known(Letter(line.relation.letter))
+    return None
+
+
+def _ratio_of_its_letter(
+    scene: Scene, function: str, asked: Quantity
+) -> tuple[int, Relation] | None:
+    """A ratio that stands in a line already, of an angle for which the working has a letter."""
+    for each in scene.desk.lines:
+        if isinstance(each.relation, Meaning) and each.relation.quantity == asked:
+            tree = Apply(function, Letter(each.relation.letter))
+            source = scene.desk.known(tree)
+            line = None if source is None or len(source.refs) != 1 else source.refs[0]
+            if source is None or not isinstance(line, int):
+                return None
+            relation = scene.desk.relation(line)
+            if len(relation.options) > 1:
+                return line, relation
+            return line, chain(tree, (tree_of(source.value), None))
+    return None
+
+
+def _by_a_known_ratio(scene: Scene, asked: Quantity) -> Ratio | None:
+    """The cosine or tangent of an angle between two velocities that stands in a line already."""
+    named = letter_known(scene, asked)
+    if named is None or velocities_of(scene, asked) is None:
+        return None
+    letter, _ = named
+    for function in ("cos", "tan"):
+        tree = Apply(function, Letter(letter))
+        for line in reversed(scene.desk.lines):
+            if isinstance(line.relation, Meaning) or len(line.relation.options) != 1:
+                continue
+            if scene.desk.holds(line.number) and line.relation.only[0].left == tree:
+                value = tidy(scene.scalar(scene.desk.last_link(line.number).right))
+                if not value.free_symbols:
+                    extent = RANGES["deflection"].format(letter)
+                    return Ratio(line.number, letter, function, value, extent)
+    return None
+
+
+def _by_inverse(scene: Scene, own: Ratio) -> int:
+    """The line of an angle by its ratio; NotPlannedError where its quadrant is open."""
+    if own.open:
+        raise NotPlannedError("it is open on which side of j a direction is")
+    if own.function == "tan" and own.angle is None:
+        try:
+            _sign_of_tangent(scene, own)
+        except NotPlannedError:
+            line = write_open_angle(scene, own.line, own.letter, own.extent)
+            if line is None:
+                raise
+            return line
+    right = own.angle or _angle_of(own)
+    named: tuple[Ref, ...] = ()
+    if isinstance(right, Binary) and isinstance(right.right, Letter):
+        named = (range_of(scene, right.right.name),)  # of 90° − α
+    refs = together((own.line, own.extent), own.side, named)
+    relation, move = chain(Letter(own.letter), (right, None)), Move("inverse")
+    refs = scene.judge.enough(move, refs, relation, background(scene, letters(right))) or refs
+    return scene.desk.write(move, refs, relation)
+
+
+def _sign_of_tangent(scene: Scene, own: Ratio) -> int:
+    """The sign of a tangent; NotPlannedError where it is open whether the angle is obtuse."""
+    if own.extent.startswith("0°") and "90°" in own.extent:
+        return 1
+    value = scene.model.in_data(own.value)
+    sign = scene.model.proved_sign(value)
+    if sign is None:
+        raise NotPlannedError("it is open whether an angle is obtuse")
+    return sign
+
+
+def write_ratio(scene: Scene, function: str, angle: Expression) -> tuple[int, Relation]:
+    """The line that gives a sine, cosine or tangent of an angle of the motion, and the answer."""
+    known = _ratio_of_its_letter(scene, function, quantity_of(scene, angle))
+    if known is not None:
+        return known
+    own = _ratio(scene, quantity_of(scene, angle), function)
+    if isinstance(own, int):
+        raise NotPlannedError(f"the {function} of a sum")
+    tree = Apply(function, Letter(own.letter))
+    if own.function == function:
+        value, line = own.value, own.line
+    else:
+        at = {"tan": sp.atan, "cos": sp.acos, "sin": sp.asin}[own.function](own.value)
+        if own.function == "tan" and _sign_of_tangent(scene, own) < 0:
+            at += sp.pi
+        value = tidy({"tan": sp.tan, "cos": sp.cos, "sin": sp.sin}[function](at))
+        relation = Relation(((Link(tree, "=", tree_of(value)),),))
+        if not scene.judge.follows(Move("triangle"), (own.line, own.extent), relation):
+            raise NotPlannedError(f"the {function} by another ratio")
+        line = scene.desk.write(Move("triangle"), (own.line, own.extent), relation)
+    return line, chain(tree, (tree_of(value), None))
+
+
+def _ratio(scene: Scene, asked: Quantity, wanted: str | None = None) -> Ratio | int:
+    match asked:
+        case Quantity("deflection", (Name(body),), int(event)):
+            return _deflection(scene, body, event, asked, wanted)
+        case Quantity("angle", (Quantity("velocity"), Quantity("velocity"))):
+            return _between(scene, asked, wanted)
+        case Quantity("angle", (first, _)) if not is_moving(first):
+            return _between_lines(scene, asked)
+        case Quantity("angle"):
+            try:
+                return _to_a_line(scene, asked)
+            except NotPlannedError:
+                if not isinstance(asked.arguments[1], Name):
+                    raise
+            return _between_lines(scene, asked)
+        case Quantity("direction", (Name(),), int()):
+            return direction_ratio(scene, asked, wanted)
+    raise NotPlannedError(f"no way to the {asked.kind}")
+
+
+def write_decimal(scene: Scene, line: int) -> tuple[int, Relation]:
+    """The line again in figures, where it says a number that needs them, and the answer."""
+    own = scene.desk.last_link(line)
+    answer = Relation((((Link(own.left, "=", own.right),)),))
+    value = scene.scalar(own.right)
+    if value.free_symbols or _in_degrees(own.right):
+        return line, answer
+    rounded = _rounded(value * 180 / sp.pi)
+    answer = Relation(((Link(own.left, "≈", rounded),),))
+    return scene.desk.write(Move("value"), (line,), answer), answer
+
+
+def _in_degrees(tree: Expression) -> bool:
+    return isinstance(tree, Degrees) or (
+        isinstance(tree, Negate) and isinstance(tree.operand, Degrees)
+    )
+
+
+def _rounded(degrees: Any) -> Expression:
+    """An angle to three figures."""
+    number = Fraction(str(exact.significant(degrees, _FIGURES)).replace("−", "-"))
+    return Negate(Degrees(-number)) if number < 0 else Degrees(number)
+
+
+# --- ratios ------------------------------------------------------------------------------------
+
+
+def _angle_of(own: Ratio) -> Expression:
+    """The angle of a ratio, of up to 180°."""
+    value = own.value
+    if own.function == "tan" and not value.free_symbols and value < 0:
+        straight = Degrees(Fraction(180))
+        size = in_degrees_of(sp.atan(-value), -value)
+        if isinstance(size, Degrees):
+            return Degrees(straight.value - size.value)
+        return difference(straight, size)
+    if own.function == "tan" and value.func is sp.tan and value.args[0].is_Symbol:
+        return tree_of(value.args[0])
+    if own.function == "tan" and (1 / value).func is sp.tan and (1 / value).args[0].is_Symbol:
+        return difference(Degrees(Fraction(90)), tree_of((1 / value).args[0]))
+    return in_degrees_of({"tan": sp.atan, "cos": sp.acos}[own.function](value), value)
+
+
+def _to_a_line(scene: Scene, asked: Quantity) -> Ratio:
+    """The angle to a wall, to the line of centres, or to **i** or **j**."""
+    own = formula(scene, asked)
+    if own.move.record == "scalar-angle":
+        letter, meaning = letter_of(scene, asked)
+        refs = together((meaning,), own.refs)
+        line = ratio_line(scene, own.move, refs, Apply("cos", Letter(letter)), own.right, own.value)
+        return Ratio(line, letter, "cos", own.value, RANGES["deflection"].format(letter))
+    move = Move("define", "tan", own.move.event, own.move.bodies)
+    line, letter = tangent_line(scene, asked, own, move)
+    to_i_or_j = isinstance(asked.arguments[1], Unit)
+    extent = RANGES["deflection"] if to_i_or_j else "0° <= {} <= 90°"
+    return Ratio(line, letter, "tan", own.value, extent.format(letter))
+
+
+def _between(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int:
+    """The angle between two velocities, by their tangents or their scalar product."""
+    pair = [body_and_stage(scene, argument) for argument in asked.arguments]
+    in_numbers = all(_is_vector_in_numbers(scene, body) for body, _ in pair)
+    in_numbers |= stand_as_vectors(scene, pair)
+    turned = _by_turn(scene, asked, wanted) if wanted != "cos" and not in_numbers else None
+    if turned is None and wanted == "tan":
+        turned = _by_turn(scene, asked, wanted)
+    if turned is not None:
+        return turned
+    if wanted == "tan" or (wanted is None and not in_numbers):
+        try:
+            own = formula(scene, asked)
+        except NotPlannedError:
+            pass
+        else:
+            if own.move.record == "tan" and not _is_right_angle(scene, own):
+                line, letter = tangent_line(scene, asked, own, own.move)
+                return Ratio(line, letter, "tan", own.value, RANGES["deflection"].format(letter))
+    sources = [whole_velocity(scene, *each) for each in pair]
+    event = max(stage for _, stage in pair) or None
+    bodies = tuple(dict.fromkeys(body for body, _ in pair))
+    move = Move("define", "scalar-angle", event, bodies)
+    return _by_scalar(scene, move, sources, asked)
+
+
+def _is_vector_in_numbers(scene: Scene, body: str) -> bool:
+    """Whether a velocity at the start is given as a vector of numbers with **i** and **j**."""
+    fact = scene.facts.get(f"velocity {body}")
+    if fact is None or isinstance(fact.relation.only[0].right, Polar):
+        return False
+    return not any(each.free_symbols for each in scene.initial(body).value)
+
+
+def _is_right_angle(scene: Scene, own: Formula) -> bool:
+    """Whether what stands below in a tangent vanishes, or the angle is none."""
+    return bool(own.value.is_number and (own.value.is_infinite or own.value == 0))
+
+
+def _between_lines(scene: Scene, asked: Quantity) -> Ratio:
+    """The angle between directions of the plane, walls and lines of centres, by their product."""
+    own = angle_of_lines(scene, asked)
+    letter, meaning = letter_of(scene, asked)
+    refs = together((meaning,), own.refs)
+    line = ratio_line(scene, own.move, refs, Apply("cos", Letter(letter)), own.right, own.value)
+    to_a_line = any(map(is_line, asked.arguments))
+    extent = "0° <= {} <= 90°" if to_a_line else RANGES["deflection"]
+    return Ratio(line, letter, "cos", own.value, extent.format(letter))
+
+
+def _by_scalar(
+    scene: Scene,
+    move: Move,
+    sources: list[Source],
+    asked: Quantity,
+    sizes: tuple[Expression | None, Expression | None] = (None, None),
+) -> Ratio | int:
+    """An angle between two vectors that are known, by their scalar product.
+
+    ``sizes`` are those of the vectors, where they are known too.
+    """
+    a, b = (source.value for source in sources)
+    pairs = [(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)]
+    right, value = cosine_of(pairs, a, b, sizes)
+    if is_long(right) or _has_its_product(scene, asked):
+        if value == 0 and (line := write_right_angle(scene, asked)) is not None:
+            return line
+        own = _by_cosine(scene, asked)
+        if own is not None:
+            return own
+    letter, meaning = letter_of(scene, asked)
+    refs = together((meaning,), *(source.whole for source in sources))
+    line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
+    return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
+
+
+def _has_its_product(scene: Scene, asked: Quantity) -> bool:
+    """Whether a line gives the scalar product of the velocities of an angle."""
+    pair = asked.arguments
+    products = (Quantity("dot", each) for each in (pair, pair[::-1]) if len(each) == 2)
+    return any(scene.desk.known(each) is not None for each in products)
+
+
+# --- deflections -------------------------------------------------------------------------------
+
+
+def _deflection(
+    scene: Scene, body: str, event: int, asked: Quantity, wanted: str | None
+) -> Ratio | int:
+    """The cosine or tangent of a deflection; the line of one that is made of two angles."""
+    if event not in scene.model.frames:
+        return _turned_by_a_blow(scene, body, event, asked)
+    square = write_right_angle(scene, asked, by_squares=True) if wanted is None else None
+    if square is not None:
+        return square
+    frame = scene.frame(event)
+    early, late = (
+        tuple(in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))
+        for stage in (event - 1, event)
+    )
+    names = together(frame.names_axis("along"), frame.names_axis("across"))
+    refs = together(*(each.whole for each in (*early, *late)), names)
+    a, b = (Vector(*(each.value for each in own)) for own in (early, late))
+    dot, cross = tidy(expanded(a.dot(b))), tidy(expanded(a.cross(b)))
+    if wanted is None and scene.model.identically_zero(cross):
+        straight = _by_turn(scene, asked, wanted)
+        if straight is not None:
+            return straight
+    square_ = scene.model.identically_zero(dot)
+    if square_ and wanted is None:
+        line = write_right_angle(scene, asked)
+        if line is not None:
+            return line
+    if wanted == "cos" and frame.wall is None:
+        own_ratio = _by_cosine(scene, asked)
+        if own_ratio is not None:
+            return own_ratio
+    if square_ or wanted == "cos" or scene.model.identically_zero(cross):
+        if frame.wall is not None:
+            refs = together(*(each.refs for each in (*early, *late)))
+        pairs = [(tree_of(p.value), tree_of(q.value)) for p, q in zip(early, late, strict=True)]
+        sizes = [size_that_stands(scene, body, stage) for stage in (event - 1, event)]
+        right, value = cosine_of(pairs, a, b, sizes)
+        if wanted != "cos":
+            value = sp.Integer(scene.model.sign(value))
+        letter, meaning = letter_of(scene, asked)
+        move = Move("define", "scalar-angle", event, (body,))
+        refs = together((meaning,), refs, *(_own_size(scene, each) for each in (a, b)))
+        line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
+        return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
+    if wanted != "cos" and (frame.is_slanted or early[0].value == 0):
+        from_axis = _from_an_axis(scene, body, event, asked)
+        if from_axis is not None:
+            return from_axis
+    both = [(body, event - 1), (body, event)]
+    if wanted is None and stand_as_vectors(scene, both):
+        sources = [whole_velocity(scene, *each) for each in both]
+        return _by_scalar(scene, Move("define", "scalar-angle", event, (body,)), sources, asked)
+    if frame.wall is not None and wanted is None:
+        return _by_sum(scene, asked)
+    if frame.wall is not None and wanted == "tan":
+        number = tangent_at_a_wall(scene, asked, frame)
+        if number is not None:
+            letter, _ = letter_of(scene, asked)
+            value = tidy(scene.scalar(scene.desk.last_link(number).right))
+            return Ratio(number, letter, "tan", value, RANGES["deflection"].format(letter))
+    if (
+        wanted != "tan"
+        and _vectors_in_numbers(scene, body, event, a, b)
+        and not _is_nested(dot**2 / (dot**2 + cross**2))
+    ):
+        sources = [velocity_source(scene, body, stage) for stage in (event - 1, event)]
+        move = Move("define", "scalar-angle", event, (body,))
+        return _by_scalar(scene, move, sources, asked)
+    turned = _by_turn(scene, asked, wanted)
+    if turned is not None:
+        return turned
+    own = formula(scene, asked)
+    line, letter = tangent_line(scene, asked, own, own.move)
+    return Ratio(line, letter, "tan", own.value, RANGES["deflection"].format(letter))
+
+
+def _from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio | None:
+    """The tangent of a deflection of a body that came along **i** or **j**, by its velocity after.
+
+    That is a vector, or has components along and across a line of centres at right angles to which
+    the body came. None of another, and where the tangent has letters.
+    """
+    early = in_the_plane(scene, body, event - 1)
+    axis = next((n for n in (0, 1) if early[1 - n].value == 0 != early[n].value), None)
+    if axis is None:
+        return None
+    known = scene.desk.known(Quantity("velocity", (Name(body),), event))
+    if scene.frame(event).is_slanted and known is not None and isinstance(known.value, Vector):
+        late, rest = known.value, known.refs
+    elif not scene.frame(event).is_slanted and scene.frame(event).n[axis] == 0:
+        components = in_the_plane(scene, body, event)
+        late = Vector(*(each.value for each in components))
+        rest = together(*(each.whole for each in components))
+    else:
+        return None
+    ahead, aside = late[axis], late[1 - axis]
+    if scene.model.sign(early[axis].value) < 0:
+        ahead = -ahead
+    if scene.model.sign(aside) < 0:
+        aside = -aside
+    value = tidy(aside / ahead)
+    if not value.is_number:
+        return None
+    letter, meaning = letter_of(scene, asked)
+    move = Move("define", "tan-from-axis", event, (body,))
+    subject, right = (
+        Apply("tan", Letter(letter)),
+        swept(Binary("/", tree_of(aside), tree_of(ahead))),
+    )
+    whole = together((meaning,), rest, *(each.whole for each in early))
+    refs = scene.judge.needed(move, whole, chain(subject, (right, None)))
+    if refs is None:
+        return None
+    line = ratio_line(scene, move, refs, subject, right, value)
+    return Ratio(line, letter, "tan", value, RANGES["deflection"].format(letter))
+
+
+def _turned_by_a_blow(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio | int:
+    """The angle between the velocities before and after a blow; a speed that is given is one."""
+    early = velocity_source(scene, body, event - 1)
+    late = known_vector(scene, body, event) or velocity_source(scene, body, event)
+    speed = known_speed(scene, body, event)
+    move = Move("define", "scalar-angle", event, (body,))
+    plain = speed is not None and sp.sympify(speed.value, strict=True).is_Rational
+    sizes = (None, tree_of(speed.value) if speed is not None and plain else None)
+    return _by_scalar(scene, move, [early, late], asked, sizes)
+
+
+def _by_cosine(scene: Scene, asked: Quantity) -> Ratio | None:
+    """The cosine of an angle between two velocities by lines for their product and both speeds."""
+    line = write_cosine(scene, asked)
+    if line is None:
+        return None
+    letter, _ = letter_of(scene, asked)
+    value = tidy(scene.scalar(scene.desk.last_link(line).right))
+    return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
+
+
+def _by_turn(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int | None:
+    """An angle of two to the line of centres: its line in numbers, in letters its tangent."""
+    mark = scene.desk.mark()
+    for turn in turns_of(scene, asked):
+        line = write_turn(scene, turn, angle_line) if wanted is None else None
+        if line is not None:
+            return line
+        letter, _ = letter_of(scene, asked)
+        line = write_turn_tangent(scene, turn, Letter(letter))
+        if line is not None:
+            value = tidy(scene.scalar(scene.desk.last_link(line).right))
+            if wanted is not None or scene.model.proved_sign(scene.model.in_data(value)):
+                break
+            # Its tangent does not tell whether it is obtuse: the angles themselves do.
+            scene.desk.back(mark)
+            line = write_turn(scene, turn, angle_line, in_letters=True)
+            if line is not None:
+                return line
+        scene.desk.back(mark)
+    else:
+        return None
+    return Ratio(line, letter, "tan", value, RANGES["deflection"].format(letter))
+
+
+def _is_nested(square_: sp.Expr) -> bool:
+    """Whether the square of a cosine has a root in it: the tangent is plainer then."""
+    return not tidy(square_).is_Rational
+
+
+def _own_size(scene: Scene, vector: Vector) -> tuple[Ref, ...]:
+    """What has to be known for the only component of a vector to be its size."""
+    parts = [each for each in vector if each != 0]
+    return sign_known(scene, parts[0]) if len(parts) == 1 else ()
+
+
+def _vectors_in_numbers(scene: Scene, body: str, event: int, a: Vector, b: Vector) -> bool:
+    """Whether both velocities are vectors of numbers with **i** and **j**."""
+    if any(sp.sympify(each, strict=True).free_symbols for each in (*a, *b)):
+        return False
+    fact = scene.facts.get(f"velocity {body}")
+    if scene.last_event(body, event - 1) or fact is None:
+        return False
+    return not any(isinstance(each, Polar) for each in (fact.relation.only[0].right,))
+
+
+def _by_sum(scene: Scene, asked: Quantity) -> int:
+    """At a wall the angles to it before and after, added."""
+    body, event = asked.arguments[0].name, asked.stage  # type: ignore[union-attr]
+    assert isinstance(event, int)
+    frame = scene.frame(event)
+    assert frame.wall is not None
+    if (alone := _left_along_the_wall(scene, asked, frame)) is not None:
+        return alone
+    terms: list[Expression] = []
+    refs: list[Ref] = []
+    total_: Any = 0
+    for stage in (event - 1, event):
+        velocity = Quantity("velocity", (Name(body),), scene.last_event(body, stage))
+        quantity = Quantity("angle", (velocity, Name(frame.wall)))
+        given = _given_angle(scene, velocity, frame.wall)
+        if given is not None:
+            given = _by_its_ratio(scene, given)
+            terms.append(tree_of(given.value, angle=True))
+            refs += given.refs
+            total_ += given.value
+            continue
+        line = angle_line(scene, quantity)
+        own = scene.desk.last_link(line)
+        value = scene.scalar(own.right)
+        total_ += value
+        terms.append(own.right)
+        refs += [line, letter_of(scene, quantity)[1]]
+    right = total(terms)
+    value = exact.tidy_angle(total_)
+    tree = tree_of(value, angle=True, as_it_is=True)
+    if value.has(sp.atan) and not value.free_symbols:
+        tree = product(TWO, terms[0]) if terms[0] == terms[1] else right
+    return scene.desk.write(
+        Move("define", "sum", event, (body,)),
+        together(refs),
+        chain(asked, (right, None), (tree, "rearrange")),
+    )
+
+
+def _left_along_the_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | None:
+    """The deflection of a body that goes on along the wall: the angle to that before."""
+    (body,) = asked.arguments
+    assert isinstance(body, Name)
+    assert frame.wall is not None
+    late = in_direction(scene, "along", body.name, frame.number, frame)
+    early = Quantity("velocity", (body,), scene.last_event(body.name, frame.number - 1))
+    if late.value != 0:
+        return None
+    angle = _given_angle(scene, early, frame.wall)
+    if angle is None:
+        line = angle_line(scene, Quantity("angle", (early, Name(frame.wall))))
+        named = letter_of(scene, Quantity("angle", (early, Name(frame.wall))))[1]
+        own, refs = scene.desk.last_link(line).right, together((line, named))
+    else:
+        own, refs = tree_of(angle.value, angle=True), angle.refs
+    sides = [in_direction(scene, "across", body.name, frame.number - n, frame) for n in (0, 1)]
+    pool = together(refs, late.whole, *(side.whole for side in sides), frame.refs)
+    move, relation = (
+        Move("define", "difference", frame.number, (body.name,)),
+        chain(asked, (own, None)),
+    )
+    premises = scene.judge.needed(move, pool, relation)
+    return None if premises is None else scene.desk.write(move, premises, relation)
+
+
+def _by_its_ratio(scene: Scene, given: Source) -> Source:
+    """An angle of which a ratio is given, by the inverse of that."""
+    if str(given.value) not in scene.ratio_facts:
+        return given
+    line = inverse_of_data(scene, str(given.value))
+    value = scene.scalar(scene.desk.last_link(line).right)
+    return Source(value, together(given.refs, (line,)))
+
+
+def _given_angle(scene: Scene, velocity: Quantity, wall: str) -> Source | None:
+    """The angle to a wall at which a velocity is given."""
+    if velocity.stage:
+        own = given_angle(scene, Quantity("angle", (velocity, Name(wall))))
+        if own is None:
+            return None
+        value, more = scene.put(scene.scalar(own[0]))
+        return Source(value, together(own[1], more))
+    (body,) = velocity.arguments
+    assert isinstance(body, Name)
+    fact = scene.facts.get(f"velocity {body.name}")
+    given, line = None, scene.facts.get(f"wall {wall}")
+    refs = [f"velocity {body.name}"]
+    match fact.relation.only[0].right if fact is not None else None:
+        case Polar(_, angle, wall=Name(name)) if name == wall:
+            given = angle
+        case _ if line is not None:
+            given = angle_to_a_line(scene, body.name, line.relation.only[0].right)
+            refs.append(line.id)
+    if given is None:
+        return None
+    value, more = scene.put(scene.scalar(given))
+    return Source(value, together(refs, more))
+
+
+__all__ = ["angle_line", "is_angle", "write_angle", "write_decimal", "write_ratio"]

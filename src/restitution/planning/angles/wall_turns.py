@@ -1,0 +1,222 @@
+"""Deflections at a wall: the angles of the path to it before and after, added."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move
+from restitution.explaining.trees import exchanged
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Polar,
+    Quantity,
+    has_quantity,
+    letters,
+)
+from restitution.planning.angles.quantities import formula
+from restitution.planning.angles.turn_lines import Term, by_tangents, term_of_data
+from restitution.planning.formulas.named_angles import letter_of, tangent_line
+from restitution.planning.formulas.turns import Form
+from restitution.planning.writing.angles import angle_to_a_line
+from restitution.planning.writing.desk import chain, together
+from restitution.planning.writing.forms import swept, tree_of
+from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.scene import GivenEquation, Scene
+
+
+def angle_of_approach(scene: Scene, body: str, frame: Frame) -> Letter | Degrees | None:
+    """The angle to a wall at which a body comes, where the data tell it as a letter or in degrees.
+
+    The velocity may be given by that angle, or by one to a direction of the plane.
+    """
+    fact, wall = scene.facts.get(f"velocity {body}"), scene.facts.get(f"wall {frame.wall}")
+    if fact is None or scene.last_event(body, frame.number - 1):
+        return None
+    angle: Expression | None = None
+    match fact.relation.only[0].right:
+        case Polar(_, size, wall=Name(name)) if name == frame.wall:
+            angle = size
+        case Polar(wall=None) if wall is not None:
+            angle = angle_to_a_line(scene, body, wall.relation.only[0].right)
+    return angle if isinstance(angle, Letter | Degrees) else None
+
+
+def data_of_approach(scene: Scene, body: str, frame: Frame) -> tuple[str, ...]:
+    """The facts that tell the angle at which a body comes to a wall."""
+    velocity = f"velocity {body}"
+    right = scene.facts[velocity].relation.only[0].right
+    by_the_wall = isinstance(right, Polar) and right.wall is not None
+    return (velocity,) if by_the_wall else (velocity, f"wall {frame.wall}")
+
+
+def tangent_at_a_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | None:
+    """The tangent of a deflection from those of the angles to the wall; None where they are none.
+
+    The last line is ``tan(δ) = … = …``, with a letter for the deflection.
+    """
+    mark = scene.desk.mark()
+    own = sum_at_a_wall(scene, asked, frame)
+    if own is None:
+        return None
+    turned, _ = letter_of(scene, asked)
+    number = by_tangents(scene, own[0], "sum", own[1], Apply("tan", Letter(turned)))
+    if number is None:
+        scene.desk.back(mark)
+    return number
+
+
+def sum_at_a_wall(
+    scene: Scene, asked: Quantity, frame: Frame
+) -> tuple[int, tuple[Term, Term]] | None:
+    """The line that adds the angles to a wall before and after, with their tangents.
+
+    None where the angle before is not given as a letter or in degrees.
+    """
+    (name,) = asked.arguments
+    assert isinstance(name, Name)
+    angle = angle_of_approach(scene, name.name, frame)
+    if angle is None or frame.wall is None:
+        return None
+    velocity = Quantity("velocity", (name,), frame.number)
+    after = Quantity("angle", (velocity, Name(frame.wall)))
+    own = formula(scene, after)
+    line, letter = tangent_line(scene, after, own, own.move)
+    turned, meaning = letter_of(scene, asked)
+    _, meant = letter_of(scene, after)
+    number = scene.desk.write(
+        Move("define", "sum", frame.number, (name.name,)),
+        together(data_of_approach(scene, name.name, frame), (meant, meaning)),
+        chain(Letter(turned), (Binary("+", angle, Letter(letter)), None)),
+    )
+    value = scene.desk.last_link(line).right
+    return number, (term_of_data(scene, angle), Term(Letter(letter), value, (line,)))
+
+
+def given_at_a_wall(
+    scene: Scene, each: GivenEquation, body: str, frame: Frame, turned: sp.Expr
+) -> int | None:
+    """At a wall the angles to it before and after make the deflection: an equation in tangents.
+
+    None where the angle at which the body comes is not given as one to the wall, or is no letter
+    and no number of degrees.
+    """
+    event = frame.number
+    angle = angle_of_approach(scene, body, frame)
+    if angle is None or turned.free_symbols:
+        return None
+    assert frame.wall is not None
+    wall, data = frame.wall, data_of_approach(scene, body, frame)
+    after = Quantity("angle", (Quantity("velocity", (Name(body),), event), Name(wall)))
+    move = Move("define", "sum", event, (body,))
+    mark = scene.desk.mark()
+    letter, meaning = letter_of(scene, after)
+    own = formula(scene, after)
+    cited = together(each.refs, data, (meaning,))
+    if isinstance(angle, Degrees):
+        rest = tidy(turned - scene.scalar(angle))
+        final = tree_of(rest, angle=True)
+        right = Binary("-", each.link.right, angle)
+        relation = chain(Letter(letter), (right, None), (final, "rearrange"))
+        premises = scene.judge.enough(move, cited, relation)
+        if premises is not None:
+            line = scene.desk.write(move, premises, relation)
+            relation = chain(Apply("tan", final), (swept(own.right), None))
+            refs = scene.judge.enough(own.move, (line, meaning, *own.refs), relation)
+            if refs is not None:
+                return scene.desk.write(own.move, refs, relation)
+        scene.desk.back(mark)
+        return None
+    line, _ = tangent_line(scene, after, own, own.move)
+    sides = Binary("+", angle, Letter(letter))
+    relation = chain(sides, (each.link.right, None))
+    premises = scene.judge.enough(move, cited, relation)
+    if premises is not None:
+        number = scene.desk.write(move, premises, relation)
+        value = scene.desk.last_link(line).right
+        terms = (Term(angle, Apply("tan", angle)), Term(Letter(letter), value, (line,)))
+        number_ = by_tangents(scene, number, "sum", terms, tree_of(tidy(sp.tan(turned))))
+        if number_ is not None:
+            return number_
+    scene.desk.back(mark)
+    return None
+
+
+def related_at_a_wall(scene: Scene, each: GivenEquation) -> int | None:
+    """A deflection at a wall, α + β, that is given by these angles: as 2β, or as 2β + 30°.
+
+    So one of the two is the other, or differs from it by a number. The last line is that of their
+    tangents. None where the fact is no such one.
+    """
+    match each.link.left:
+        case Quantity("deflection", (Name(body),), int(event)) if event in scene.model.frames:
+            pass
+        case _:
+            return None
+    frame = scene.frame(event)
+    if frame.wall is None:
+        return None
+    angle = angle_of_approach(scene, body, frame)
+    after = Quantity("angle", (Quantity("velocity", (Name(body),), event), Name(frame.wall)))
+    if not isinstance(angle, Letter):
+        return None
+    more = _excess(scene, each.link.right, angle, after)
+    if more is None:
+        return None
+    mark = scene.desk.mark()
+    own = formula(scene, after)
+    line, name = tangent_line(scene, after, own, own.move)
+    letter, (_, meaning) = Letter(name), letter_of(scene, after)
+    total = chain(Binary("+", angle, letter), (exchanged(each.link.right, {after: letter}), None))
+    move = Move("define", "sum", event, (body,))
+    data = data_of_approach(scene, body, frame)
+    premises = scene.judge.enough(move, together(each.refs, data, (meaning,)), total)
+    number = None
+    if premises is not None:
+        number = scene.desk.write(move, premises, total)
+        number = _by_one_of_them(scene, number, (angle, letter), more, line)
+    if number is None:
+        scene.desk.back(mark)
+    return number
+
+
+def _excess(scene: Scene, right: Expression, angle: Letter, after: Quantity) -> sp.Expr | None:
+    """How much more an angle after is than that before, where both add up to an expression.
+
+    None where that is no number.
+    """
+    before, later = sp.Symbol("before"), sp.Symbol("later")
+    tree = exchanged(right, {after: Letter(later.name), angle: Letter(before.name)})
+    if has_quantity(tree) or letters(tree) - {before.name, later.name}:
+        return None
+    value = scene.worth(tree, {before.name: before, later.name: later})
+    rest = sp.expand(value - before - later)
+    either = (sp.expand(sign * rest + later - before) for sign in (1, -1))
+    return next((more for more in either if more.is_number), None)
+
+
+def _by_one_of_them(
+    scene: Scene, number: int, angles: tuple[Letter, Letter], more: sp.Expr, line: int
+) -> int | None:
+    """The tangents of both angles, of which a line gives the sum and ``more`` is the difference."""
+    (before, after), value = angles, scene.desk.last_link(line).right
+    size = tree_of(tidy(abs(more)), angle=True)
+    plus = bool(more > 0)
+    right = before if more == 0 else Binary("+" if plus else "-", before, size)
+    relation = chain(after, (right, None))
+    if not scene.judge.follows(Move("rearrange"), (number,), relation):
+        return None
+    number = scene.desk.write(Move("rearrange"), (number,), relation)
+    if more == 0:
+        tangents = chain(Apply("tan", before), (value, None))
+        if scene.judge.follows(Move("put"), (line, number), tangents):
+            return scene.desk.write(Move("put"), (line, number), tangents)
+        return None
+    terms = Term(before, Apply("tan", before)), term_of_data(scene, size)
+    form: Form = "sum" if plus else "difference"
+    return by_tangents(scene, number, form, terms, Apply("tan", after), (value, (line,)))

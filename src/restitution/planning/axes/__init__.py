@@ -1,0 +1,1 @@
+"""Lines of centres and walls whose direction is worked out."""

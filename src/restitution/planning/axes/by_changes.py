@@ -1,0 +1,359 @@
+"""Lines of centres, and walls, whose direction is worked out: by an impulse or a change."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import Any, Literal
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Name,
+    Negate,
+    Polar,
+    Quantity,
+    walk,
+)
+from restitution.planning.axes.offsets import frame_by_offset
+from restitution.planning.axes.radii import frame_by_places, is_by_places
+from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
+from restitution.planning.writing.either_side import frame_on_one_side, write_sides
+from restitution.planning.writing.forms import product, total, tree_of, vector
+from restitution.planning.writing.frames import Frame, frame_of
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import GivenEquation, Scene
+from restitution.planning.writing.unit_vectors import plain_direction, whole_direction
+from restitution.planning.writing.vectors import velocity_given
+from restitution.vector import Vector
+
+
+def frame_at(scene: Scene, number: int) -> Frame:
+    """The frame of an impact; where its line is worked out, with the line that finds it.
+
+    Raises NotPlannedError where no impulse and no change of a velocity is known.
+    """
+    own = scene.model.frames.get(number)
+    if own is not None and is_by_places(scene, number):
+        return frame_by_places(scene, number, own)
+    if own is None:
+        return frame_of(scene.model, scene.facts, number)
+    if f"axis {number}" in scene.facts:
+        if number in scene.desk.paths:
+            return frame_by_offset(scene, number)
+        return _beside_the_path(scene, number)
+    if (sided := frame_on_one_side(scene, number)) is not None:
+        return sided
+    if own.angle is not None or not all(each.is_number for each in own.n):
+        raise NotPlannedError(f"the line of centres of event {number} is to be worked out")
+    for writer in _WAYS:
+        line = writer(scene, number)
+        if line is not None:
+            n = -own.n if own.wall is not None else own.n
+            number_ = _plainly(scene, number, line, n)
+            centres = Quantity("line_of_centres", (), number)
+            refs = (number_,)
+            sign = 1 if scene.model.sign(n.dot(own.n)) > 0 else -1
+            return Frame(number, own.wall, centres, None, n, n.turned_left(), refs, sign)
+    raise NotPlannedError(f"the line of centres of event {number} is to be worked out")
+
+
+def _beside_the_path(scene: Scene, number: int) -> Frame:
+    """The frame of the data; where it is told by an offset, the line of centres is a line first."""
+    frame = frame_of(scene.model, scene.facts, number)
+    match scene.facts[f"axis {number}"].relation.only:
+        case (Link(_, "=", Polar(_, Apply("arcsin"))),):
+            return replace(frame, write=lambda: (write_axis(scene, number),))
+    return frame
+
+
+def _plainly(scene: Scene, number: int, line: int, n: Vector) -> int:
+    """The direction by a vector of whole numbers, where there is one."""
+    centres = Quantity("line_of_centres", (), number)
+    tree = vector(*map(tree_of, plain_direction(n)))
+    relation = Relation(((Link(centres, "parallel to", tree),),))
+    if scene.desk.relation(line) == relation:
+        return line
+    return scene.desk.write(Move("rearrange"), (line,), relation)
+
+
+# --- ways --------------------------------------------------------------------------------------
+
+
+def _by_impulse(scene: Scene, number: int) -> int | None:
+    """An impulse that is given as a vector, or as parallel to one."""
+    for each in scene.given:
+        match each.link:
+            case Link(Quantity("impulse", (Name(body),), event), "=" | "parallel to", right):
+                if event == number:
+                    return _parallel(scene, "across-the-impulse", number, body, (each,), right)
+    return None
+
+
+def _by_change(scene: Scene, number: int) -> int | None:
+    """A velocity that is known before and after."""
+    for body in scene.spheres(number):
+        late = velocity_given(scene, body, number)
+        if late is None:
+            continue
+        fact = scene.facts.get(f"velocity {body}")
+        if fact is None or scene.last_event(body, number - 1):
+            continue
+        early = fact.relation.only[0].right
+        source = scene.initial(body)
+        if any(scene.unknown(each) for each in (*source.value, *late[1])):
+            continue
+        value = scene.model.story.evaluator(scene.events).vector(early)
+        change: Expression = late[0]
+        if any(value):
+            change = Binary("-", late[0], early)
+        refs = together(source.refs, late[2])
+        return _write(scene, "along-the-change", number, body, refs, change)
+    return None
+
+
+def _by_who_rested(scene: Scene, number: int) -> int | None:
+    """The direction after the impact of a sphere that was at rest: it moves off along the line."""
+    for body in scene.spheres(number):
+        if scene.last_event(body, number - 1) or f"velocity {body}" not in scene.facts:
+            continue
+        source = scene.initial(body)
+        velocity = Quantity("velocity", (Name(body),), number)
+        if any(source.value):
+            continue
+        for each in scene.given:
+            match each.link:
+                case Link(Quantity("direction", (Name(name),), event), "=", angle) if (
+                    name == body and event == number
+                ):
+                    turn = scene.scalar(angle)
+                    right: Any = Vector(tidy(sp.cos(turn)), tidy(sp.sin(turn)))
+                    more: tuple[Ref, ...] = ()
+                case Link(left, "parallel to" | "perpendicular to", other) if velocity in (
+                    left,
+                    other,
+                ):
+                    known = _direction(scene, other if left == velocity else left)
+                    if known is None:
+                        continue
+                    right, more = known.value, known.refs
+                case _:
+                    continue
+            refs = together(source.refs, (each.fact.id,), more)
+            tree = tree_of(tuple(map(tidy, plain_direction(right))))
+            sign: Literal["parallel to", "perpendicular to"] = "parallel to"
+            if each.link.sign == "perpendicular to":
+                sign = "perpendicular to"
+            return _write(scene, "along-the-change", number, body, refs, tree, sign)
+    return None
+
+
+def _direction(scene: Scene, tree: Expression) -> Source | None:
+    """A direction of the plane, or that of a velocity that is known; None of any other."""
+    match tree:
+        case Quantity("velocity", (Name(body),), int(stage)):
+            velocity = Quantity("velocity", (Name(body),), scene.last_event(body, stage))
+            known = scene.desk.known(velocity)
+            if known is None:
+                return None
+            value, refs = scene.put(known.value)
+            return Source(value, together(known.refs, refs))
+    if any(isinstance(node, Quantity) for node in walk(tree)):
+        return None
+    return Source(scene.model.story.direction(tree, scene.events), ())
+
+
+def _parallel(
+    scene: Scene,
+    record: str,
+    number: int,
+    body: str,
+    given: Iterable[GivenEquation],
+    right: Expression,
+) -> int:
+    refs = together(each.fact.id for each in given)
+    value = scene.value(right)
+    if not isinstance(value, Vector):
+        raise NotPlannedError("an impulse along a direction at an angle")
+    return _write(scene, record, number, body, refs, right)
+
+
+def _write(
+    scene: Scene,
+    record: str,
+    number: int,
+    body: str,
+    refs: Iterable[Ref],
+    right: Expression,
+    sign: Literal["parallel to", "perpendicular to"] = "parallel to",
+) -> int:
+    centres = Quantity("line_of_centres", (), number)
+    return scene.desk.write(
+        Move("law", record, number, (body,)), refs, Relation(((Link(centres, sign, right),),))
+    )
+
+
+_WAYS: tuple[Callable[[Scene, int], int | None], ...] = (
+    _by_impulse,
+    _by_who_rested,
+    _by_change,
+)
+
+
+def write_wall(scene: Scene, wall: str) -> int:
+    """The direction of a wall that is found: perpendicular to the line of the impulse."""
+    number = next((n for n, each in scene.model.frames.items() if each.wall == wall), None)
+    if number is None or f"axis {number}" in scene.facts:
+        raise NotPlannedError("the direction of a wall of the data")
+    if (sides := write_sides(scene, number)) is not None:
+        return sides
+    frame = scene.frame(number)
+    direction = Quantity("direction", (Name(wall),))
+    (body,) = scene.spheres(number)
+    known = scene.desk.known(Quantity("line_of_centres", (), number))
+    normal = whole_direction(frame.n)[0] if known is None else known.value
+    line = scene.desk.write(
+        Move("law", "wall-direction", number, (body,)),
+        frame.refs,
+        Relation(((Link(direction, "perpendicular to", vector(*map(tree_of, normal))),),)),
+        "silent" if any(isinstance(ref, int) for ref in frame.refs) else "line",
+    )
+    along = whole_direction(frame.t)[0] if known is None else normal.turned_left()
+    if scene.model.sign(along.x) < 0:
+        along = -along
+    return scene.desk.write(
+        Move("rearrange"),
+        (line,),
+        Relation(((Link(direction, "parallel to", vector(*map(tree_of, along))),),)),
+    )
+
+
+def write_axis(scene: Scene, number: int) -> int:
+    """A line of centres of the data as a line, from the first sphere to the second, or to the wall.
+
+    Raises NotPlannedError where the statement gives its direction in the other sense.
+    """
+    fact = scene.facts.get(f"axis {number}")
+    if fact is None:
+        raise NotPlannedError("a line of centres that is not given")
+    centres = Quantity("line_of_centres", (), number)
+    own, refs = scene.put(scene.vector(centres))
+    link = fact.relation.only[0]
+    if link.sign == "=":
+        given = scene.vector(link.right)
+        if scene.model.sign(given.dot(own)) < 0:
+            raise NotPlannedError("a line of centres that is given in the other sense")
+        move = Move("fact")
+    else:
+        own, _ = whole_direction(own)
+        move = Move("rearrange")
+    final = tree_of(tuple(map(tidy, own)))
+    relation = Relation(((Link(centres, link.sign, final),),))
+    if (turned := _turned_from_the_path(scene, link.right)) is not None:
+        relation = chain(centres, (turned, None), (final, "rearrange"))
+    premises = together((fact.id,), refs)
+    names = {each.name for x in own for each in sp.sympify(x, strict=True).free_symbols}
+    enough = scene.judge.enough(move, premises, relation, background(scene, names))
+    return scene.desk.write(move, premises if enough is None else enough, relation)
+
+
+def _turned_from_the_path(scene: Scene, given: Expression) -> Expression | None:
+    """A line of centres by an offset as the direction of a slanting path, turned by an angle.
+
+    That is its cosine times one unit vector and its sine times the other. None of a path along
+    **i** or **j**, or with letters.
+    """
+    match given:
+        case Polar(_, Apply("arcsin", sine), path) if path is not None:
+            turn, direction = tidy(sp.asin(scene.scalar(sine))), scene.vector(path)
+        case _:
+            return None
+    whole, length = whole_direction(direction)
+    if turn == 0 or turn.free_symbols or not all(whole) or any(x.free_symbols for x in whole):
+        return None
+    angle = tree_of(turn, angle=True)
+    ratios: list[Expression] = [Apply(name, angle) for name in ("cos", "sin")]
+    if not (turn / sp.pi).is_Rational:
+        ratios = [tree_of(tidy(ratio(turn))) for ratio in (sp.cos, sp.sin)]
+    units = (tree_of(whole), tree_of(whole.turned_left()))
+    return total(
+        product(ratio, Binary("/", unit, tree_of(length)))
+        for ratio, unit in zip(ratios, units, strict=True)
+    )
+
+
+# --- impulses that are given --------------------------------------------------------------------
+
+
+def take_impulse(scene: Scene, given: GivenEquation) -> None:
+    """The velocity after an impulse that is given as a vector: impulse = change of momentum."""
+    match given.link:
+        case Link(Quantity("impulse", (Name(body),), int(event)), "=", right):
+            _take(scene, body, event, right, given.refs)
+        case _:
+            raise NotPlannedError("no impulse of a body")
+
+
+def take_opposite(scene: Scene, given: GivenEquation) -> str | None:
+    """The same of the other sphere, on which the impulse is equal and opposite: which one that is.
+
+    None where nothing is written, as its mass is open, or its velocity before is not of the data.
+    """
+    match given.link:
+        case Link(Quantity("impulse", (Name(body),), int(event)), "=", right):
+            others = [sphere for sphere in scene.spheres(event) if sphere != body]
+        case _:
+            return None
+    if len(others) != 1:
+        return None
+    (other,) = others
+    velocity = f"velocity {other}"
+    if scene.last_event(other, event - 1) or velocity not in scene.facts:
+        return None
+    (start,) = scene.facts[velocity].relation.only
+    polar = any(isinstance(node, Polar) for node in walk(start.right))
+    if polar or scene.unknown(scene.mass(other).value):
+        return None
+    opposite = tree_of(tuple(tidy(-each) for each in scene.vector(right)))
+    impulse = right.operand if isinstance(right, Negate) else opposite
+    line = scene.desk.write(
+        Move("law", "opposite-impulses", event, scene.bodies(event)),
+        given.refs,
+        Relation(((Link(Quantity("impulse", (Name(other),), event), "=", impulse),),)),
+    )
+    _take(scene, other, event, impulse, (line,))
+    return other
+
+
+def _take(scene: Scene, body: str, event: int, impulse: Expression, refs: tuple[Ref, ...]) -> None:
+    mass, early = scene.mass(body), scene.initial(body)
+    if scene.last_event(body, event - 1):
+        raise NotPlannedError("an impulse after an earlier event")
+    velocity = Quantity("velocity", (Name(body),), event)
+    if scene.unknown(mass.value):
+        raise NotPlannedError("an impulse on a sphere whose mass is open")
+    push = scene.vector(impulse)
+    late = Vector(*(tidy(u + p / mass.value) for u, p in zip(early.value, push, strict=True)))
+    before = tree_of(early.value)
+    change: Expression = velocity
+    if any(early.value):
+        change = Binary("-", velocity, before)
+        if isinstance(before, Negate):
+            change = Binary("+", velocity, before.operand)
+    line = scene.desk.write(
+        Move("law", "impulse-vector", event, (body,)),
+        together(refs, mass.refs, early.refs),
+        Relation(((Link(impulse, "=", Binary("*", tree_of(mass.value), change)),),)),
+    )
+    line = scene.desk.write(
+        Move("rearrange"), (line,), Relation(((Link(velocity, "=", tree_of(late)),),))
+    )
+    scene.desk.know(velocity, late, (line,))
+
+
+__all__ = ["frame_at", "take_impulse", "take_opposite"]

@@ -1,0 +1,150 @@
+"""A second velocity after an impact, by the momentum of both spheres as vectors."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, Ref
+from restitution.expression.tree import Expression, Letter, Name, Polar, Quantity, walk
+from restitution.planning.axes.by_changes import take_impulse
+from restitution.planning.formulas.definitions import Formula, itself, write_formula
+from restitution.planning.formulas.velocity_formulas import body_and_stage
+from restitution.planning.writing.desk import Source, chain, together
+from restitution.planning.writing.forms import product, swept, total, tree_of
+from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.scene import Scene
+from restitution.vector import Vector
+
+
+def write_by_momentum(scene: Scene, velocity: Quantity) -> bool:
+    """A second velocity after an impact in a slanting direction, by momentum as vectors.
+
+    Nothing is written, and False returned, where the velocities are not vectors that are known.
+    """
+    if not isinstance(velocity.stage, int):
+        return False
+    body, stage = body_and_stage(scene, velocity)
+    own = Quantity("velocity", (Name(body),), stage)
+    if stage not in scene.model.frames or scene.desk.known(own) is not None:
+        return False
+    frame = scene.frame(stage)
+    if frame.wall is not None or 0 in frame.n or not all(each.is_number for each in frame.n):
+        return False
+    component = scene.model.components.get((stage, body))
+    if component is not None and scene.desk.known(Letter(component.symbol.name)) is not None:
+        return False  # it is put together of what stands
+    if not scene.last_event(body, stage - 1) and not any(scene.initial(body).value):
+        return False  # it moves off along the line of centres
+    if _component_is_wanted(scene, body, stage):
+        return False
+    (other,) = (sphere for sphere in scene.spheres(stage) if sphere != body)
+    after = _as_vector(scene, other, stage) or _by_impulse(scene, other, stage)
+    before = [_as_vector(scene, each, stage - 1) for each in scene.bodies(stage)]
+    if after is None or None in before:
+        return False
+    masses = {each: scene.mass(each) for each in (body, other)}
+    whole = [(masses[n], v) for n, v in zip(scene.bodies(stage), before, strict=True) if v]
+    values = [each.value for pair in ((*masses.values(), after), *whole) for each in pair]
+    if any(scene.unknown(x) or scene.put(x)[1] for x in values):
+        return False
+    sums = [
+        sum(m.value * v.value[n] for m, v in whole) - masses[other].value * after.value[n]
+        for n in (0, 1)
+    ]
+    late = Vector(*(tidy(each / masses[body].value) for each in sums))
+    left = total(product(tree_of(m.value), tree_of(v.value)) for m, v in whole if any(v.value))
+    right = total(
+        (
+            product(tree_of(masses[other].value), tree_of(after.value)),
+            product(tree_of(masses[body].value), own),
+        )
+    )
+    refs = together(*(m.refs for m in masses.values()), *(v.refs for _, v in whole), after.refs)
+    move = Move("law", "momentum-vector", stage, scene.bodies(stage))
+    line = scene.desk.write(move, refs, chain(swept(left), (swept(right), None)))
+    line = scene.desk.write(Move("rearrange"), (line,), chain(own, (tree_of(late), None)))
+    scene.desk.know(own, late, (line,))
+    return True
+
+
+def write_total_kept(scene: Scene, momentum: Quantity) -> bool:
+    """The momentum of all spheres after the first impact, by that before, which is data.
+
+    Nothing is written, and False returned, where that impact is no impact of two spheres.
+    """
+    kept = momentum.kind == "momentum" and not momentum.arguments and momentum.stage == 1
+    if not kept or 1 not in scene.model.frames or scene.model.frames[1].wall is not None:
+        return False
+    if scene.desk.known(momentum) is not None:
+        return False
+    refs: list[Ref] = []
+    terms: list[Expression] = []
+    value = Vector(sp.Integer(0), sp.Integer(0))
+    for body in scene.model.story.spheres:
+        early, mass = scene.initial(body), scene.mass(body)
+        moves = any(early.value)
+        if scene.unknown(early.value) or (moves and scene.unknown(mass.value)):
+            return False
+        refs += (*early.refs, *(mass.refs if moves else ()))
+        if moves:
+            terms.append(product(tree_of(mass.value), tree_of(early.value)))
+            value = value + early.value * mass.value
+    whole = Vector(*(tidy(expanded(each)) for each in value))
+    move = Move("law", "momentum-vector", 1, scene.bodies(1))
+    own = Formula(move, itself, momentum, total(terms), whole, together(refs))
+    return scene.judge.follows(move, own.refs, chain(momentum, (swept(own.right), None))) and bool(
+        write_formula(scene, own)
+    )
+
+
+def _component_is_wanted(scene: Scene, body: str, stage: int) -> bool:
+    """Whether the part asks for what the component along the line of centres tells.
+
+    Then that is worked out once, and the velocity is put together of it.
+    """
+    if any(body in scene.bodies(event) for event in range(stage + 1, scene.events + 1)):
+        return True
+    velocity = Quantity("velocity", (Name(body),), stage)
+    for each in scene.asked:
+        match each:
+            case Quantity("energy_lost", (), int(event)) if event == stage:
+                return True
+            case Quantity("total_energy_lost", (), 1) if stage == 1:  # that of the one impact
+                return True
+            case Quantity("along" | "across", (one, _)) if one == velocity:
+                return True
+            case Quantity("angle", (one, Quantity("line_of_centres"))) if one == velocity:
+                return True
+    return False
+
+
+def _by_impulse(scene: Scene, body: str, stage: int) -> Source | None:
+    """A velocity after an impulse on the sphere that is given as a vector."""
+    impulse = Quantity("impulse", (Name(body),), stage)
+    for each in scene.given:
+        if each.link.left != impulse or each.link.sign != "=":
+            continue
+        if scene.unknown(scene.mass(body).value) or scene.last_event(body, stage - 1):
+            return None
+        take_impulse(scene, each)
+        return scene.desk.known(Quantity("velocity", (Name(body),), stage))
+    return None
+
+
+def _as_vector(scene: Scene, body: str, stage: int) -> Source | None:
+    """A velocity that is a vector of the data, of a given fact, or of a line."""
+    last = scene.last_event(body, stage)
+    if not last:
+        (link,) = scene.facts[f"velocity {body}"].relation.only
+        if any(isinstance(node, Polar) for node in walk(link.right)):
+            return None
+        return scene.initial(body)
+    known = scene.desk.known(Quantity("velocity", (Name(body),), last))
+    if known is not None:
+        return known
+    quantity = Quantity("velocity", (Name(body),), last)
+    for each in scene.given:
+        if each.link.sign == "=" and each.link.left == quantity:
+            return Source(scene.vector(each.link.right), (each.fact.id,))
+    return None

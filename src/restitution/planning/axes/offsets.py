@@ -1,0 +1,164 @@
+"""Spheres of which one lies beside the other's path: an angle for the line of centres.
+
+Where the offset is no number of radii, the line of centres has a letter for the acute angle that it
+makes with the path, whose sine is the offset over the distance of the centres. So no root of these
+is carried through the principles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Set as AbstractSet
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Fact, Link, Meaning, Move, Relation
+from restitution.explaining.offset_angles import offset_angle
+from restitution.explaining.trees import trees_of
+from restitution.expression.tree import Apply, Letter, Name, Quantity, letters, walk
+from restitution.planning.formulas.named_angles import free_letter
+from restitution.planning.writing.desk import Desk
+from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.scene import GivenEquation, Scene
+from restitution.solving.letters import roles
+from restitution.solving.solution import Solution
+from restitution.vector import Vector
+
+
+def paths_beside(solution: Solution, desk: Desk) -> dict[int, Vector]:
+    """The paths of impacts whose line of centres gets a letter for its angle with the path.
+
+    That is so where the offset is to be found in radii, both spheres move along the path, and
+    nothing that is given speaks of the line of centres.
+    """
+    fact = next((each for each in desk.facts if each.id == "axis 1"), None)
+    branches = [each for part in solution.parts.values() for each in part.branches]
+    if fact is None or not branches or any(map(_speaks_of_centres, desk.facts)):
+        return {}
+    own = offset_angle(fact.relation.only[0], roles(solution.problem))
+    if own is None or not all(letters(own.sine) & each.values.keys() for each in branches):
+        return {}
+    if any(_is_value_of(fact, letters(own.sine)) for fact in desk.facts):
+        return {}
+    one, other = (branches[0].story.velocity(body, 0) for body in desk.events[0].bodies)
+    size = sp.sqrt(sp.expand(one.dot(one)))
+    path = Vector(*(tidy(each / size) for each in one))
+    if tidy(one.cross(other)) != 0 or not all(each.is_number for each in path):
+        return {}
+    return {1: path}
+
+
+def _is_value_of(fact: Fact, names: AbstractSet[str]) -> bool:
+    """Whether a given fact says what one of some letters is."""
+    match fact.relation.options:
+        case ((Link(Letter(name), "="),),):
+            return fact.kind == "given" and name in names
+    return False
+
+
+def _speaks_of_centres(fact: Fact) -> bool:
+    """Whether a given fact has a line of centres in it."""
+    return fact.kind == "given" and any(
+        isinstance(node, Quantity) and node.kind == "line_of_centres"
+        for tree in trees_of(fact.relation)
+        for node in walk(tree)
+    )
+
+
+def write_angle(scene: Scene, number: int) -> int:
+    """The letter for the angle between a line of centres and the path."""
+    letter = scene.model.frames[number].angle
+    assert letter is not None
+    first = scene.bodies(number)[0]
+    asked = Quantity(
+        "angle",
+        (Quantity("velocity", (Name(first),), 0), Quantity("line_of_centres", (), number)),
+    )
+    return scene.desk.write(Move("let"), (), Meaning(letter.name, asked, angle="acute"))
+
+
+def frame_by_offset(scene: Scene, number: int) -> Frame:
+    """The frame of an impact whose line of centres has a letter for its angle with the path.
+
+    What the offset says of that angle stands before all else.
+    """
+    own = scene.model.frames[number]
+    fact = f"axis {number}"
+    for each in scene.of_offsets:
+        if each.fact.id == fact:
+            write_sine(scene, each)
+    centres = Quantity("line_of_centres", (), number)
+    refs = (write_angle(scene, number), fact)
+    return Frame(number, None, centres, None, own.n, own.t, refs, 1)
+
+
+def given_by_offsets(scene: Scene) -> tuple[GivenEquation, ...]:
+    """What offsets say of the angles that have letters: their sines."""
+    equations = []
+    for number, frame in scene.model.frames.items():
+        fact = scene.facts.get(f"axis {number}")
+        if frame.angle is None or fact is None:
+            continue
+        own = offset_angle(fact.relation.only[0], roles(scene.problem))
+        if own is None:
+            continue
+        sine = tidy(scene.scalar(own.sine))
+        link = Link(Apply("sin", Letter(frame.angle.name)), "=", tree_of(sine))
+        above, below = sp.fraction(sp.cancel(sine))
+        residual = below * sp.sin(frame.angle) - above
+        equations.append(GivenEquation(fact, link, (residual,)))
+    return tuple(equations)
+
+
+def is_sine_of_an_offset(each: GivenEquation) -> bool:
+    """Whether a given equation is the sine of the angle by an offset."""
+    return each.fact.id.partition(" ")[0] == "axis"
+
+
+def write_sine(scene: Scene, each: GivenEquation) -> int:
+    """The sine of the angle between a line of centres and the path, by an offset."""
+    number = int(each.fact.id.partition(" ")[2])
+    premises = (write_angle(scene, number), each.fact.id)
+    return scene.desk.write(
+        Move("define", "scalar-angle", number), premises, Relation(((each.link,),))
+    )
+
+
+def angle_of_an_offset(scene: Scene, asked: Quantity) -> int | None:
+    """The angle of a path with the line of centres, where the words above that line say it.
+
+    That is so where the offset gives it in degrees. None of any other angle.
+    """
+    match asked:
+        case Quantity("angle", (Quantity("velocity", _, 0), Quantity(_, (), int(number)))):
+            fact = scene.facts.get(f"axis {number}")
+        case _:
+            return None
+    link = None if fact is None else fact.relation.only[0]
+    own = None if link is None else offset_angle(link, roles(scene.problem))
+    sine = None if own is None or asked.arguments[1] != own.axis else scene.scalar(own.sine)
+    if sine is None or not (sp.asin(tidy(sine)) / sp.pi).is_Rational:
+        return None
+    assert fact is not None
+    letter = free_letter(scene, "angle")
+    let = scene.desk.write(Move("let"), (), Meaning(letter, asked, angle="acute"), "silent")
+    ratio = scene.desk.write(
+        Move("define", "scalar-angle", number),
+        (let, fact.id),
+        Relation(((Link(Apply("sin", Letter(letter)), "=", tree_of(tidy(sine))),),)),
+        "silent",
+    )
+    value = tree_of(sp.asin(tidy(sine)), angle=True)
+    relation = Relation(((Link(Letter(letter), "=", value),),))
+    return scene.desk.write(Move("inverse"), (ratio, f"acute: {letter}"), relation, "silent")
+
+
+__all__ = [
+    "angle_of_an_offset",
+    "frame_by_offset",
+    "given_by_offsets",
+    "is_sine_of_an_offset",
+    "paths_beside",
+    "write_sine",
+]

@@ -1,0 +1,532 @@
+"""Lines of centres, and walls, that are found with a velocity of which only the direction is known.
+
+The velocity after the impact is a letter times a vector. Where the speed is given, that letter is
+known but for its sign, and so is the change of velocity, which is along the line. Else the law of
+restitution, by scalar products with that change, is an equation for the letter.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import partial
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.definitions import tie_of
+from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity, Unit
+from restitution.oracle.roles import POSITIVE, REAL, Role
+from restitution.planning.closing.shapes import close
+from restitution.planning.formulas.impacts import residual
+from restitution.planning.formulas.named_angles import letters_taken
+from restitution.planning.writing.desk import NotPlannedError, chain, together
+from restitution.planning.writing.forms import (
+    ZERO,
+    UnwrittenError,
+    alike,
+    difference,
+    negative,
+    product,
+    square,
+    swept,
+    total,
+    tree_of,
+)
+from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import GivenEquation, Scene
+from restitution.planning.writing.unit_vectors import plain_direction
+from restitution.solving.letters import roles
+from restitution.solving.numbers import number_of
+from restitution.vector import Vector
+
+_LETTERS = ("s", "k", "b", "c", "q", "r")
+
+
+@dataclass(frozen=True)
+class _Ray:
+    """What is known of a velocity: a letter for ``quantity`` times a vector, by a given fact.
+
+    A ``letter`` of the statement stands for no quantity.
+    """
+
+    body: str
+    quantity: Quantity
+    direction: Vector
+    given: GivenEquation
+    role: Role
+    letter: sp.Symbol | None = None
+
+
+def write_open_lines(scene: Scene) -> None:
+    """Finds the lines of centres for which there is no other way, with the velocities after."""
+    for number, own in scene.model.frames.items():
+        known = f"axis {number}" in scene.facts or not own.by_values or own.angle is not None
+        if known or number in scene.frames:
+            continue
+        standing = scene.desk.mark()
+        try:
+            scene.frame(number)
+        except NotPlannedError:
+            scene.desk.back(standing)
+            if not _tried(scene, partial(_by_a_ray, scene, number)):
+                scene.frames.pop(number, None)
+
+
+def _tried(scene: Scene, write: Callable[[], bool]) -> bool:
+    """Whether lines could be written; if not, none of them stands, nor a letter of theirs."""
+    standing, others, roles = scene.desk.mark(), scene.others, scene.model.unknowns.roles
+    try:
+        if write():
+            return True
+    except (NotPlannedError, UnwrittenError):
+        pass
+    new = scene.model.unknowns.roles.keys() - roles.keys()
+    for model in {id(each): each for each in (scene.model, *others)}.values():
+        for name in new:
+            model.final.pop(scene.model.unknowns.roles[name].symbol(name), None)
+            model.sample.pop(name, None)
+    scene.model.unknowns.roles = roles
+    scene.desk.back(standing)
+    scene.others = others
+    return False
+
+
+def _by_a_ray(scene: Scene, number: int) -> bool:
+    """Whether a velocity whose direction is given leads to the line: its lines are written."""
+    spheres = scene.spheres(number)
+    if any(scene.last_event(sphere, number - 1) for sphere in spheres):
+        return False
+    early = {sphere: scene.initial(sphere) for sphere in spheres}
+    if any(scene.unknown(x) for each in early.values() for x in each.value):
+        return False
+    rays = [own for sphere in spheres if (own := _ray(scene, sphere, number)) is not None]
+    fast = next((each for each in rays if _speed(scene, each, number) is not None), None)
+    e = scene.coefficient(number)
+    masses = [scene.mass(sphere).value for sphere in spheres] if len(spheres) > 1 else []
+    are_known = not any(map(scene.unknown, masses))
+    if not rays or (fast is None and (scene.unknown(e.value) or not are_known)):
+        return False
+    ray = fast or rays[0]
+    if fast is not None and _tried(scene, partial(_in_either_sense, scene, number, fast)):
+        return True
+    if not are_known:
+        return False
+    ray = _without_root(ray)
+    symbol, late, lines = _ray_line(scene, number, ray)
+    _others(scene, number, ray, late, lines)
+    change, axis = _axis(scene, number, late, lines)
+    law, short = _restitution(scene, number, late, lines, change, axis)
+    if fast is None:
+        same = scene.desk.relation(law) == short
+        close(scene, law if same else scene.desk.write(Move("rearrange"), (law,), short), symbol)
+    else:
+        # One of the two senses contradicts the law.
+        _by_speed(scene, number, ray, symbol, lines, law)
+    _settle(scene, number, late, lines, change, axis)
+    return True
+
+
+def _in_either_sense(scene: Scene, number: int, ray: _Ray) -> bool:
+    """Whether a velocity comes of its speed, and what follows of it: its lines are written."""
+    symbol, late, lines = _ray_line(scene, number, ray)
+    late[ray.body], lines[ray.body] = _by_speed(scene, number, ray, symbol, lines)
+    if not any(scene.unknown(scene.mass(sphere).value) for sphere in scene.spheres(number)):
+        _others(scene, number, ray, late, lines)
+    _settle(scene, number, late, lines, *_axis(scene, number, late, lines))
+    return True
+
+
+def _without_root(ray: _Ray) -> _Ray:
+    """A slanting line with a component along **i**, or **j**, for its letter: no root is in it."""
+    if 0 in ray.direction or ray.role is not REAL or ray.letter is not None:
+        return ray
+    plain = plain_direction(ray.direction)
+    unit, part = Unit("i"), plain.x
+    if (plain.x / plain.y).is_Integer and not (plain.y / plain.x).is_Integer:
+        unit, part = Unit("j"), plain.y
+    velocity = ray.quantity.arguments[0]
+    direction = Vector(*(tidy(x / part) for x in plain))
+    return replace(ray, quantity=Quantity("along", (velocity, unit)), direction=direction)
+
+
+def _ray_line(
+    scene: Scene, number: int, ray: _Ray
+) -> tuple[sp.Symbol, dict[str, Vector], dict[str, int]]:
+    """The letter of a velocity, that velocity, and its line."""
+    symbol, line = _written_ray(scene, number, ray)
+    return symbol, {ray.body: ray.direction * symbol}, {ray.body: line}
+
+
+def _others(
+    scene: Scene, number: int, ray: _Ray, late: dict[str, Vector], lines: dict[str, int]
+) -> None:
+    """Adds the velocity of the other sphere, by the momentum of both."""
+    for other in scene.spheres(number):
+        if other != ray.body:
+            late[other], lines[other] = _by_momentum(scene, number, ray.body, late, lines, other)
+
+
+def _ray(scene: Scene, body: str, number: int) -> _Ray | None:
+    """The direction of a velocity after an impact, as far as it is given."""
+    velocity = Quantity("velocity", (Name(body),), number)
+    for each in scene.given:
+        match each.link:
+            case Link(Quantity("direction", (Name(name),), event), "=", angle) if (
+                name == body and event == number
+            ):
+                turn = scene.scalar(angle)
+                if turn.free_symbols:
+                    continue
+                direction = Vector(tidy(sp.cos(turn)), tidy(sp.sin(turn)))
+                return _Ray(
+                    body, Quantity("speed", (Name(body),), number), direction, each, POSITIVE
+                )
+        multiple = _multiple(scene, body, velocity, each)
+        if multiple is not None:
+            return multiple
+        tie = tie_of(each.link)
+        beside = None if tie is None else _beside(scene, velocity, *tie)
+        if beside is None:
+            continue
+        # Along i and j the letter is a component.
+        if beside.x == 0 or beside.y == 0:
+            unit: Expression = Unit("j" if beside.x == 0 else "i")
+            along = Vector(*(sp.Integer(0 if x == 0 else 1) for x in beside))
+            return _Ray(body, Quantity("along", (velocity, unit)), along, each, REAL)
+        size = scene.model.story.size(beside)
+        along = Vector(*(tidy(x / size) for x in beside))
+        axis = tree_of(beside)
+        return _Ray(body, Quantity("along", (velocity, axis)), along, each, REAL)
+    return None
+
+
+def _multiple(scene: Scene, body: str, velocity: Quantity, each: GivenEquation) -> _Ray | None:
+    """A velocity that is given as an unknown letter times a vector; None of another one."""
+    if each.link.left != velocity or each.link.sign != "=":
+        return None
+    value = scene.vector(each.link.right)
+    names = scene.unknown(value)
+    if len(names) != 1:
+        return None
+    (symbol,) = names
+    role = roles(scene.problem).get(symbol.name)
+    direction = Vector(*(tidy(x / symbol) for x in value))
+    if role is None or any(x.free_symbols for x in direction):
+        return None
+    return _Ray(body, velocity, direction, each, role, symbol)
+
+
+def _beside(
+    scene: Scene, velocity: Quantity, left: Expression, right: Expression, relation: str
+) -> Vector | None:
+    """The direction, or its opposite, of a velocity that is parallel or perpendicular to another.
+
+    None where that is not known.
+    """
+    for one, other in ((left, right), (right, left)):
+        if one != velocity or other == velocity:
+            continue
+        try:
+            direction = scene.model.story.direction(other, scene.events)
+        except (ArithmeticError, ValueError):
+            return None
+        if any(scene.unknown(x) for x in direction):
+            return None
+        if relation == "perpendicular to":
+            direction = direction.turned_left()
+        plain = plain_direction(direction)
+        if not all(each.is_number for each in plain):
+            return None
+        return -plain if scene.model.sign(plain.x) < 0 else plain
+    return None
+
+
+def _speed(scene: Scene, ray: _Ray, number: int) -> GivenEquation | None:
+    """The fact that gives the speed along a line, in either sense, by what is known."""
+    if ray.role is not REAL or ray.letter is not None:
+        return None
+    speed = Quantity("speed", (Name(ray.body),), number)
+    for each in scene.given:
+        if each.link.left == speed and each.link.sign == "=":
+            value = scene.scalar(each.link.right)
+            return None if scene.unknown(value) else each
+    return None
+
+
+def _by_speed(
+    scene: Scene,
+    number: int,
+    ray: _Ray,
+    symbol: sp.Symbol,
+    lines: dict[str, int],
+    law: int | None = None,
+) -> tuple[Vector, int]:
+    """The velocity along a line by the speed that is given: in either sense.
+
+    With a ``law`` one of the senses contradicts that.
+    """
+    given = _speed(scene, ray, number)
+    assert given is not None
+    line = lines[ray.body]
+    speed, refs = scene.put(scene.scalar(given.link.right))
+    subject = tree_of(symbol)
+    parts = [tidy(x * symbol) for x in ray.direction if x != 0]
+    if scene.model.identically_zero(ray.direction.dot(ray.direction) - 1):
+        parts = [symbol]
+    own = chain(total(square(tree_of(x)) for x in parts), (square(tree_of(speed)), None))
+    move = Move("define", "speed", number, (ray.body,))
+    premises = scene.judge.needed(move, together(given.refs, refs, (line,)), own)
+    if premises is None:
+        raise NotPlannedError("a speed along a line")
+    squared = scene.desk.write(move, premises, own)
+    if law is None:
+        close(scene, squared, symbol)
+    else:
+        value = scene.final(symbol)
+        roots = Relation(tuple(chain(subject, (tree_of(x), None)).only for x in (value, -value)))
+        both = scene.desk.write(Move("roots"), (squared,), roots)
+        kept = chain(subject, (tree_of(value), None))
+        names = {x.name for x in residual(scene, law).free_symbols}
+        left = scene.judge.enough(Move("reject"), (both, law), kept, background(scene, names))
+        if left is None:
+            raise NotPlannedError("a sense that the law does not exclude")
+        scene.desk.know(subject, value, (scene.desk.write(Move("reject"), left, kept),))
+        return ray.direction * symbol, line
+    value, more = scene.put(ray.direction * symbol)
+    velocity = Quantity("velocity", (Name(ray.body),), number)
+    relation = chain(velocity, (tree_of(value), None))
+    return value, scene.desk.write(Move("put"), (line, *more), relation)
+
+
+def _written_ray(scene: Scene, number: int, ray: _Ray) -> tuple[sp.Symbol, int]:
+    """The letter of such a velocity, and the line that gives the velocity by it."""
+    if ray.letter is not None:
+        return ray.letter, scene.desk.write(
+            Move("fact"), ray.given.refs, Relation(((ray.given.link,),))
+        )
+    taken = letters_taken(scene)
+    name = next(each for each in _LETTERS if each not in taken)
+    symbol = ray.role.symbol(name)
+    scene.model.unknowns.roles = {**scene.model.unknowns.roles, name: ray.role}
+    for model in {id(each): each for each in (scene.model, *scene.others)}.values():
+        final = model.branch.story.velocity(ray.body, number)
+        value = tidy(final.dot(ray.direction) / ray.direction.dot(ray.direction))
+        model.final[symbol] = value
+        model.sample[name] = number_of(model.number(value))
+    let = scene.desk.write(Move("let"), (), Meaning(name, ray.quantity))
+    velocity = Quantity("velocity", (Name(ray.body),), number)
+    refs: tuple[Ref, ...] = (*ray.given.refs, let)
+    if ray.quantity.kind == "along":
+        other: Expression = Unit("i" if ray.direction.x == 0 else "j")
+        if 0 not in ray.direction:
+            across = plain_direction(ray.direction).turned_left()
+            other = tree_of(across if scene.model.sign(across.x) > 0 else -across)
+        move = Move("define", _record(ray.given), number)
+        none = chain(Quantity("along", (velocity, other)), (ZERO, None))
+        early = [scene.initial(each) for each in scene.spheres(number)]
+        pool = together(ray.given.refs, *(each.refs for each in early), scene.mass(ray.body).refs)
+        premises = scene.judge.needed(move, pool, none)
+        if premises is None:
+            raise NotPlannedError("a line that is not told")
+        nothing = scene.desk.write(move, premises, none)
+        refs = (let, nothing)
+    value = _tree(ray.direction * symbol)
+    if 0 not in ray.direction and ray.role is REAL:
+        plain = plain_direction(ray.direction)
+        size = tidy(plain.x / ray.direction.x)
+        unit = Binary("/", tree_of(plain), tree_of(size))
+        value = product(
+            Letter(name), tree_of(ray.direction) if size.is_Rational and size == 1 else unit
+        )
+    line = scene.desk.write(
+        Move("define", "assemble", number, (ray.body,)), refs, chain(velocity, (value, None))
+    )
+    return symbol, line
+
+
+def _record(given: GivenEquation) -> str:
+    """What a fact says of two directions: that they are parallel, or perpendicular."""
+    tie = tie_of(given.link)
+    assert tie is not None
+    return tie[2].removesuffix(" to")
+
+
+def _tree(value: Vector) -> Expression:
+    return tree_of(Vector(*(tidy(sp.expand(each)) for each in value)))
+
+
+def _by_momentum(
+    scene: Scene, number: int, body: str, late: dict[str, Vector], lines: dict[str, int], other: str
+) -> tuple[Vector, int]:
+    """The velocity of the other sphere by the momentum of both."""
+    early = {each: scene.initial(each) for each in (body, other)}
+    masses = {each: scene.mass(each) for each in (body, other)}
+    sides: list[list[Expression]] = [[], []]
+    whole = Vector(sp.Integer(0), sp.Integer(0))
+    for each in scene.bodies(number):
+        whole += early[each].value * masses[each].value
+        if any(early[each].value):
+            sides[0].append(product(tree_of(masses[each].value), tree_of(early[each].value)))
+        velocity: Expression = Quantity("velocity", (Name(each),), number)
+        if each == body:
+            velocity = _tree(late[body])
+        sides[1].append(product(tree_of(masses[each].value), velocity))
+    refs = together(
+        *(mass.refs for mass in masses.values()), *(e.refs for e in early.values()), (lines[body],)
+    )
+    left, right = (swept(total(side)) for side in sides)
+    move = Move("law", "momentum-vector", number, scene.bodies(number))
+    line = scene.desk.write(move, refs, chain(left, (right, None)))
+    rest = whole - late[body] * masses[body].value
+    value = Vector(*(tidy(sp.expand(each / masses[other].value)) for each in rest))
+    own = Quantity("velocity", (Name(other),), number)
+    return value, scene.desk.write(Move("rearrange"), (line,), chain(own, (_tree(value), None)))
+
+
+def _axis(
+    scene: Scene, number: int, late: dict[str, Vector], lines: dict[str, int]
+) -> tuple[Vector, int]:
+    """The line of centres along the change of a velocity: of who was at rest, if any."""
+    body = next((each for each in late if not any(scene.initial(each).value)), next(iter(late)))
+    source = scene.initial(body)
+    change = Vector(*(sp.expand(a - b) for a, b in zip(late[body], source.value, strict=True)))
+    centres = Quantity("line_of_centres", (), number)
+    own = scene.model.frames[number]
+    is_found = not any(scene.unknown(each) for each in change)
+    ahead = scene.model.sign(Vector(*map(scene.model.in_data, change)).dot(own.n))
+    # Between spheres it points from the first to the second; into a wall, once it is known.
+    back = ahead < 0 if own.wall is None else ahead > 0 and is_found
+    axis: Expression = _tree(-late[body] if back else late[body])
+    if any(source.value):
+        early = tree_of(source.value)
+        axis = Binary("-", early, _tree(late[body])) if back else Binary("-", axis, early)
+    change = -change if back else change
+    final = Relation(((Link(centres, "parallel to", _tree(change)),),))
+    if is_found:
+        final = Relation(((Link(centres, "parallel to", _tree(plain_direction(change))),),))
+    first = Relation(((Link(centres, "parallel to", swept(axis)),),))
+    is_one = final == first or alike(
+        swept(axis), _tree(change)
+    )  # in another order of terms it is the same line
+    line = scene.desk.write(
+        Move("law", "along-the-change", number, (body,)),
+        together(source.refs, (lines[body],)),
+        final if is_one else first,
+    )
+    return change, scene.desk.write(Move("rearrange"), (line,), final)
+
+
+def _restitution(
+    scene: Scene,
+    number: int,
+    late: dict[str, Vector],
+    lines: dict[str, int],
+    change: Vector,
+    axis: int,
+) -> tuple[int, Relation]:
+    """Newton's law by scalar products with the change of velocity, whose size cancels.
+
+    Beside the line what it is with the relative velocities worked out.
+    """
+    e = scene.coefficient(number)
+    refs = together(e.refs, *(scene.initial(each).refs for each in late), lines.values(), (axis,))
+    if len(late) == 1:
+        (body,) = late
+        gap, approach = late[body], -scene.initial(body).value
+        move = Move("law", "restitution-wall", number, (body,))
+    else:
+        first, second = scene.bodies(number)
+        early = {each: scene.initial(each).value for each in (first, second)}
+        gap, approach = late[second] - late[first], early[first] - early[second]
+        move = Move("law", "restitution", number, (first, second))
+    left, right = (_product(each, change) for each in (gap, approach))
+    final = chain(left, (swept(_times(e.value, right)), None))
+    if len(late) == 1:
+        return scene.desk.write(move, refs, final), final
+    # How fast they are, relative to each other, stands as a difference first.
+    left = _product_of_difference((late[second], late[first]), change)
+    right = _product_of_difference((early[first], early[second]), change)
+    relation = chain(left, (swept(_times(e.value, right)), None))
+    return scene.desk.write(move, refs, relation), final
+
+
+def _times(e: sp.Expr, product_: Expression) -> Expression:
+    return product_ if e == 1 else product(tree_of(e), product_)
+
+
+def _product_of_difference(pair: tuple[Vector, Vector], change: Vector) -> Expression:
+    """The scalar product of the difference of two vectors with the change of velocity."""
+    terms = []
+    for one, other, by in zip(*pair, change, strict=True):
+        one, other, by = (tidy(sp.expand(each)) for each in (one, other, by))
+        if one == other or by == 0:
+            continue
+        if one == 0 or other == 0:
+            terms.append(_product(Vector(one - other, sp.Integer(0)), Vector(by, sp.Integer(0))))
+        else:
+            terms.append(product(difference(tree_of(one), tree_of(other)), tree_of(by)))
+    return total(terms) if terms else ZERO
+
+
+def _product(a: Vector, b: Vector) -> Expression:
+    """A scalar product, by components."""
+    terms = []
+    for x, y in zip(a, b, strict=True):
+        one, other = (tidy(sp.expand(each)) for each in (x, y))
+        if one == 0 or other == 0:
+            continue
+        if one.could_extract_minus_sign() and other.could_extract_minus_sign():
+            one, other = -one, -other
+        if one == other and one.is_Symbol:
+            terms.append(square(tree_of(one)))
+            continue
+        tree = product(tree_of(abs(one) if one.is_number else one), tree_of(other))
+        terms.append(negative(tree) if one.is_number and one < 0 else tree)
+    return total(terms) if terms else ZERO
+
+
+def _settle(
+    scene: Scene,
+    number: int,
+    late: dict[str, Vector],
+    lines: dict[str, int],
+    change: Vector,
+    axis: int,
+) -> None:
+    """The velocities and the line with what has been found."""
+    known: dict[str, Ref] = {}
+    for body, value in late.items():
+        put, refs = scene.put(value)
+        velocity = Quantity("velocity", (Name(body),), number)
+        line: Ref = lines[body]
+        if refs:
+            line = scene.desk.write(Move("put"), (line, *refs), chain(velocity, (_tree(put), None)))
+        scene.desk.know(velocity, Vector(*(tidy(sp.expand(each)) for each in put)), (line,))
+        known[body] = line
+    put, refs = scene.put(change)
+    centres = Quantity("line_of_centres", (), number)
+    own = scene.model.frames[number]
+    plain = plain_direction(put)
+    n = own.n if scene.model.sign(plain.dot(own.n)) > 0 else -own.n
+    line = axis
+    if refs:
+        line = scene.desk.write(
+            Move("put"),
+            (axis, *refs),
+            Relation(((Link(centres, "parallel to", _tree(put)),),)),
+        )
+    if _tree(put) != _tree(plain):
+        line = scene.desk.write(
+            Move("rearrange"),
+            (line,),
+            Relation(((Link(centres, "parallel to", _tree(plain)),),)),
+        )
+    scene.desk.know(centres, plain, (line,))
+    sign = 1 if scene.model.sign(n.dot(own.n)) > 0 else -1
+    scene.frames[number] = Frame(number, own.wall, centres, None, n, n.turned_left(), (line,), sign)
+    for body, ref in known.items():
+        symbol = scene.model.components[number, body].symbol
+        scene.desk.know(Letter(symbol.name), scene.model.final[symbol], (ref, line))

@@ -1,0 +1,1 @@
+"""The shapes in which an equation with one unknown becomes lines."""

@@ -1,0 +1,535 @@
+"""Equations multiplied out: what is common to all terms is gone, and each side is a polynomial.
+
+A line from which its unknown is read at once stays as it is. One that takes several steps (a
+common factor, brackets, an unknown in several terms or below a line) gets a line between.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import permutations
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    is_zero,
+    letters,
+    walk,
+)
+from restitution.expression.writing import write_expression
+from restitution.planning.formulas.impacts import residual, scene_value
+from restitution.planning.formulas.rewriting import in_another_form
+from restitution.planning.writing.desk import chain
+from restitution.planning.writing.forms import (
+    ONE,
+    alike,
+    difference,
+    number,
+    product,
+    square,
+    tree_of,
+)
+from restitution.planning.writing.polynomials import cancelled, expanded, one_fraction
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import Scene
+from restitution.work import remembered
+
+_TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan)
+# More steps than this are not made in one line.
+_MOST = 1
+
+
+def multiplied_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
+    """The line with both sides multiplied out, as a line, where that is a step of its own.
+
+    ``symbols`` are the unknowns in it.
+    """
+    link = scene.desk.last_link(line)
+    if link.sign != "=" or any(_is_plain(link, each.name) for each in symbols):
+        return line
+    line = _with_plain_squares(scene, line)
+    line = _squares_cleared(scene, _across(scene, line, symbols), symbols)
+    link = scene.desk.last_link(line)
+    sides = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
+    generators = _of_all(sides, symbols)
+    if generators is None:
+        return line
+    tangents = _tangents(link, sides, symbols)
+    for angle, t in tangents.items():
+        c = sp.cos(angle)
+        sides = [sp.cancel(each.xreplace({sp.sin(angle): t * c})) for each in sides]
+    for ratios in (True, False):
+        polynomials = _without_common(tuple(sides), generators, ratios)
+        own = None if polynomials is None else _written(scene, line, polynomials, symbols, tangents)
+        if own is not None:
+            return own
+    return line
+
+
+def _tangents(
+    link: Link, sides: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]
+) -> dict[sp.Symbol, sp.Symbol]:
+    """Letters for the tangents of other angles, of which no sine and no cosine is written."""
+    names: set[str] = set()
+    others: set[str] = set()
+    for node in (*walk(link.left), *walk(link.right)):
+        match node:
+            case Apply(function, Letter(name)):
+                (names if function == "tan" else others).add(name)
+    names -= others
+    inside = {symbol for side in sides for symbol in side.free_symbols} - set(symbols)
+    own = [symbol for symbol in inside if symbol.name in names]
+    return {symbol: sp.Symbol(f"tan {symbol}", positive=True) for symbol in own}
+
+
+def _with_plain_squares(scene: Scene, line: int) -> int:
+    """The line with what is squared in its shortest form, where a quotient was put into it."""
+    link = scene.desk.last_link(line)
+
+    def plain(node: Expression) -> Expression:
+        if not isinstance(node, Binary) or node.op != "^" or node.right != number(2):
+            return node
+        if not _has_quotient_in_a_sum(node.left):
+            return node
+        own = tree_of(tidy(sp.expand(cancelled(scene_value(scene, node.left)))))
+        own = own.operand if isinstance(own, Negate) else own
+        return Binary("^", own, node.right) if len(walk(own)) < len(walk(node.left)) else node
+
+    left, right = (rebuilt(each, plain) for each in (link.left, link.right))
+    if (left, right) == (link.left, link.right):
+        return line
+    names = {each.name for each in residual(scene, line).free_symbols}
+    relation = chain(left, (right, None))
+    refs = scene.judge.enough(Move("rearrange"), (line,), relation, background(scene, names))
+    return line if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
+
+
+def _across(scene: Scene, line: int, symbols: Sequence[sp.Symbol]) -> int:
+    """The line without a quotient that has a square with the unknown above, and it below too."""
+    link = scene.desk.last_link(line)
+    for near, far in ((link.left, link.right), (link.right, link.left)):
+        match near:
+            case Binary("/", above, below) if all(
+                _has(each, symbol.name) for each in (above, below) for symbol in symbols
+            ):
+                pass
+            case _:
+                continue
+        squares = [e for e in walk(above) if isinstance(e, Binary) and e.op == "^"]
+        sums = [e for e in squares if isinstance(e.left, Binary) and e.left.op in ("+", "-")]
+        if not sums or any(_has(far, symbol.name) for symbol in symbols):
+            continue
+        top, bottom = (
+            (far.left, far.right) if isinstance(far, Binary) and far.op == "/" else (far, ONE)
+        )
+        relation = chain(product(top, below), (product(bottom, above), None))
+        names = {each.name for each in residual(scene, line).free_symbols}
+        refs = scene.judge.enough(Move("rearrange"), (line,), relation, background(scene, names))
+        return line if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
+    return line
+
+
+def _squares_cleared(scene: Scene, line: int, symbols: Sequence[sp.Symbol]) -> int:
+    """A sum of squares of quotients without the sum that is below, as a line of squares.
+
+    The same line where not all terms are squares, or no unknown stands in a sum below one.
+    """
+    link = scene.desk.last_link(line)
+    sides = [list(_terms(side)) for side in (link.left, link.right)]
+    terms = [term for side in sides for term in side]
+    bases = [
+        e.left for e in terms if isinstance(e, Binary) and e.op == "^" and e.right == number(2)
+    ]
+    if len(bases) < len(terms) or len(terms) < 3 or _has_difference(link):
+        return line
+    values = [sp.sympify(scene_value(scene, each), strict=True) for each in bases]
+    powers = (power for each in values for power in each.atoms(sp.Pow))
+    if any(each.free_symbols and not each.exp.is_Integer for each in powers):
+        return line
+    fractions = [sp.fraction(sp.together(each)) for each in values]
+    below = sp.lcm([d for _, d in fractions])
+    if not any(d.is_Add or d.has(sp.Add) for _, d in fractions if d.free_symbols & set(symbols)):
+        return line
+    parts = [sp.factor_terms(sp.cancel(n * below / d)) for n, d in fractions]
+    common = sp.Mul(*set.intersection(*(set(sp.Mul.make_args(each)) for each in parts)))
+    trees: list[Expression] = []
+    for each in parts:
+        factor, rest = sp.factor_terms(each / common).as_independent(
+            *each.free_symbols, as_Add=False
+        )
+        whole = square(tree_of(rest)) if rest != 1 else ONE
+        trees.append(product(tree_of(tidy(factor**2)), whole) if factor**2 != 1 else whole)
+    left, right = (_total(trees[: len(sides[0])]), _total(trees[len(sides[0]) :]))
+    relation = chain(left, (right, None))
+    names = {each.name for each in residual(scene, line).free_symbols}
+    refs = scene.judge.enough(Move("rearrange"), (line,), relation, background(scene, names))
+    return line if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
+
+
+def _has_difference(link: Link) -> bool:
+    """Whether a term of a side is taken off."""
+    return any(
+        isinstance(node, Negate) or (isinstance(node, Binary) and node.op == "-")
+        for side in (link.left, link.right)
+        for node in _sums_of(side)
+    )
+
+
+def _sums_of(tree: Expression) -> Iterator[Expression]:
+    yield tree
+    if isinstance(tree, Binary) and tree.op in ("+", "-"):
+        yield from _sums_of(tree.left)
+        yield from _sums_of(tree.right)
+
+
+def _has_quotient_in_a_sum(tree: Expression) -> bool:
+    """Whether a quotient with letters below stands in a sum."""
+    return any(
+        isinstance(node, Binary)
+        and node.op in ("+", "-")
+        and any(isinstance(e, Binary) and e.op == "/" and letters(e.right) for e in walk(node))
+        for node in walk(tree)
+    )
+
+
+def _written(
+    scene: Scene,
+    line: int,
+    polynomials: Polynomials,
+    symbols: Sequence[sp.Symbol],
+    tangents: Mapping[sp.Symbol, sp.Symbol],
+) -> int | None:
+    """The line with both sides as these polynomials; None where it does not follow.
+
+    ``tangents`` are letters that stand for those of angles.
+    """
+    link = scene.desk.last_link(line)
+    sides = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
+    generators = polynomials[0].gens
+    steps = max(_steps(link, each.name) for each in symbols) + _has_common(
+        sides, polynomials, tangents
+    )
+    if steps <= _MOST:
+        return line
+    (symbol, *others) = symbols
+    if not others and len(generators) == 2 and _is_of_tangents(link, symbol.name):
+        polynomials, generators = _in_tangents(polynomials), (sp.tan(symbol),)
+    back: dict[Expression, Expression] = {
+        Letter(t.name): Apply("tan", Letter(angle.name)) for angle, t in tangents.items()
+    }
+    left, right = (
+        rebuilt(side, lambda each: back.get(each, each))
+        for side in _sides(scene, polynomials, generators)
+    )
+    relation = chain(left, (right, None))
+    if (
+        is_zero(left)
+        or Letter(symbol.name) in (left, right)
+        or (alike(left, link.left) and alike(right, link.right))
+    ):
+        return line
+    return in_another_form(scene, line, relation)
+
+
+def _is_plain(link: Link, name: str) -> bool:
+    """Whether the unknown stands alone on a side."""
+    return Letter(name) in (link.left, link.right)
+
+
+def _of_all(sides: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...] | None:
+    """The same of several unknowns: the letters before the ratios of angles."""
+    terms: list[sp.Expr] = []
+    for symbol in symbols:
+        if not any(symbol in side.free_symbols for side in sides):
+            continue
+        own = _generators(sides, symbol)
+        if own is None:
+            return None
+        terms += own
+    return tuple(sorted(terms, key=lambda each: not each.is_Symbol)) or None
+
+
+def _generators(sides: Sequence[sp.Expr], symbol: sp.Symbol) -> tuple[sp.Expr, ...] | None:
+    """In what the sides are polynomials: the unknown, or its sine and cosine, or its tangent."""
+    functions = {f for each in sides for f in each.atoms(sp.Function) if symbol in f.free_symbols}
+    bare = [side.xreplace(dict.fromkeys(functions, sp.Dummy())) for side in sides]
+    inside = any(symbol in each.free_symbols for each in bare)
+    roots = {p for each in sides for p in each.atoms(sp.Pow) if not p.exp.is_Integer}
+    if any(symbol in root.free_symbols for root in roots):
+        return None
+    if not functions:
+        return (symbol,) if inside else None
+    if inside or any(not isinstance(f, _TRIGONOMETRIC) or f.args != (symbol,) for f in functions):
+        return None
+    if all(isinstance(function, sp.tan) for function in functions):
+        return (sp.tan(symbol),)
+    if any(isinstance(function, sp.tan) for function in functions):
+        return None
+    return sp.sin(symbol), sp.cos(symbol)
+
+
+Polynomials = tuple[sp.Poly, sp.Poly]
+
+
+@remembered(1024)
+def _without_common(
+    sides: tuple[sp.Expr, ...], generators: tuple[sp.Expr, ...], ratios: bool
+) -> Polynomials | None:
+    """Both sides as polynomials without denominators, and without letters common to all terms.
+
+    With ``ratios`` sines and cosines of other angles that are common to all terms are gone too.
+    """
+    whole = [sp.fraction(one_fraction(side)) for side in sides]
+    below = sp.lcm(*(each[1] for each in whole))
+    if any(isinstance(x, sp.Float) for each in sides for x in each.atoms(sp.Float)):
+        return None
+    above = [expanded(cancelled(n * below / d)) for n, d in whole]
+    if not all(each.is_polynomial(*generators) for each in above):
+        return None  # with roots of numbers a common denominator may not be seen
+    polynomials = _without_the_same([sp.Poly(each, *generators) for each in above])
+    coefficients = [c for each in polynomials for c in each.coeffs() if c != 0]
+    if not coefficients or any(
+        {*generators, *(g for each in generators for g in each.free_symbols)} & c.free_symbols
+        for c in coefficients
+    ):
+        return None
+    common = _common(coefficients, ratios)
+    for one, other in permutations(polynomials):
+        if other.is_ground and _is_difference(one):
+            # 1 - e^2 = 4/5, and not 5 - 5e^2 = 4
+            common = _common(one.coeffs(), ratios)
+    left, right = (
+        sp.Poly.from_dict(
+            {m: expanded(cancelled(c / common)) for m, c in polynomial.terms()}
+            or {(0,) * len(generators): 0},
+            *generators,
+        )
+        for polynomial in polynomials
+    )
+    return left, right
+
+
+def _without_the_same(sides: list[sp.Poly]) -> list[sp.Poly]:
+    """Both sides without the terms that stand on both."""
+    one, other = (dict(each.terms()) for each in sides)
+    for m in one.keys() & other.keys():
+        same = set(sp.Add.make_args(one[m])) & set(sp.Add.make_args(other[m]))
+        one[m], other[m] = (expanded(each[m] - sp.Add(*same)) for each in (one, other))
+    gens = sides[0].gens
+    of_an_angle = len(gens) > 1 and not any(each.is_Symbol for each in gens)
+    for m in one.keys() & other.keys() if of_an_angle else ():
+        # Of sines and cosines like terms stand on one side: 2e cos²α, and not e cos²α on both.
+        share = sp.cancel(other[m] / one[m]) if one[m] != 0 else sp.S.One
+        if any(m) and share.is_Rational and share != 1:
+            near, far = (one, other) if share < 1 else (other, one)
+            near[m], far[m] = expanded(near[m] - far[m]), sp.S.Zero
+    return [sp.Poly.from_dict(each, *gens) for each in (one, other)]
+
+
+def _is_difference(polynomial: sp.Poly) -> bool:
+    """Whether a polynomial is the difference of two squares, or their sum, times something."""
+    (one, *others) = polynomial.coeffs()
+    return (
+        polynomial.total_degree() > 1
+        and len(others) == 1
+        and bool(expanded(one**2 - others[0] ** 2) == 0)
+    )
+
+
+def _common(coefficients: Sequence[sp.Expr], ratios: bool) -> sp.Expr:
+    """What divides all of some coefficients: positive letters, a root, and fractions of one."""
+    common = sp.Integer(1)
+    terms = [term for each in coefficients for term in sp.Add.make_args(expanded(each))]
+    powers = [term.as_powers_dict() for term in terms]
+    for base in powers[0]:
+        if (base.is_Symbol and base.is_positive) or (ratios and base.func in _TRIGONOMETRIC):
+            common *= base ** min(power.get(base, 0) for power in powers)
+    root = sp.sqrt(1)
+    first = [p for p in sp.Mul.make_args(terms[0]) if p.is_Pow and p.exp == sp.S.Half]
+    for each in first:
+        if each.base.is_Integer and all(each in sp.Mul.make_args(x) for x in terms):
+            root *= each
+    numbers = [sp.Mul(*(x for x in sp.Mul.make_args(t) if x.is_Rational)) for t in terms]
+    lowest = sp.ilcm(1, *(x.q for x in numbers))
+    greatest = sp.igcd(0, *(int(x * lowest) for x in numbers))
+    return common * root * sp.Rational(int(greatest), int(lowest))
+
+
+def _is_of_tangents(link: Link, name: str) -> bool:
+    """Whether a line has an angle in tangents alone."""
+    kinds = {
+        each.function
+        for side in (link.left, link.right)
+        for each in walk(side)
+        if isinstance(each, Apply) and each.argument == Letter(name)
+    }
+    return kinds == {"tan"}
+
+
+def _in_tangents(polynomials: Polynomials) -> Polynomials:
+    """Forms of one degree in sine and cosine, divided by the power of the cosine."""
+    t = sp.Dummy("t")
+    left, right = (
+        sp.Poly.from_dict({(m[0],): c for m, c in polynomial.terms()}, t)
+        for polynomial in polynomials
+    )
+    return left, right
+
+
+def _has_common(
+    sides: Sequence[sp.Expr], polynomials: Polynomials, tangents: Iterable[sp.Symbol]
+) -> int:
+    """1 where a letter was common to all terms, and is gone."""
+    before = {x for each in sides for x in each.free_symbols}
+    after = {x for each in polynomials for x in each.free_symbols_in_domain}
+    after |= {x for each in polynomials for g in each.gens for x in g.free_symbols}
+    after |= set(tangents)
+    return int(bool(before - after))
+
+
+def _sides(
+    scene: Scene, polynomials: Polynomials, generators: tuple[sp.Expr, ...]
+) -> tuple[Expression, Expression]:
+    """The sides as trees; of a sum that is zero, what is negative stands on the other side."""
+    left, right = ([(m, c) for m, c in polynomial.terms() if c != 0] for polynomial in polynomials)
+    alone = [scene.model.sign(each[0][1]) for each in (left, right) if len(each) == 1]
+    model = scene.first
+    worth = sp.sympify(polynomials[0].as_expr(), strict=True).xreplace(dict(model.final))
+    if sum(alone) < 0 or (not alone and model.sign(model.in_data(worth)) < 0):
+        # A side that is less than nothing: 2 − 2e = 1, and not 2e − 2 = −1.
+        left, right = ([(m, -c) for m, c in each] for each in (left, right))
+    linear = len(generators) == 1 and polynomials[0].degree() == 1
+    if not right and (len(generators) > 1 or linear):
+        signed = [(m, c, scene.model.sign(c)) for m, c in left]
+        left = [(m, c) for m, c, sign in signed if sign > 0]
+        right = [(m, -c) for m, c, sign in signed if sign < 0]
+    if not right and len(generators) == 1 and len(left) == 3:
+        # a x² + b x + c = 0
+        minus = scene.model.sign(left[0][1]) < 0
+        return _descending([(m, -c if minus else c) for m, c in left], generators), number(0)
+    return _tree(left, generators), _tree(right, generators)
+
+
+Term = tuple[tuple[int, ...], sp.Expr]
+"""Powers of the generators, with their coefficient."""
+
+
+def _tree(terms: Sequence[Term], generators: tuple[sp.Expr, ...]) -> Expression:
+    """A polynomial: from its highest power in letters of angles, from its lowest in others."""
+    if len(generators) == 1:
+        terms = sorted(terms, key=lambda each: each[0])
+    own = [_term(term, generators) for term in terms]
+    first = next((n for n, each in enumerate(own) if not isinstance(each, Negate)), 0)
+    if own:
+        own.insert(0, own.pop(first))
+    return _total(own)
+
+
+def _descending(terms: Sequence[Term], generators: tuple[sp.Expr, ...]) -> Expression:
+    return _total(_term(term, generators) for term in terms)
+
+
+def _term(term: Term, generators: tuple[sp.Expr, ...]) -> Expression:
+    """A coefficient with its powers; a letter stands before the ratios of another angle."""
+    powers, coefficient = term
+    if coefficient.has(*_TRIGONOMETRIC) and all(generator.is_Symbol for generator in generators):
+        whole = coefficient * sp.Mul(*(g**n for g, n in zip(generators, powers, strict=True)))
+        return tree_of(tidy(whole))
+    sum_of_roots = coefficient.is_number and coefficient.is_Add
+    tree = tree_of(coefficient, as_it_is=True) if sum_of_roots else tree_of(tidy(coefficient))
+    return product(tree, *(_power(g, n) for g, n in zip(generators, powers, strict=True) if n))
+
+
+def _total(terms: Iterable[Expression]) -> Expression:
+    whole: Expression = number(0)
+    for term in terms:
+        whole = term if is_zero(whole) else _added(whole, term)
+    return whole
+
+
+def _added(left: Expression, right: Expression) -> Expression:
+    if isinstance(right, Negate):
+        return difference(left, right.operand)
+    return Binary("+", left, right)
+
+
+def _power(generator: sp.Expr, exponent: int) -> Expression:
+    tree: Expression = tree_of(generator)
+    return tree if exponent == 1 else Binary("^", tree, number(exponent))
+
+
+# --- how far it is to the unknown ---------------------------------------------------------------
+
+
+def _steps(link: Link, name: str) -> int:
+    """How many steps lead to the unknown, beside the last: brackets, terms, what stands below."""
+    terms = [term for side in (link.left, link.right) for term in _terms(side)]
+    several = sum(_has(each, name) for each in terms) > 1
+    return (
+        min(2, sum(_brackets(each, name) for each in terms))
+        + several
+        + any(_stands_below(each, name) for each in terms)
+        + _is_of_several_quotients(terms, name)
+    )
+
+
+def _is_of_several_quotients(terms: Sequence[Expression], name: str) -> bool:
+    """Whether terms without the unknown are quotients over different letters, one of a sum."""
+    quotients = [
+        each
+        for each in terms
+        if isinstance(each, Binary) and each.op == "/" and letters(each.right)
+        if not _has(each, name)
+    ]
+    sums = (node for each in quotients for node in walk(each.left))
+    several = len({write_expression(each.right) for each in quotients}) > 1
+    return several and any(isinstance(each, Binary) and each.op in ("+", "-") for each in sums)
+
+
+def _terms(tree: Expression) -> Iterator[Expression]:
+    match tree:
+        case Negate(operand):
+            yield from _terms(operand)
+        case Binary("+" | "-", left, right):
+            yield from _terms(left)
+            yield from _terms(right)
+        case _ if not is_zero(tree):
+            yield tree
+
+
+def _has(tree: Expression, name: str) -> bool:
+    return any(isinstance(node, Letter) and node.name == name for node in walk(tree))
+
+
+def _brackets(term: Expression, name: str) -> int:
+    """The sums in a product or a power that hold the unknown, or roots of numbers and letters."""
+    return sum(
+        isinstance(node, Binary)
+        and node.op in ("+", "-")
+        and (_has(node, name) or (_has(term, name) and _is_no_number(node)))
+        for node in walk(term)
+    )
+
+
+def _is_no_number(tree: Expression) -> bool:
+    """Whether a sum is more than a number of times the same letter."""
+    names = {node.name for node in walk(tree) if isinstance(node, Letter)}
+    return len(names) > 1 or any(isinstance(node, Apply) for node in walk(tree))
+
+
+def _stands_below(term: Expression, name: str) -> bool:
+    return any(
+        isinstance(node, Binary) and node.op == "/" and _has(node.right, name)
+        for node in walk(term)
+    )
+
+
+__all__ = ["multiplied_out"]

@@ -1,0 +1,367 @@
+"""Two equations with two unknowns: one unknown is left out, or expressed and put in.
+
+The shapes are a table (``SHAPES``), tried in order: both linear; V cos θ and V sin θ; one that
+gives an unknown, or the square of a ratio, by the other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from itertools import permutations
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Relation
+from restitution.explaining.trees import statement_of
+from restitution.expression.tree import Apply, Binary, Expression, Letter
+from restitution.planning.closing.collecting import multiplied_out
+from restitution.planning.closing.ratios import inside_functions, inverse
+from restitution.planning.closing.shapes import close, with_known
+from restitution.planning.formulas.impacts import residual, scene_value
+from restitution.planning.writing.desk import NotPlannedError, chain
+from restitution.planning.writing.forms import ONE, product, square, swept, total, tree_of
+from restitution.planning.writing.polynomials import numerator
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import Scene
+
+Pair = tuple[int, int]
+Unknowns = tuple[sp.Symbol, sp.Symbol]
+
+
+def close_two(scene: Scene, lines: Pair, unknowns: Unknowns) -> None:
+    """Solves two lines for the two unknowns in them. Raises NotPlannedError for other shapes."""
+    first, second = (multiplied_out(scene, with_known(scene, line), *unknowns) for line in lines)
+    for x, y in permutations(unknowns):
+        for shape in SHAPES:
+            for a, b in ((first, second), (second, first)):
+                try:
+                    if shape(scene, (a, b), (x, y)):
+                        return
+                except (sp.PolynomialError, NotPlannedError):
+                    continue
+    names = ", ".join(str(unknown) for unknown in unknowns)
+    raise NotPlannedError(f"no way from lines {first} and {second} to {names}")
+
+
+def _above(scene: Scene, line: int) -> sp.Expr:
+    return numerator(residual(scene, line))
+
+
+def _background(scene: Scene, lines: Iterable[int]) -> tuple[Any, ...]:
+    names = {each.name for line in lines for each in residual(scene, line).free_symbols}
+    facts = (each for each in scene.judge.known(names) if each in scene.facts)
+    return (*background(scene, names), *facts)
+
+
+def _write(scene: Scene, move: Move, lines: Sequence[int], relation: Relation) -> int | None:
+    if move.id == "rearrange" and statement_of(scene.desk.relation(lines[0])) == statement_of(
+        relation
+    ):
+        own = scene.desk.line(lines[0])
+        return scene.desk.write(own.move, own.premises, relation)
+    refs = scene.judge.enough(move, lines, relation, _background(scene, lines))
+    return None if refs is None else scene.desk.write(move, refs, relation)
+
+
+# --- linear in both -----------------------------------------------------------------------------
+
+
+def _linear(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
+    """One unknown is left out of two linear equations; then the other follows from one of them."""
+    x, y = unknowns
+    rows = [_above(scene, each) for each in lines]
+    if any(inside_functions(row) & set(unknowns) for row in rows):
+        return False
+    polys = [sp.Poly(row, x, y) for row in rows]
+    if any(poly.total_degree() != 1 for poly in polys):
+        return False
+    if any(set(poly.gens) & poly.free_symbols_in_domain for poly in polys):
+        return False
+    (a, b), (c, d) = ([p.coeff_monomial(g) for g in (x, y)] for p in polys)
+    e, f = (p.coeff_monomial(1) for p in polys)
+    if b == 0 or d == 0:
+        return False
+    value = tidy((b * f - d * e) / (a * d - b * c))
+    relation = chain(Letter(x.name), (tree_of(value), None))
+    line = _write(scene, Move("combine", eliminated=y.name), lines, relation)
+    if line is None:
+        return False
+    scene.desk.know(Letter(x.name), value, (line,))
+    close(scene, lines[0], y)
+    return True
+
+
+# --- a size and its direction -------------------------------------------------------------------
+
+
+def _polar(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
+    """V cos θ = A and V sin θ = B: divided for the angle, squared and added for V."""
+    v, theta = unknowns
+    role = scene.model.unknowns.roles.get(theta.name)
+    if role is None or role.kind != "angle":
+        return False
+    lines = _parted(scene, lines, v, theta)
+    parts = []
+    for line, ratio in zip(lines, (sp.cos(theta), sp.sin(theta)), strict=True):
+        poly = sp.Poly(_above(scene, line), v, ratio)
+        if set(poly.monoms()) - {(1, 1), (0, 0)} or (1, 1) not in poly.monoms():
+            return False
+        if poly.free_symbols_in_domain & {v, theta}:
+            return False
+        parts.append(tidy(-poly.coeff_monomial(1) / poly.coeff_monomial(v * ratio)))
+    first, second = (
+        _as_product(scene, line, v, theta, kind, value)
+        for line, kind, value in zip(lines, ("cos", "sin"), parts, strict=True)
+    )
+    if first is None or second is None or parts[0] == 0:
+        return False
+    for line, kind, value in zip((first, second), ("cos", "sin"), parts, strict=True):
+        scene.desk.know(_product(v, theta, kind), value, (line,))
+    tangent = tidy(parts[1] / parts[0])
+    subject = Apply("tan", Letter(theta.name))
+    quotient = chain(subject, (tree_of(tangent), None))
+    divided = _write(scene, Move("divide"), (second, first), quotient)
+    if divided is None:
+        return False
+    scene.desk.know(subject, tangent, (divided,))
+    squares = total(square(tree_of(-x if x.could_extract_minus_sign() else x)) for x in parts)
+    added = chain(
+        square(Letter(v.name)),
+        (squares, None),
+        (tree_of(tidy(parts[0] ** 2 + parts[1] ** 2)), "rearrange"),
+    )
+    whole = _write(scene, Move("square-add"), (first, second), added)
+    if whole is None:
+        return False
+    if role.low == 0 and role.high == sp.pi / 2:
+        close(scene, divided, theta)
+    else:
+        inverse(scene, divided, theta, (first, second))
+    close(scene, whole, v)
+    return True
+
+
+def _parted(scene: Scene, lines: Pair, v: sp.Symbol, theta: sp.Symbol) -> Pair:
+    """Two lines in V cos θ and V sin θ, each with both, as one for each of them."""
+    ratios = sp.cos(theta), sp.sin(theta)
+    polys = [sp.Poly(_above(scene, line), v, *ratios) for line in lines]
+    places = [(1, 1, 0), (1, 0, 1)]
+    plain = all(set(poly.monoms()) <= {*places, (0, 0, 0)} for poly in polys)
+    if not plain or any(poly.free_symbols_in_domain & {v, theta} for poly in polys):
+        return lines
+    (a, b), (c, d) = ([p.as_expr().coeff(v).coeff(r) for r in ratios] for p in polys)
+    if 0 in (a, b, c, d):
+        return lines
+    e, f = (p.coeff_monomial(1) for p in polys)
+    whole = a * d - b * c
+    parts = []
+    for value, name, other in (
+        ((b * f - d * e) / whole, "cos", "sin"),
+        ((c * e - a * f) / whole, "sin", "cos"),
+    ):
+        tree = _product(v, theta, name)
+        move = Move("combine", eliminated=f"{other}({theta.name})")
+        parts.append(_write(scene, move, lines, chain(tree, (tree_of(tidy(value)), None))))
+    first, second = parts
+    return lines if first is None or second is None else (first, second)
+
+
+def _as_product(
+    scene: Scene, line: int, v: sp.Symbol, theta: sp.Symbol, kind: str, value: sp.Expr
+) -> int | None:
+    """The line as ``V cos θ = A``."""
+    tree = _product(v, theta, kind)
+    relation = chain(tree, (tree_of(value), None))
+    link = scene.desk.last_link(line)
+    if tree == link.left:
+        return line
+    return _write(scene, Move("rearrange"), (line,), relation)
+
+
+def _product(v: sp.Symbol, theta: sp.Symbol, kind: str) -> Expression:
+    return product(Letter(v.name), Apply(kind, Letter(theta.name)))
+
+
+# --- one expressed by the other -----------------------------------------------------------------
+
+
+def _expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
+    """An unknown that stands linearly in one equation is put into the other."""
+    x, _ = unknowns
+    own = _above(scene, lines[0])
+    if x in inside_functions(own) or x not in own.free_symbols:
+        return False
+    poly = sp.Poly(own, x)
+    if poly.degree() != 1 or x in inside_functions(_above(scene, lines[1])):
+        return False
+    value = tidy(-poly.nth(0) / poly.nth(1))
+    return _put_in(scene, lines, unknowns, Letter(x.name), value, Move("rearrange"))
+
+
+def _square_of_unknown(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
+    """An unknown of which only the square stands in both: that is put into the other."""
+    x, _ = unknowns
+    own, other = (_above(scene, line) for line in lines)
+    if x in inside_functions(own) | inside_functions(other) or x not in own.free_symbols:
+        return False
+    poly = sp.Poly(own, x)
+    if set(poly.monoms()) != {(2,), (0,)} or any(n % 2 for (n,) in sp.Poly(other, x).monoms()):
+        return False
+    value = tidy(-poly.nth(0) / poly.nth(2))
+    return _put_in(scene, lines, unknowns, square(Letter(x.name)), value, Move("rearrange"))
+
+
+def _ratio_expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
+    """A sine, cosine or tangent that stands alone and linearly in one equation."""
+    x, _ = unknowns
+    own, other = (_above(scene, line) for line in lines)
+    functions = {atom for atom in own.atoms(sp.sin, sp.cos, sp.tan) if atom.args == (x,)}
+    if len(functions) != 1:
+        return False
+    (ratio,) = functions
+    poly = sp.Poly(own, ratio)
+    if poly.degree() != 1 or x in inside_functions(other.subs(ratio, sp.Dummy())):
+        return False
+    value = tidy(-poly.nth(0) / poly.nth(1))
+    subject = Apply(type(ratio).__name__, Letter(x.name))
+    return _put_in(scene, lines, unknowns, subject, value, Move("rearrange"))
+
+
+def _square_expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
+    """A square of sine or cosine, by sin² + cos² = 1 from one equation, put into the other."""
+    x, _ = unknowns
+    s, c = sp.sin(x), sp.cos(x)
+    own, other = (sp.Poly(_above(scene, line), s, c) for line in lines)
+    if set(own.monoms()) - {(2, 0), (0, 2), (0, 0)}:
+        return False
+    if any(x in poly.free_symbols_in_domain for poly in (own, other)):
+        return False
+    a, b, k = (own.coeff_monomial(each) for each in (s**2, c**2, 1))
+    if a - b == 0:
+        return False
+    sine = tidy(-(b + k) / (a - b))
+    for ratio, value, place in ((s, sine, 1), (c, tidy(1 - sine), 0)):
+        if any(m[place] or m[1 - place] % 2 for m in other.monoms()):
+            continue
+        subject = square(Apply(type(ratio).__name__, Letter(x.name)))
+        move = Move("identity", "pythagoras")
+        whole = _as_multiple(scene, lines[1], other, 1 - place, subject)
+        if _put_in(scene, (lines[0], whole), unknowns, subject, value, move):
+            return True
+    return False
+
+
+def _as_multiple(scene: Scene, line: int, own: sp.Poly, place: int, subject: Expression) -> int:
+    """An equation of one square of a ratio as a multiple of that, in factors; else as it stands.
+
+    It is written from the line that was multiplied out, where that was done.
+    """
+    above = own.coeff_monomial(own.gens[place] ** 2)
+    rest = own.coeff_monomial(1)
+    factor = sp.factor(above)
+    if len(own.monoms()) != 2 or rest == 0 or not factor.is_Mul or not above.is_Add:
+        return line
+    size = sp.factor_list(above)[0]
+    size = -size if scene.model.sign(-rest / size) < 0 else size
+    multiple = sp.expand(above / size)
+    tree = product(tree_of(multiple), subject)
+    relation = chain(tree, (tree_of(tidy(-rest / size)), None))
+    source = scene.desk.line(line)
+    first = [ref for ref in source.premises if isinstance(ref, int)]
+    start = first[0] if source.move.id in ("rearrange", "cancel") and len(first) == 1 else line
+    for each in (start, line):
+        for move in (Move("rearrange"), Move("cancel")):
+            written = _write(scene, move, (each,), relation)
+            if written is not None:
+                return written
+    return line
+
+
+def _put_in(
+    scene: Scene,
+    lines: Pair,
+    unknowns: Unknowns,
+    subject: Expression,
+    value: sp.Expr,
+    move: Move,
+) -> bool:
+    """A line for the first unknown, put into the other line, which is solved for the second."""
+    x, y = unknowns
+    expressed = _write(scene, move, lines[:1], chain(subject, (tree_of(value), None)))
+    if expressed is None:
+        return False
+    link = scene.desk.last_link(lines[1])
+    left, right = (swept(_with(each, subject, tree_of(value))) for each in (link.left, link.right))
+    relation = Relation(((Link(left, "=", right),),))
+    put = _write(scene, Move("put"), (lines[1], expressed), relation)
+    if put is None:
+        return False
+    close(scene, _reduced(scene, put), y)
+    close(scene, expressed, x)
+    return True
+
+
+def _reduced(scene: Scene, line: int) -> int:
+    """An equation without a factor that stands above and below a line on one side of it."""
+    link = scene.desk.last_link(line)
+    sides = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
+    if not all(each.is_rational_function() for each in sides):
+        return line
+    plain = [sp.cancel(each) for each in sides]
+    if not any(
+        not sp.fraction(sp.together(a))[1].is_number and sp.fraction(b)[1].is_number
+        for a, b in zip(sides, plain, strict=True)
+    ):
+        return line
+    relation = Relation(((Link(tree_of(tidy(plain[0])), "=", tree_of(tidy(plain[1]))),),))
+    for move in (Move("rearrange"), Move("cancel")):
+        written = _write(scene, move, (line,), relation)
+        if written is not None:
+            return written
+    return line
+
+
+def _with(tree: Expression, subject: Expression, value: Expression) -> Expression:
+    """A tree in which a value stands for a subject, also for the square of a product of it."""
+    from restitution.explaining.trees import rebuilt
+
+    base = subject.left if isinstance(subject, Binary) and subject.op == "^" else None
+
+    def change(each: Expression) -> Expression:
+        if each == subject:
+            return value
+        match each:
+            case Binary("*", left, Binary("/", above, below)) if above == ONE:
+                return Binary("/", left, below)
+            case Binary("^", inside, _) if base is not None:
+                rest = _without(inside, base)
+                if rest is not None:
+                    return product(square(rest), value)
+        return each
+
+    return rebuilt(tree, change)
+
+
+def _without(tree: Expression, factor: Expression) -> Expression | None:
+    match tree:
+        case Binary("*", left, right):
+            if right == factor:
+                return left
+            if left == factor:
+                return right
+            rest = _without(left, factor)
+            return None if rest is None else product(rest, right)
+    return None
+
+
+SHAPES: tuple[Callable[[Scene, Pair, Unknowns], bool], ...] = (
+    _linear,
+    _polar,
+    _expressed,
+    _square_of_unknown,
+    _ratio_expressed,
+    _square_expressed,
+)
+"""What two equations may look like, in the order in which the shapes are tried."""

@@ -1,0 +1,584 @@
+"""Equations in which an unknown angle stands in its sines, cosines and tangents."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Meaning, Move, Relation
+from restitution.explaining.trees import exchanged, rebuilt
+from restitution.expression.tree import Apply, Binary, Expression, Letter, letters, walk
+from restitution.planning.closing.in_tangents import write_in_tangents
+from restitution.planning.closing.roots import by_roots, known_as
+from restitution.planning.formulas.impacts import residual, scene_value
+from restitution.planning.writing.angle_ratios import range_of
+from restitution.planning.writing.desk import NotPlannedError, Source, chain
+from restitution.planning.writing.forms import (
+    ONE,
+    ZERO,
+    difference,
+    number,
+    product,
+    square,
+    swept,
+    total,
+    tree_of,
+)
+from restitution.planning.writing.polynomials import cancelled, expanded, factored, numerator
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import Scene
+from restitution.problem import Find, Value
+
+_RATIOS = (sp.sin, sp.cos, sp.tan)
+
+
+def inside_functions(x: sp.Expr) -> set[Any]:
+    """The letters that stand in functions."""
+    return {s for each in x.atoms(sp.Function) for s in each.free_symbols}
+
+
+def _functions(scene: Scene, own: sp.Expr, symbol: sp.Symbol) -> set[sp.Expr] | None:
+    """The ratios of an unknown angle in an equation; None where it is no such equation."""
+    role = scene.model.unknowns.roles.get(symbol.name)
+    if role is None or role.kind != "angle":
+        return None
+    functions = {atom for atom in own.atoms(sp.Function) if symbol in atom.free_symbols}
+    bare = own.subs({function: sp.Dummy() for function in functions})
+    if not functions or symbol in bare.free_symbols:
+        return None
+    return functions
+
+
+def asked_ratio(scene: Scene, symbol: sp.Symbol) -> Any:
+    """The ratio of an angle for which a part asks; None without one."""
+    for step in scene.part.steps:
+        if isinstance(step, Find):
+            for item in step.items:
+                match item:
+                    case Value(expression=Apply("sin" | "cos" | "tan" as kind, Letter(name))):
+                        if name == symbol.name:
+                            return getattr(sp, kind)
+    return None
+
+
+def ratio(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
+    """An angle that stands in one ratio, or in its sine and cosine of one degree."""
+    own = residual(scene, line)
+    functions = _functions(scene, own, symbol)
+    if functions is None or any(function.args != (symbol,) for function in functions):
+        return None
+    kinds = {type(function) for function in functions}
+    if len(kinds) == 1:
+        (kind,) = kinds
+        return _by_one(scene, line, numerator(own), kind, symbol)
+    above = numerator(_in_sines(own, symbol))
+    mixed = sp.Poly(above, sp.sin(symbol), sp.cos(symbol))
+    degrees = {sum(monom) for monom in mixed.monoms()}
+    if len(degrees) != 1:
+        return None
+    line = _one_term_a_side(scene, line, symbol)
+    return _by_one(scene, line, _over_cosines(above, symbol), sp.tan, symbol)
+
+
+def _one_term_a_side(scene: Scene, line: int, symbol: sp.Symbol) -> int:
+    """``a sin²θ + b cos²θ = c cos²θ`` with a term of each on a side: the difference as it is."""
+    link = scene.desk.last_link(line)
+    ratios = sp.sin(symbol), sp.cos(symbol)
+    values = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
+    if not all(each.is_polynomial(*ratios) for each in values):
+        return line
+    sides = [sp.Poly(each, *ratios) for each in values]
+    powers = [(2, 0), (0, 2)]
+    if any(set(each.monoms()) - set(powers) for each in sides):
+        return line
+    for one, other in (powers, powers[::-1]):
+        for near, far in (sides, sides[::-1]):
+            a, b, c = (
+                near.coeff_monomial(one),
+                near.coeff_monomial(other),
+                far.coeff_monomial(other),
+            )
+            if far.coeff_monomial(one) != 0 or 0 in (a, b, c) or not (b - c).free_symbols:
+                continue
+            rest = difference(tree_of(tidy(c)), tree_of(tidy(b)))
+            names = {one: Apply("sin" if one == (2, 0) else "cos", Letter(symbol.name))}
+            names[other] = Apply("cos" if one == (2, 0) else "sin", Letter(symbol.name))
+            left = product(rest, square(names[other]))
+            relation = chain(left, (product(tree_of(tidy(a)), square(names[one])), None))
+            refs = scene.judge.enough(Move("rearrange"), (line,), relation, ())
+            return line if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
+    return line
+
+
+def _in_sines(own: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    return own.subs(sp.tan(symbol), sp.sin(symbol) / sp.cos(symbol))
+
+
+def _over_cosines(above: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    """A form in sine and cosine of one degree, divided by cosines until tangents are left."""
+    mixed = sp.Poly(above, sp.sin(symbol), sp.cos(symbol))
+    least = min(m[1] for m in mixed.monoms())
+    top = max(sum(m) for m in mixed.monoms()) - least
+    return sum((c * sp.tan(symbol) ** m[0] for m, c in mixed.terms() if m[0] <= top), sp.Integer(0))
+
+
+def by_its_half(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
+    """``a sin θ = b (1 + cos θ)``: the tangent of half the angle."""
+    own = residual(scene, line)
+    functions = _functions(scene, own, symbol)
+    s, c = sp.sin(symbol), sp.cos(symbol)
+    if functions is None or functions != {s, c}:
+        return None
+    poly = sp.Poly(numerator(own), s, c)
+    if poly.total_degree() != 1 or poly.nth(0, 1) != poly.nth(0, 0) or poly.nth(1, 0) == 0:
+        return None
+    value = tidy(-poly.nth(0, 1) / poly.nth(1, 0))
+    letter = Letter(symbol.name)
+    relation = chain(Apply("tan", Binary("/", letter, number(2))), (tree_of(value), None))
+    known = _background(scene, line)
+    refs = scene.judge.enough(Move("identity", "half-angle"), (line,), relation, known)
+    if refs is None:
+        return None
+    half = scene.desk.write(Move("identity", "half-angle"), refs, relation)
+    angle = scene.final(symbol)
+    whole = chain(letter, (tree_of(angle, angle=True), None))
+    refs = scene.judge.enough(Move("inverse"), (half,), whole, scene.judge.known([symbol.name]))
+    if refs is None:
+        return None
+    return known_as(scene, symbol, angle, scene.desk.write(Move("inverse"), refs, whole))
+
+
+def with_tangents(scene: Scene, number: int) -> int:
+    """A line with a sine on one side and the cosine on the other, divided by the cosine.
+
+    It is so where a line gives the tangent of the angle; else it is the line as it stands.
+    """
+    link = scene.desk.last_link(number)
+    for side, other in ((link.left, link.right), (link.right, link.left)):
+        sines = {e for e in walk(side) if isinstance(e, Apply) and e.function == "sin"}
+        if link.sign != "=" or len(sines) != 1:
+            continue
+        (sine,) = sines
+        cosine, tangent = (Apply(each, sine.argument) for each in ("cos", "tan"))
+        known = scene.desk.known(tangent)
+        if known is None or not any(isinstance(ref, int) for ref in known.refs):
+            continue
+        if any(map(scene.desk.known, (sine, cosine))) or _has_ratio_of(other, sine.argument, "sin"):
+            continue
+        divided = _without_factor(other, cosine)
+        if divided is None or _has_ratio_of(side, sine.argument, "cos"):
+            continue
+        multiple = _without_factor(side, sine)
+        if multiple is None:
+            continue
+        relation = chain(product(multiple, tangent), (divided, None))
+        move = Move("rearrange")
+        refs = scene.judge.enough(move, (number,), relation, _background(scene, number))
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
+    return number
+
+
+def _has_ratio_of(tree: Expression, angle: Expression, *kinds: str) -> bool:
+    """Whether one of some ratios of an angle stands in a tree."""
+    return any(
+        isinstance(e, Apply) and e.function in kinds and e.argument == angle for e in walk(tree)
+    )
+
+
+def _without_factor(tree: Expression, factor: Apply) -> Expression | None:
+    """A product without a ratio of an angle that is one of its factors; None of another tree."""
+    if tree == factor:
+        return ONE
+    match tree:
+        case Binary("*", left, right):
+            for own, rest in ((left, right), (right, left)):
+                inside = _without_factor(own, factor)
+                if inside is not None and not _has_ratio_of(rest, factor.argument, *_KINDS):
+                    return product(*((inside, rest) if own is left else (rest, inside)))
+    return None
+
+
+_KINDS = ("sin", "cos", "tan")
+
+
+def _by_one(scene: Scene, line: int, above: sp.Expr, kind: Any, symbol: sp.Symbol) -> Source | None:
+    """An equation in one ratio: linear, or by its roots; then the angle."""
+    subject = Apply(kind.__name__, Letter(symbol.name))
+    generator = kind(symbol)
+    poly = sp.Poly(above, generator)
+    if any(symbol in coeff.free_symbols for coeff in poly.coeffs()):
+        return None
+    if poly.degree() == 1:
+        value = tidy(-poly.nth(0) / poly.nth(1))
+        relation = chain(subject, (tree_of(value), None))
+        move = Move("rearrange")
+        refs = scene.judge.enough(move, (line,), relation, _background(scene, line))
+        if refs is None:
+            return None
+        known = scene.desk.write(move, refs, relation)
+        scene.desk.know(subject, value, (known,))
+    else:
+        source = by_roots(scene, line, above, generator, subject, symbol)
+        if source is None:
+            return None
+        (known,) = source.refs  # type: ignore[assignment]
+    return inverse(scene, known, symbol)
+
+
+def _background(scene: Scene, line: int) -> tuple[Any, ...]:
+    return background(scene, {symbol.name for symbol in residual(scene, line).free_symbols})
+
+
+def even(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
+    """Squares of sine and cosine beside numbers: sin² + cos² = 1 leaves one of them."""
+    own = residual(scene, line)
+    functions = _functions(scene, own, symbol)
+    if functions is None or any(function.args != (symbol,) for function in functions):
+        return None
+    if (written := write_in_tangents(scene, line, symbol)) is not None:
+        return _by_one(scene, *written, sp.tan, symbol)
+    s, c = sp.sin(symbol), sp.cos(symbol)
+    mixed = sp.Poly(numerator(_in_sines(own, symbol)), s, c)
+    mixed = sp.Poly(mixed.primitive()[1].as_expr() if mixed.domain.is_QQ else mixed.as_expr(), s, c)
+    monomials = mixed.monoms()
+    asked = asked_ratio(scene, symbol)
+    whole = all(sum(m) % 2 == 0 for m in monomials)
+    single = [
+        kind
+        for kind, place in ((sp.cos, 0), (sp.sin, 1))
+        if all(m[place] % 2 == 0 for m in monomials)
+    ]
+    if whole and (asked is sp.tan or not single):
+        return _homogeneous(scene, line, mixed, symbol)
+    if not single:
+        return None
+    kind = asked if asked in single else single[0]
+    return _in_one_square(scene, line, mixed, kind, symbol)
+
+
+def _homogeneous(scene: Scene, line: int, mixed: sp.Poly, symbol: sp.Symbol) -> Source | None:
+    """Numbers become multiples of sin² + cos², and cos² is divided out."""
+    s, c = sp.sin(symbol), sp.cos(symbol)
+    top = max(sum(m) for m in mixed.monoms())
+    above = sum(
+        (
+            coefficient * s ** m[0] * c ** m[1] * (s**2 + c**2) ** ((top - sum(m)) // 2)
+            for m, coefficient in mixed.terms()
+        ),
+        sp.Integer(0),
+    )
+    again = sp.Poly(expanded(above), s, c)
+    common = sp.gcd_list(again.coeffs())
+    terms = {m: cancelled(k / common) for m, k in again.terms()}
+    left = [(m, k) for m, k in terms.items() if scene.model.sign(k) > 0]
+    right = [(m, -k) for m, k in terms.items() if scene.model.sign(k) < 0]
+    relation = Relation(((Link(_form(left, symbol), "=", _form(right, symbol)),),))
+    own = _identity(scene, line, "pythagoras", relation)
+    if own is None:
+        return None
+    form = sum((k * s ** m[0] * c ** m[1] for m, k in terms.items()), sp.Integer(0))
+    return _by_one(scene, own, _over_cosines(form, symbol), sp.tan, symbol)
+
+
+def _form(terms: list[tuple[tuple[int, int], sp.Expr]], symbol: sp.Symbol) -> Expression:
+    sine, cosine = (Apply(each, Letter(symbol.name)) for each in ("sin", "cos"))
+    return total(
+        product(tree_of(k), *_power(sine, m[0]), *_power(cosine, m[1]))
+        for m, k in sorted(terms, key=lambda each: -each[0][0])
+    )
+
+
+def _power(tree: Expression, exponent: int) -> tuple[Expression, ...]:
+    if exponent == 0:
+        return ()
+    if exponent == 1:
+        return (tree,)
+    return (square(tree),) if exponent == 2 else (Binary("^", tree, number(exponent)),)
+
+
+def _in_one_square(
+    scene: Scene, line: int, mixed: sp.Poly, kind: Any, symbol: sp.Symbol
+) -> Source | None:
+    """The square of the other ratio is one less that of this."""
+    letter = Letter(symbol.name)
+    own = Apply(kind.__name__, letter)
+    place = 0 if kind is sp.cos else 1
+    common = sp.gcd_list(mixed.coeffs())
+    sides: tuple[list[Expression], list[Expression]] = ([], [])
+    above = sp.Integer(0)
+    for m, k in _together(mixed):
+        k = cancelled(k / common)
+        other, same = m[place], m[1 - place]
+        above += k * (1 - kind(symbol) ** 2) ** (other // 2) * kind(symbol) ** same
+        factors: list[Expression] = []
+        if other == 2:
+            factors.append(difference(ONE, square(own)))
+        elif other:
+            factors.append(Binary("^", difference(ONE, square(own)), number(other // 2)))
+        negative = scene.model.sign(k) < 0
+        sides[negative].append(
+            product(tree_of(-k if negative else k), *factors, *_power(own, same))
+        )
+    relation = Relation(((Link(total(sides[0]), "=", total(sides[1])),),))
+    written = _identity(scene, line, "pythagoras", relation)
+    if written is None:
+        return None
+    return _by_one(scene, written, expanded(above), kind, symbol)
+
+
+def _together(mixed: sp.Poly) -> Iterator[tuple[tuple[int, ...], sp.Expr]]:
+    """The terms of a form in sine and cosine, with k sin² + k cos² as k."""
+    terms = dict(mixed.terms())
+    both = terms.get((2, 0))
+    if both is not None and both == terms.get((0, 2)):
+        del terms[2, 0], terms[0, 2]
+        terms[0, 0] = terms.get((0, 0), 0) + both
+    yield from ((m, k) for m, k in terms.items() if k != 0)
+
+
+def _identity(scene: Scene, line: int, record: str, relation: Relation, *others: int) -> int | None:
+    move = Move("identity", record)
+    refs = scene.judge.enough(move, (line, *others), relation, _background(scene, line))
+    return None if refs is None else scene.desk.write(move, refs, relation)
+
+
+# --- an angle and its half ----------------------------------------------------------------------
+
+
+def divided_angle(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
+    """The tangent of an angle by that of its double: an equation in the tangent of the smaller."""
+    own = _by_angles(scene, line, symbol)
+    functions = _functions(scene, own, symbol)
+    if functions is None:
+        return None
+    factors = {function.args[0] / symbol for function in functions}
+    if not all(each.is_Rational for each in factors) or len(factors) != 2:
+        return None
+    small, large = sorted(factors)
+    if large != 2 * small:
+        return None
+    link = scene.desk.last_link(line)
+    angle = link.left.argument if isinstance(link.left, Apply) else None
+    t = sp.Dummy("t", positive=True)
+    x, double = small * symbol, large * symbol
+    single = {sp.sin(x): t * sp.cos(x), sp.tan(x): t}
+    doubled = {sp.sin(double): sp.Symbol("T") * sp.cos(double), sp.tan(double): sp.Symbol("T")}
+    factor = cancelled(numerator(own.subs(single).subs(doubled)))
+    poly = sp.Poly(factor, t, sp.Symbol("T"))
+    if set(poly.monoms()) != {(1, 0), (0, 1)}:
+        return None
+    k = cancelled(-poly.coeff_monomial(sp.Symbol("T")) / poly.coeff_monomial(t))
+    if k.has(symbol):
+        return None
+    return _by_double(scene, line, symbol, small, tidy(k), angle)
+
+
+def _by_angles(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:
+    """A line as an expression that is zero, in which the sine of 2θ is not that of θ."""
+    multiples: dict[sp.Symbol, sp.Expr] = {}
+    names: dict[str, sp.Symbol] = {}
+
+    def change(tree: Expression) -> Expression:
+        match tree:
+            case Apply("sin" | "cos" | "tan" as kind, argument) if not isinstance(argument, Letter):
+                angle = scene_value(scene, argument)
+                if angle.free_symbols == {symbol}:
+                    own = sp.Dummy(real=True)
+                    name = f"_{len(names)}"
+                    names[name] = own
+                    multiples[own] = getattr(sp, kind)(angle, evaluate=False)
+                    return Letter(name)
+        return tree
+
+    link = scene.desk.last_link(line)
+    left, right = (scene_value(scene, rebuilt(e, change), names) for e in (link.left, link.right))
+    return (left - right).xreplace(multiples)
+
+
+def _by_double(
+    scene: Scene, line: int, symbol: sp.Symbol, small: sp.Rational, k: sp.Expr, angle: Any
+) -> Source | None:
+    """From tan x = k tan 2x: the quadratic in tan x without the root 0."""
+    letter = Letter(symbol.name)
+    if small == 1:
+        subject: Expression = Apply("tan", letter)
+        record = "double-angle"
+        meaning: tuple[int, ...] = ()
+    else:
+        if angle is None:
+            return None
+        name = _free_letter(scene)
+        subject, record = Letter(name), "half-angle"
+        meaning = (scene.desk.write(Move("let"), (), Meaning(name, Apply("tan", angle))),)
+    two = product(number(2), subject)
+    below = difference(ONE, square(subject))
+    right: Expression = Binary("/", product(tree_of(k), two), below)
+    if k.is_Rational and k.q != 1:
+        right = product(tree_of(k), Binary("/", two, below))
+    first = _identity(scene, line, record, chain(subject, (right, None)), *meaning)
+    if first is None:
+        return None
+    cancelled = chain(below, (tree_of(2 * k), None))
+    known = range_of(scene, symbol.name)
+    second = scene.desk.write(Move("cancel"), (first, *meaning, known), cancelled)
+    value = tidy(sp.tan(small * scene.final(symbol)))
+    others = [Link(subject, "=", tree_of(each)) for each in (value, -value)]
+    alternatives = Relation(tuple((other,) for other in others))
+    third = scene.desk.write(Move("roots"), (second,), alternatives)
+    only = Relation(((others[0],),))
+    last = scene.desk.write(Move("reject"), (third, *meaning, known), only)
+    if small == 1:
+        scene.desk.know(subject, value, (last,))
+        return inverse(scene, last, symbol)
+    _write_double(scene, line, last, meaning, Apply("tan", letter), tidy(value / k))
+    final = scene.final(symbol)
+    relation = chain(letter, (tree_of(final, angle=True, as_it_is=True), None))
+    written = scene.desk.write(Move("inverse"), (last, *meaning, known), relation)
+    return known_as(scene, symbol, final, written)
+
+
+def _write_double(
+    scene: Scene,
+    line: int,
+    last: int,
+    meaning: tuple[int, ...],
+    subject: Apply,
+    value: sp.Expr,
+) -> None:
+    """The tangent of the whole angle, by that of its half."""
+    relation = chain(subject, (tree_of(value), None))
+    number = scene.desk.write(Move("put"), (line, last, *meaning), relation)
+    scene.desk.know(subject, value, (number,))
+
+
+def _free_letter(scene: Scene) -> str:
+    """A letter that stands for nothing yet: t where it is free."""
+    taken = set(scene.model.unknowns.roles) | {
+        component.symbol.name for component in scene.model.components.values()
+    }
+    for line in scene.desk.lines:
+        if isinstance(line.relation, Meaning):
+            taken.add(line.relation.letter)
+    return next(each for each in ("t", "T", "k", "z") if each not in taken)
+
+
+# --- sums of angles -----------------------------------------------------------------------------
+
+
+def sum_of_angles(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
+    """Sines and cosines of an angle and a number: by the formulae for sums."""
+    written = without_sums(scene, line, symbol)
+    if written is None:
+        return None
+    return ratio(scene, written, symbol) or even(scene, written, symbol)
+
+
+def without_sums(scene: Scene, line: int, symbol: sp.Symbol) -> int | None:
+    """The line with ratios of a sum of angles by those of an angle; None where it has none."""
+    link = scene.desk.last_link(line)
+    sums = [
+        each
+        for side in (link.left, link.right)
+        for each in walk(side)
+        if isinstance(each, Apply)
+        and each.function in ("sin", "cos", "tan")
+        and isinstance(each.argument, Binary)
+        and each.argument.op in ("+", "-")
+        and symbol.name in letters(each.argument)
+    ]
+    if not sums:
+        return None
+    mixed = sp.Poly(
+        numerator(_in_sines(sp.expand_trig(residual(scene, line)), symbol)),
+        sp.sin(symbol),
+        sp.cos(symbol),
+    )
+    whole = factored(mixed.as_expr())
+    common = sp.Mul(
+        *(x for x in sp.Mul.make_args(whole) if x.is_number or (x.is_Symbol and x.is_positive))
+    )
+    terms = [(m, cancelled(k / common)) for m, k in mixed.terms()]
+    left = [(m, tidy(k)) for m, k in terms if scene.model.sign(k) > 0]
+    right = [(m, tidy(-k)) for m, k in terms if scene.model.sign(k) < 0]
+    relation = Relation(
+        ((Link(_form(left, symbol) if left else ZERO, "=", _form(right, symbol)),),)
+    )
+    between = _expanded(scene, line, sums, symbol)
+    if between is not None and between != relation:
+        # How the terms are gathered is seen where their sine and cosine have come in.
+        between_line = _identity(scene, line, "sum-of-angles", between)
+        if between_line is not None:
+            gathered = _rearranged(scene, between_line, relation)
+            if gathered is not None:
+                return gathered
+    return _identity(scene, line, "sum-of-angles", relation)
+
+
+def _rearranged(scene: Scene, line: int, relation: Relation) -> int | None:
+    """A line in another form, where it follows."""
+    move = Move("rearrange")
+    refs = scene.judge.enough(move, (line,), relation, _background(scene, line))
+    return None if refs is None else scene.desk.write(move, refs, relation)
+
+
+def _expanded(scene: Scene, line: int, sums: Sequence[Apply], symbol: sp.Symbol) -> Relation | None:
+    """An equation with the ratios of sums of angles by the formulae, and exact values in them.
+
+    None where a ratio is no sum of sine and cosine of one angle.
+    """
+    expansions: dict[Expression, Expression] = {}
+    sine, cosine = sp.sin(symbol), sp.cos(symbol)
+    for each in sums:
+        value = sp.expand(sp.expand_trig(scene.scalar(each)))
+        rest = value - value.coeff(sine) * sine - value.coeff(cosine) * cosine
+        if each.function == "tan" or rest != 0:
+            return None
+        parts = [(cosine, "cos"), (sine, "sin")] if each.function == "cos" else []
+        parts = parts or [(sine, "sin"), (cosine, "cos")]
+        shares = [(tidy(value.coeff(ratio)), name) for ratio, name in parts]
+        shares.sort(key=lambda own: scene.model.sign(own[0]) < 0)
+        expansions[each] = total(
+            product(tree_of(share), Apply(name, Letter(symbol.name)))
+            for share, name in shares
+            if share != 0
+        )
+    link = scene.desk.last_link(line)
+    sides = (swept(exchanged(side, expansions)) for side in (link.left, link.right))
+    left, right = sides
+    return Relation(((Link(left, link.sign, right),),))
+
+
+def _as_written(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:
+    """An acute angle as the inverse of the ratio that a line gives."""
+    if len(scene.desk.relation(line).options) > 1:
+        return scene.final(symbol)
+    link = scene.desk.last_link(line)
+    match link.left:
+        case Apply("cos" | "sin" as kind, Letter(name)) if name == symbol.name:
+            ratio_ = scene.scalar(link.right)
+            if not ratio_.free_symbols:
+                return (sp.acos if kind == "cos" else sp.asin)(ratio_)
+    return scene.final(symbol)
+
+
+def inverse(scene: Scene, line: int, symbol: sp.Symbol, sides: Sequence[int] = ()) -> Source:
+    """The angle by its ratio; ``sides`` are lines that may tell its quadrant."""
+    value = scene.final(symbol)
+    if value.atoms(sp.atan):
+        value = _as_written(scene, line, symbol)
+    move, known = Move("inverse"), range_of(scene, symbol.name)
+    relation = chain(Letter(symbol.name), (tree_of(value, angle=True, as_it_is=True), None))
+    if known.startswith("acute"):
+        written = scene.desk.write(move, (line, known), relation)
+        return known_as(scene, symbol, value, written)
+    for more in ((), *((side,) for side in sides)):
+        if scene.judge.follows(move, (line, known, *more), relation):
+            written = scene.desk.write(move, (line, known, *more), relation)
+            break
+    else:
+        raise NotPlannedError(f"{symbol} is not the only angle of its ratio")
+    return known_as(scene, symbol, value, written)

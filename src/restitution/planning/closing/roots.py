@@ -1,0 +1,681 @@
+"""Equations of the second degree: their roots, and by what some of them are excluded."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from restitution.components.models import Model
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.explaining.trees import trees_of
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Number,
+    Quantity,
+    letters,
+    walk,
+)
+from restitution.planning.closing.square_roots import (
+    is_product_of_sums,
+    is_square_of_sum,
+    linear_factors,
+)
+from restitution.planning.formulas.impacts import momentum, residual, restitution, scene_value
+from restitution.planning.formulas.velocity_formulas import velocity_source
+from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
+from restitution.planning.writing.forms import (
+    ZERO,
+    outer_terms,
+    product,
+    square,
+    swept,
+    total,
+    tree_of,
+)
+from restitution.planning.writing.polynomials import expanded, factor_powers, factored
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import Scene
+
+
+def known_as(scene: Scene, symbol: sp.Symbol, value: Any, number: int) -> Source:
+    """From here on a letter has the value that a line says."""
+    return scene.desk.know(Letter(symbol.name), value, (number,))
+
+
+def by_roots(
+    scene: Scene,
+    number: int,
+    above: sp.Expr,
+    generator: sp.Expr,
+    subject: Expression,
+    symbol: sp.Symbol,
+    of: Of | None = None,
+) -> Source | None:
+    """The roots of a polynomial in a letter, or in a ratio of an angle, and what is left of them.
+
+    ``of`` makes what the polynomial is in of the letter, where that is neither. None where the
+    roots cannot be written, or are none of the solution.
+    """
+    if of is None:
+        of = itself if generator == symbol else generator.func
+    factors = [(base, power) for base, power in factor_powers(above) if base.has(generator)]
+    linear = linear_factors(scene, number, symbol) if generator == symbol else []
+    if len(linear) > 1 and any(each.atoms(sp.Pow) for each in linear):
+        factors = [(each, 1) for each in linear]  # with roots of numbers they are not found again
+    polynomials = [sp.Poly(base, generator) for base, _ in factors]
+    if not factors or any(
+        polynomial.degree() > 2
+        or symbol in (c for x in polynomial.coeffs() for c in x.free_symbols)
+        for polynomial in polynomials
+    ):
+        return None
+    roots: list[sp.Expr] = []
+    for polynomial in polynomials:
+        roots += _real_roots(scene, polynomial)
+    roots = list(dict.fromkeys(roots))
+    kept = [root for root in roots if is_reached(scene, root, of, symbol)]
+    wanted = [each for each in kept if is_value(scene.model, each, of, symbol)]
+    if len(wanted) != 1:
+        return None
+    (value,) = wanted
+    kept.sort(key=lambda each: _first_reached(scene, each, of, symbol))
+    roots = [*kept, *(root for root in roots if root not in kept)]
+    dropped = [root for root in roots if root not in kept]
+    whole = expanded(sp.Mul(*(base**power for base, power in factors)))
+    if generator != symbol or not (
+        is_square_of_sum(scene, number, symbol) or is_product_of_sums(scene, number, symbol)
+    ):
+        number = in_standard_form(scene, number, whole, generator, subject)
+        number = _in_factors(scene, number, [base for base, _ in factors], generator, subject)
+    alternatives = Relation(tuple(option(subject, root) for root in roots))
+    names = {each.name for each in above.free_symbols}
+    known = background(scene, names)
+    refs = scene.judge.enough(Move("roots"), (number,), alternatives, known)
+    if refs is not None:
+        line: int | None = _by_the_formula(scene, number, polynomials, alternatives, known)
+        line = line or _by_linear_factors(scene, number, polynomials, alternatives, known)
+        line = line or scene.desk.write(Move("roots"), refs, alternatives)
+    elif len(polynomials) == 1:
+        line = _by_pythagoras(scene, number, polynomials[0], alternatives, known)
+    else:
+        line = None
+    if line is None:
+        return None
+    if dropped:
+        line = rejected(scene, line, symbol, subject, kept)
+    if len(kept) > 1:
+        scene.desk.splits += ((line, kept.index(value)),)
+        scene.others = tuple(other for other in scene.others if is_value(other, value, of, symbol))
+    if generator == symbol:
+        return known_as(scene, symbol, value, line)
+    return scene.desk.know(subject, value, (line,))
+
+
+def _by_the_formula(
+    scene: Scene,
+    number: int,
+    polynomials: Sequence[sp.Poly],
+    roots: Relation,
+    known: Iterable[Ref],
+) -> int | None:
+    """The roots of a quadratic in numbers with roots, as the formula gives them, before they are
+    put in order. None of another one.
+    """
+    match scene.desk.last_link(number):
+        case Link(Binary("^", base, _), "=", right) if is_square_of_sum(
+            scene, number, polynomials[0].gen
+        ):
+            return _of_a_square(scene, number, (base, right), roots, known)
+    if len(polynomials) != 1 or polynomials[0].degree() != 2:
+        return None
+    coefficients = polynomials[0].all_coeffs()
+    if not all(each.is_number for each in coefficients) or all(
+        each.is_Rational for each in coefficients
+    ):
+        return None
+    if coefficients[1] == 0 or len(roots.options) < 2:
+        return None  # of a double root there is nothing to put in order
+    return _in_two_lines(scene, number, polynomials[0], roots, known, Move("rearrange"))
+
+
+def _by_linear_factors(
+    scene: Scene,
+    number: int,
+    polynomials: Sequence[sp.Poly],
+    roots: Relation,
+    known: Iterable[Ref],
+) -> int | None:
+    """The roots of linear factors in numbers with roots as quotients, and then put in order.
+
+    None of other factors.
+    """
+    if len(polynomials) < 2 or any(each.degree() != 1 for each in polynomials):
+        return None
+    if not all(c.is_number for each in polynomials for c in each.all_coeffs()):
+        return None
+    quotients: dict[sp.Expr, Expression] = {}
+    for each in polynomials:
+        slope, rest = (expanded(c) for c in each.all_coeffs())
+        turned = -1 if scene.model.sign(slope) < 0 else 1
+        parts = (tree_of(expanded(turned * x), as_it_is=True) for x in (-rest, slope))
+        if slope.is_Add:
+            quotients[tidy(-rest / slope)] = Binary("/", *parts)
+    options = tuple(
+        (Link(links[0].left, "=", quotients.get(scene.scalar(links[0].right), links[0].right)),)
+        for links in roots.options
+    )
+    return _then(scene, number, Relation(options), roots, known, Move("rearrange"))
+
+
+def _of_a_square(
+    scene: Scene,
+    number: int,
+    sides: tuple[Expression, Expression],
+    roots: Relation,
+    known: Iterable[Ref],
+) -> int | None:
+    """The roots of (px + q)² = c, of a p that is a sum of roots of numbers, as quotients."""
+    subject = roots.options[0][0].left
+    base, right = (sp.sympify(scene_value(scene, each), strict=True) for each in sides)
+    symbols = [each for each in base.free_symbols if Letter(each.name) == subject]
+    if len(symbols) != 1 or len(base.free_symbols) != 1 or not right.is_number:
+        return None
+    (symbol,) = symbols
+    slope, rest = expanded(base).coeff(symbol, 1), expanded(base).coeff(symbol, 0)
+    if not slope.is_Add:
+        return None
+    options: list[tuple[Link, ...]] = []
+    for links in roots.options:
+        value = scene.scalar(links[0].right)
+        root = sp.sqrt(right) if scene.model.sign(slope * value + rest) > 0 else -sp.sqrt(right)
+        trees = (tree_of(each, as_it_is=True) for each in (expanded(root - rest), slope))
+        tree = tree_of(value) if value.is_Rational else Binary("/", *trees)
+        options.append((Link(subject, "=", tree),))
+    return _then(scene, number, Relation(tuple(options)), roots, known, Move("rearrange"))
+
+
+def _by_pythagoras(
+    scene: Scene, number: int, polynomial: sp.Poly, roots: Relation, known: Iterable[Ref]
+) -> int | None:
+    """The roots of a quadratic by the formula, of whose root sin² + cos² = 1 makes a number.
+
+    None of another one.
+    """
+    if polynomial.degree() != 2:
+        return None
+    inside = sp.discriminant(polynomial) / 4
+    inside = expanded(inside)
+    if not inside.has(sp.sin, sp.cos):
+        return None
+    plain = sp.trigsimp(inside) if inside.free_symbols else tidy(inside)
+    if expanded(plain).has(sp.sin, sp.cos):
+        return None
+    return _in_two_lines(scene, number, polynomial, roots, known, Move("identity", "pythagoras"))
+
+
+def _in_two_lines(
+    scene: Scene,
+    number: int,
+    polynomial: sp.Poly,
+    roots: Relation,
+    known: Iterable[Ref],
+    move: Move,
+) -> int | None:
+    """Roots as the formula gives them, and then, by a move, as they are."""
+    turned = scene.model.sign(polynomial.LC()) < 0
+    a, b, c = (-polynomial.nth(n) if turned else polynomial.nth(n) for n in (2, 1, 0))
+    half = expanded(b / 2)
+    if any(not each.as_coeff_Mul()[0].is_Integer for each in sp.Add.make_args(half)):
+        a, half, c = 2 * a, b, 2 * c  # (−7 ± √193)/6, and not (−7/2 ± √(193/4))/3
+    inside = expanded(half**2 - a * c)
+    own = expanded(tidy(sp.sqrt(inside)))
+    plain = own.is_Add and not any(p.base.has(sp.Pow) for p in own.atoms(sp.Pow))
+    root = Apply(
+        "sqrt", square(tree_of(own, as_it_is=True)) if plain else tree_of(inside, as_it_is=True)
+    )
+    subject = roots.options[0][0].left
+    by_formula: list[tuple[Link, ...]] = []
+    for links in roots.options:
+        plus = scene.model.sign(a * scene.scalar(links[0].right) + half) > 0
+        above = Binary("+" if plus else "-", tree_of(-half), root)
+        by_formula.append((Link(subject, "=", swept(Binary("/", above, tree_of(a)))),))
+    return _then(scene, number, Relation(tuple(by_formula)), roots, known, move)
+
+
+def _then(
+    scene: Scene,
+    number: int,
+    first: Relation,
+    roots: Relation,
+    known: Iterable[Ref],
+    move: Move,
+) -> int | None:
+    """Roots in a first form, and then, by a move, in their own; None where they have that."""
+    if first == roots:
+        return None
+    refs = scene.judge.enough(Move("roots"), (number,), first, known)
+    if refs is None:
+        return None
+    mark = scene.desk.mark()
+    line = scene.desk.write(Move("roots"), refs, first)
+    refs = scene.judge.enough(move, (line,), roots, known)
+    if refs is None:
+        scene.desk.back(mark)
+        return None
+    return scene.desk.write(move, refs, roots)
+
+
+def _real_roots(scene: Scene, polynomial: sp.Poly) -> list[sp.Expr]:
+    """The roots of a factor that are real at the numbers of the solution."""
+    if polynomial.degree() == 2:
+        a, b, c = (polynomial.nth(n) for n in (2, 1, 0))
+        if b == 0 and (own := _quotient_root(scene, -c / a)) is not None:
+            return [own, -own]
+        inside = factored(b**2 - 4 * a * c)
+        if scene.model.sign(inside) < 0:
+            return []
+        root = tidy(sp.sqrt(inside))
+        root = root.replace(sp.Abs, lambda x: x if scene.model.sign(x) >= 0 else -x)
+        return [tidy((-b + sign * root) / (2 * a)) for sign in (1, -1)]
+    return [tidy(each) for each in sp.roots(polynomial)]
+
+
+def _quotient_root(scene: Scene, square_: sp.Expr) -> sp.Expr | None:
+    """The root of a quotient with a sum below, in one root; None of another."""
+    factors = sp.factor_list(sp.together(square_).as_numer_denom()[1])[1]
+    if not any(base.is_Add and power % 2 for base, power in factors):
+        return None
+    (above, left_above), (below, left_below) = map(
+        _squares_out, sp.together(square_).as_numer_denom()
+    )
+    if scene.model.sign(scene.model.in_data(left_below)) < 0:
+        left_above, left_below = expanded(-left_above), expanded(-left_below)
+    outside, inside = above / below, left_above / left_below
+    if scene.model.sign(scene.model.in_data(inside)) <= 0:
+        return None
+    back = scene.model.sign(scene.model.in_data(outside)) < 0
+    return sp.sympify((-outside if back else outside) * sp.sqrt(inside), strict=True)
+
+
+def _squares_out(whole: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """The root of the squares in a product, and the rest: u² − v², and not (u + v)(u − v)."""
+    number, factors = sp.factor_list(whole)
+    outside = sp.Mul(*(base ** (power // 2) for base, power in factors))
+    rest = number * sp.Mul(*(base ** (power % 2) for base, power in factors))
+    open_ = expanded(rest)
+    return outside, open_ if len(sp.Add.make_args(open_)) <= 2 else rest
+
+
+def option(subject: Expression, value: sp.Expr) -> tuple[Link, ...]:
+    """One of the alternatives, as a line has it."""
+    return (Link(subject, "=", tree_of(value)),)
+
+
+def in_standard_form(
+    scene: Scene, number: int, above: sp.Expr, generator: sp.Expr, subject: Expression
+) -> int:
+    """The equation as ``x² = c`` or ``ax² + bx + c = 0``, where it does not stand so already."""
+    polynomial = sp.Poly(above, generator)
+    fourth = polynomial.degree() == 4 and not polynomial.nth(3) and not polynomial.nth(1)
+    if polynomial.degree() != 2 and not fourth:
+        return number
+    link = scene.desk.last_link(number)
+    squared = _twice(subject)
+    if squared in (link.left, link.right) or _is_in_powers(scene, link, generator):
+        return number
+    pure = not fourth and polynomial.nth(1) == 0
+    if pure:
+        value = tidy(-polynomial.nth(0) / polynomial.nth(2))
+        relation = chain(squared, (tree_of(value), None))
+    else:
+        tree = _polynomial_tree(_plain(scene, above, generator), subject)
+        relation = Relation(((Link(tree, "=", ZERO),),))
+    if scene.desk.relation(number) == relation:
+        return number
+    move = Move("rearrange")
+    names_ = {symbol.name for symbol in residual(scene, number).free_symbols}
+    refs = scene.judge.enough(move, (number,), relation, background(scene, names_))
+    if refs is None and pure:
+        # A given fact may tell that what it is divided by is not zero.
+        given = [each for each in scene.judge.known(names_) if each in scene.facts]
+        refs = scene.judge.enough(Move("cancel"), (number,), relation, given) if given else None
+        if refs is not None:
+            return scene.desk.write(Move("cancel"), refs, relation)
+    if refs is None and pure:
+        # What it is divided by may be zero: that stands on the side of the square.
+        sides = (polynomial.nth(2), -polynomial.nth(0))
+        minus = scene.model.sign(scene.model.in_data(sides[1])) < 0
+        lead, rest = (tidy(factored(-each if minus else each)) for each in sides)
+        plain = tree_of(lead * generator**2) if squared == tree_of(generator**2) else None
+        left = plain or product(tree_of(lead), squared)
+        relation = chain(left, (tree_of(rest), None))
+        if relation != scene.desk.relation(number):
+            refs = scene.judge.enough(move, (number,), relation, background(scene, names_))
+    return number if refs is None else scene.desk.write(move, refs, relation)
+
+
+def _is_in_powers(scene: Scene, link: Link, letter: sp.Expr) -> bool:
+    """Whether a sum of powers of a letter, with letters beside it, is zero: the highest first."""
+    if not letter.is_Symbol or link.right != ZERO:
+        return False
+    values = [scene_value(scene, tree) for tree in outer_terms(link.left)]
+    if len(letters(link.left)) < 2 or not all(value.is_polynomial(letter) for value in values):
+        return False
+    polynomials = [sp.Poly(value, letter) for value in values]
+    powers = [each.degree() for each in polynomials]
+    return all(each.is_monomial for each in polynomials) and powers == [2, 1, 0]
+
+
+def _plain(scene: Scene, above: sp.Expr, generator: sp.Expr) -> sp.Poly:
+    """A polynomial without a common factor, and with what is positive in front."""
+    x = sp.Dummy(real=True)
+    _, rest = sp.Poly(above.xreplace({generator: x}), x).primitive()
+    return -rest if scene.model.sign(rest.LC()) < 0 else rest
+
+
+def _in_factors(
+    scene: Scene,
+    number: int,
+    factors: Sequence[sp.Expr],
+    generator: sp.Expr,
+    subject: Expression,
+) -> int:
+    """A quadratic as the product of two linear factors, where it is one."""
+    degrees = [sp.Poly(factor, generator).degree() for factor in factors]
+    if degrees not in ([1, 1], [2, 2]):
+        return number
+    if scene.desk.last_link(number).right != ZERO:
+        return number
+    plain = [_plain(scene, factor, generator) for factor in factors]
+    plain.sort(key=lambda each: (each.nth(0) != 0, each.LC() == 1, str(each.nth(0))))
+    trees = [_polynomial_tree(each, subject) for each in plain]
+    relation = Relation(((Link(product(*trees), "=", ZERO),),))
+    names = {symbol.name for symbol in residual(scene, number).free_symbols}
+    refs = scene.judge.enough(Move("rearrange"), (number,), relation, background(scene, names))
+    return number if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
+
+
+def _polynomial_tree(polynomial: sp.Poly, subject: Expression) -> Expression:
+    fourth = Binary("^", subject, Number(Fraction(4)))
+    powers: dict[int, Expression] = {4: fourth, 2: _twice(subject), 1: subject}
+    terms = []
+    for (power,), value in polynomial.terms():
+        tree = tree_of(value)
+        terms.append(product(tree, powers[power]) if power else tree)
+    return total(terms)
+
+
+def itself(value: sp.Expr) -> sp.Expr:
+    """What an equation for the unknown itself is solved for."""
+    return value
+
+
+Of = Callable[[sp.Expr], sp.Expr]
+"""What an equation is solved for, made of the unknown: the sine of an angle, a square."""
+
+
+def _twice(subject: Expression) -> Expression:
+    """The square of what an equation is in; of a square the fourth power."""
+    match subject:
+        case Binary("^", base, Number(value)):
+            return Binary("^", base, Number(2 * value))
+    return square(subject)
+
+
+def is_value(model: Model, root: sp.Expr, of: Of, symbol: sp.Symbol) -> bool:
+    """Whether a root is what the unknown is by a solution."""
+    return model.sign(model.in_data(root) - of(model.final[symbol])) == 0
+
+
+def is_reached(scene: Scene, root: sp.Expr, of: Of, symbol: sp.Symbol) -> bool:
+    """Whether a root is that of some solution of the part."""
+    return any(is_value(model, root, of, symbol) for model in scene.others or (scene.model,))
+
+
+def _first_reached(scene: Scene, root: sp.Expr, of: Of, symbol: sp.Symbol) -> int:
+    """Which of the solutions is the first with a root: in that order they are written."""
+    return next(
+        n
+        for n, model in enumerate(scene.others or (scene.model,))
+        if is_value(model, root, of, symbol)
+    )
+
+
+# --- what excludes a root -----------------------------------------------------------------------
+
+
+def rejected(
+    scene: Scene,
+    line: int,
+    symbol: sp.Symbol,
+    subject: Expression,
+    kept: Sequence[sp.Expr],
+) -> int:
+    """The line of what remains, with what excludes the rest: the line that was squared may."""
+    relation = Relation(tuple(option(subject, each) for each in kept))
+    move = Move("reject")
+    own = background(scene, {symbol.name})
+    component = _is_component(scene, symbol)
+    bare = _likely(scene, symbol, own)
+    if not component and scene.judge.follows(move, (line, *bare), relation):
+        return scene.desk.write(move, (line, *bare), relation)
+    unsquared = _unsquared(scene, line, symbol)
+    if unsquared:
+        refs = scene.judge.enough(move, (line,), relation, (*unsquared, *own))
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
+    senses_ = senses(scene, symbol)
+    if senses_:
+        refs = scene.judge.enough(move, (line,), relation, (*senses_, *own))
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
+    laws = _laws(scene, symbol) if component else ()
+    names = {symbol.name}
+    for each in kept:
+        names |= {x.name for x in each.free_symbols}
+    for ref in laws:
+        names |= {x.name for x in residual(scene, ref).free_symbols}  # type: ignore[arg-type]
+    rest = [each for each in background(scene, names) if each not in own]
+    for premises in (*_by_one_law(scene, laws, rest), *_by_laws(laws, rest)):
+        if scene.judge.follows(move, (line, *premises), relation):
+            return scene.desk.write(move, (line, *premises), relation)
+    facts = [each for each in scene.judge.known(names) if each in scene.facts]
+    for approach in _approaches(scene, line, symbol):
+        refs = scene.judge.enough(move, (line,), relation, approach)
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
+    for sense in _senses_of_components(scene, symbol):
+        refs = scene.judge.enough(move, (line,), relation, (*sense, *own))
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
+    pool = (*own, *laws, *_values(scene, laws), *rest, *facts)
+    refs = scene.judge.enough(move, (line,), relation, pool)
+    if refs is None:
+        raise NotPlannedError(f"nothing excludes a value of {symbol}")
+    return scene.desk.write(move, refs, relation)
+
+
+def _unsquared(scene: Scene, line: int, symbol: sp.Symbol) -> tuple[Ref, ...]:
+    """The line above some roots in which the unknown stands below a root: it was squared."""
+    for ref in sorted((e for e in scene.desk.under(line) if isinstance(e, int)), reverse=True):
+        own = scene.desk.line(ref).relation
+        if isinstance(own, Meaning) or len(own.options) != 1:
+            continue
+        nodes = [node for tree in trees_of(own) for node in walk(tree)]
+        if any(
+            isinstance(node, Apply) and node.function == "sqrt" and symbol.name in letters(node)
+            for node in nodes
+        ):
+            return (ref,)
+    return ()
+
+
+def _approaches(scene: Scene, line: int, symbol: sp.Symbol) -> Iterator[tuple[Ref, ...]]:
+    """That spheres approach each other, of which one has an open component at the start.
+
+    With it where they are then, and the lines under this one that tie the components.
+    """
+    lets = [
+        each.number
+        for each in scene.desk.lines
+        if isinstance(each.relation, Meaning) and isinstance(each.relation.quantity, Quantity)
+    ]
+    named = {scene.desk.line(each).relation.letter for each in lets}  # type: ignore[union-attr]
+    if symbol.name not in named:
+        return
+    tied = [ref for ref in scene.desk.under(line) if isinstance(ref, int)]
+    for number in scene.model.frames:
+        bodies = scene.spheres(number)
+        facts = [f"{kind} {body}" for body in bodies for kind in ("position", "velocity")]
+        places = [scene.desk.known(Quantity("position", (Name(e),), number)) for e in bodies]
+        stands = [ref for each in places if each is not None for ref in each.refs]
+        own = [f"towards {number}", *(each for each in facts if each in scene.facts)]
+        if own[0] in scene.facts:
+            yield tuple(dict.fromkeys((*own, *stands, *lets, *sorted(tied))))
+
+
+def _likely(scene: Scene, symbol: sp.Symbol, own: tuple[Ref, ...]) -> tuple[Ref, ...]:
+    """What excludes the other root of two: a coefficient is not negative, an angle in its range."""
+    role = scene.model.unknowns.roles.get(symbol.name)
+    if role is not None and role.kind == "restitution":
+        return own[:1]
+    return own
+
+
+def _by_one_law(
+    scene: Scene, laws: tuple[Ref, ...], rest: Sequence[Ref]
+) -> Iterable[tuple[Ref, ...]]:
+    """The same of one law, where it holds no other component: the later one first.
+
+    A law alone excludes what only contradicts a letter that is positive, which nothing says: so
+    that comes last.
+    """
+    components = {component.symbol for component in scene.model.components.values()}
+    alone: list[tuple[Ref, ...]] = []
+    for law in reversed(laws):
+        letters = residual(scene, law).free_symbols  # type: ignore[arg-type]
+        if len(letters & components) > 1:
+            continue
+        names = {letter.name for letter in letters}
+        own = [each for each in rest if any(name in str(each).split() for name in names)]
+        alone.append((law,))
+        for sign in (">= 0", "<= 1"):
+            angles = [each for each in own if not str(each).endswith(("= 0", "= 1"))]
+            ends = [each for each in own if str(each).endswith(sign)]
+            if ends or angles:
+                yield (law, *ends, *angles)
+    yield from alone
+
+
+def _by_laws(laws: tuple[Ref, ...], rest: Sequence[Ref]) -> Iterable[tuple[Ref, ...]]:
+    """Sets of premises that may exclude a sense of a component: both laws, and 0 ≤ e ≤ 1."""
+    if not laws:
+        return
+    angles = tuple(each for each in rest if not str(each).endswith(("= 0", "= 1")))
+    low = tuple(each for each in rest if str(each).endswith(">= 0"))
+    high = tuple(each for each in rest if str(each).endswith("<= 1"))
+    yield (*laws, *low, *angles)
+    if high:
+        yield (*laws, *high, *angles)
+
+
+def _is_component(scene: Scene, symbol: sp.Symbol) -> bool:
+    return any(component.symbol == symbol for component in scene.model.components.values())
+
+
+def _laws(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
+    """The laws of the impact after which a component is: they may exclude a sense of it."""
+    for (number, _), component in scene.model.components.items():
+        if component.symbol == symbol:
+            frame = scene.frame(number)
+            if frame.wall is None:
+                first, second = (
+                    written_law(scene, record, number) or write(scene, frame)
+                    for record, write in (("momentum", momentum), ("restitution", restitution))
+                )
+                return second, first
+    return ()
+
+
+def written_law(scene: Scene, record: str, number: int) -> int | None:
+    """The line of a law of an impact, where it stands already."""
+    move = Move("law", record, number, scene.bodies(number))
+    for line in scene.desk.lines:
+        if line.move == move and scene.desk.holds(line.number):
+            return line.number
+    return None
+
+
+def _values(scene: Scene, laws: Sequence[Ref]) -> tuple[Ref, ...]:
+    """The lines that give values of letters in laws."""
+    refs: list[Ref] = []
+    for line in laws:
+        for symbol in residual(scene, line).free_symbols:  # type: ignore[arg-type]
+            known = scene.desk.known(Letter(symbol.name))
+            if known is not None:
+                refs += known.refs
+    return tuple(dict.fromkeys(refs))
+
+
+def _senses_of_components(scene: Scene, symbol: sp.Symbol) -> Iterator[tuple[Ref, ...]]:
+    """What is given of the sense of a component that lines tell by a letter."""
+    for (event, body), component in scene.model.components.items():
+        own = scene.desk.known(Letter(component.symbol.name))
+        if own is None or symbol not in sp.sympify(own.value, strict=True).free_symbols:
+            continue
+        facts = senses(scene, component.symbol)
+        if facts:
+            early, late = (velocity_source(scene, body, k) for k in (event - 1, event))
+            yield together(own.refs, facts, early.refs, late.refs)
+
+
+def senses(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
+    """Facts about the sense, or the range, of what a letter is, and what introduces the letter."""
+    refs: list[Ref] = []
+    bodies = {body for (_, body), each in scene.model.components.items() if each.symbol == symbol}
+    for fact in scene.desk.facts:
+        if not scene.desk.holds(fact.id) or not fact.id.startswith(("given", "sense")):
+            continue
+        nodes = [
+            each
+            for links in fact.relation.options
+            for link in links
+            for side in (link.left, link.right)
+            for each in walk(side)
+        ]
+        about = any(
+            isinstance(node, Quantity)
+            and node.kind in ("velocity", "direction", "along", "across")
+            and any(Name(body) in walk(node) for body in bodies)
+            for node in nodes
+        )
+        ordered = any(
+            link.sign in ("<", "<=", ">", ">=", "!=")
+            for links in fact.relation.options
+            for link in links
+        )
+        ranged = ordered and Letter(symbol.name) in nodes
+        if about or ranged:
+            refs.append(fact.id)
+    if refs:
+        known = [
+            line.number
+            for line in scene.desk.lines
+            if line.move.id == "let" and getattr(line.relation, "letter", None) == symbol.name
+        ]
+        axes = [
+            ref
+            for (number, _), each in scene.model.components.items()
+            if each.symbol == symbol
+            for ref in scene.frame(number).refs
+        ]
+        return (*refs, *axes, *known)
+    return ()

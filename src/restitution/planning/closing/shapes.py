@@ -1,0 +1,616 @@
+"""An equation with one unknown becomes lines, by its shape.
+
+The shapes are a table (``SHAPES``): the first that fits a line takes it. What is known of letters
+in the line is put in first, in a line of its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import fields
+
+import sympy as sp
+
+from restitution.components.verdicts import proved_sign
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.explaining.trees import rebuilt, statement_of
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    letters,
+    walk,
+)
+from restitution.planning.closing.collecting import multiplied_out
+from restitution.planning.closing.crossing import multiplied_across
+from restitution.planning.closing.one_root import alone, in_squares
+from restitution.planning.closing.ratios import (
+    by_its_half,
+    divided_angle,
+    even,
+    inside_functions,
+    ratio,
+    sum_of_angles,
+    with_tangents,
+    without_sums,
+)
+from restitution.planning.closing.roots import by_roots, known_as
+from restitution.planning.closing.square_roots import (
+    is_product_of_sums,
+    is_square_of_sum,
+    root_taken,
+)
+from restitution.planning.formulas.impacts import residual, scene_value
+from restitution.planning.formulas.rewriting import in_another_form
+from restitution.planning.writing.angle_ratios import write_other_ratio
+from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
+from restitution.planning.writing.forms import (
+    ZERO,
+    in_tangents,
+    product,
+    square,
+    swept,
+    total,
+    tree_of,
+)
+from restitution.planning.writing.polynomials import (
+    cancelled,
+    expanded,
+    factor_powers,
+    factored,
+    numerator,
+)
+from restitution.planning.writing.premises import background, nonzero, not_negative
+from restitution.planning.writing.scene import Scene
+from restitution.vector import Vector
+
+Shape = Callable[[Scene, int, sp.Symbol], Source | None]
+
+
+def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
+    """Solves a line for the only unknown in it. Raises NotPlannedError for other shapes."""
+    number = with_known(scene, number, symbol)
+    symbol = _unknown_of(scene, number, symbol)
+    if symbol not in residual(scene, number).free_symbols:
+        raise NotPlannedError(f"{symbol} is not in line {number}")
+    number = _by_sine_and_cosine(scene, number, symbol)
+    number = _without_common_sums(scene, root_taken(scene, number, symbol), symbol)
+    if not (is_square_of_sum(scene, number, symbol) or is_product_of_sums(scene, number, symbol)):
+        number = multiplied_out(scene, multiplied_across(scene, number, symbol), symbol)
+    for shape in SHAPES:
+        try:
+            source = shape(scene, number, symbol)
+        except sp.PolynomialError:
+            continue  # no polynomial in what the shape is about
+        if source is not None:
+            return source
+    raise NotPlannedError(f"no way from line {number} to {symbol}")
+
+
+def _by_sine_and_cosine(scene: Scene, number: int, symbol: sp.Symbol) -> int:
+    """The line without an angle of which sin² + cos² = 1 leaves a factor alone.
+
+    So 16 = (2 − v)² cos²α + 16 sin²α is 16 = (2 − v)².
+    """
+    above = numerator(residual(scene, number))
+    for sine in sorted(above.atoms(sp.sin), key=str):
+        cosine = sp.cos(*sine.args)
+        if symbol in sine.free_symbols or cosine not in above.atoms(sp.cos):
+            continue
+        if not above.is_polynomial(sine, cosine):
+            continue
+        poly = sp.Poly(above, sine, cosine)
+        if any(m[0] % 2 for m in poly.monoms()):
+            continue
+        put = sum(c * (1 - cosine**2) ** (m[0] // 2) * cosine ** m[1] for m, c in poly.terms())
+        powers = [(b, n) for b, n in factor_powers(expanded(put)) if symbol in b.free_symbols]
+        whole = expanded(sp.Mul(*(base**power for base, power in powers)))
+        if not powers or whole.has(sine, cosine) or not whole.is_polynomial(symbol):
+            continue
+        if scene.model.sign(sp.Poly(whole, symbol).LC()) < 0:
+            whole = -whole
+        relation = chain(tree_of(whole), (ZERO, None))
+        known = background(scene, {each.name for each in above.free_symbols})
+        move = Move("identity", "pythagoras")
+        refs = scene.judge.enough(move, (number,), relation, known)
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
+    return number
+
+
+def _without_common_sums(scene: Scene, number: int, symbol: sp.Symbol) -> int:
+    """The line without a sum such as 1 + e, certain not to vanish, that both sides have above."""
+    link = scene.desk.last_link(number)
+    if link.sign != "=" or link.right == ZERO:
+        return number
+    sides = [factored(scene_value(scene, side)) for side in (link.left, link.right)]
+    first, second = (_sums_above(side) for side in sides)
+    common = [
+        base ** min(power, second[base])
+        for base, power in first.items()
+        if base in second and proved_sign(scene.model.ground, base)
+    ]
+    if not common:
+        return number
+    whole = sp.Mul(*common)
+    if symbol not in numerator((sides[0] - sides[1]) / whole).free_symbols:
+        return number  # the sum that goes is all that has the unknown
+    left, right = (tree_of(tidy(side / whole)) for side in sides)
+    relation = chain(left, (right, None))
+    known = background(scene, {each.name for each in whole.free_symbols})
+    refs = scene.judge.enough(Move("cancel"), (number,), relation, known)
+    return number if refs is None else scene.desk.write(Move("cancel"), refs, relation)
+
+
+def _sums_above(value: sp.Expr) -> dict[sp.Expr, sp.Expr]:
+    """The sums that are factors of the upper part of a quotient, each with its power."""
+    powers = (factor.as_base_exp() for factor in sp.Mul.make_args(value))
+    return {base: power for base, power in powers if base.is_Add and power.is_Integer and power > 0}
+
+
+def with_known(scene: Scene, number: int, symbol: sp.Symbol | None = None) -> int:
+    """The line with everything put in that is known, as a line; the same line without that."""
+    number = with_tangents(scene, _with_angles(scene, number, symbol))
+    link = scene.desk.last_link(number)
+    values: dict[Expression, Expression] = {}
+    refs: list[Ref] = []
+    for tree in _open_trees(link):
+        source = _known_tree(scene, tree, symbol)
+        if source is not None:
+            angle = isinstance(tree, Letter) and _is_angle(scene, tree.name)
+            values[tree] = tree_of(source.value, angle=angle)
+            refs += source.refs
+    if not values or number in refs:
+        return number
+    left, right = (_settled(swept(_replaced(e, values))) for e in (link.left, link.right))
+    own = scene.desk.line(number)
+    start: tuple[Ref, ...] = own.premises if own.move.id == "fact" else (number,)
+    return scene.desk.write(Move("put"), (*start, *together(refs)), chain(left, (right, None)))
+
+
+def _settled(tree: Expression) -> Expression:
+    """A side in which nothing is left: 0."""
+    match tree:
+        case Binary("-", left, right) if left == right:
+            return ZERO
+    return tree
+
+
+def _with_angles(scene: Scene, number: int, symbol: sp.Symbol | None) -> int:
+    """The line with sums of angles by the formulae, where an angle is known."""
+    for each in sorted(residual(scene, number).free_symbols, key=lambda s: s.name):
+        known = scene.desk.known(Letter(each.name))
+        if each != symbol and known is not None and _is_angle(scene, each.name):
+            written = without_sums(scene, number, each)
+            if written is not None:
+                number = written
+    return number
+
+
+def _open_trees(link: Link) -> Iterable[Expression]:
+    """Letters, and ratios of letters as one, for which values may be put in."""
+    pending: list[Expression] = [link.left, link.right]
+    seen: dict[Expression, None] = {}
+    while pending:
+        tree = pending.pop()
+        if isinstance(tree, Letter) or _is_ratio(tree):
+            seen[tree] = None
+        else:
+            pending += _parts(tree)
+    return seen
+
+
+def _parts(tree: Expression) -> list[Expression]:
+    values = (getattr(tree, field.name) for field in fields(tree) if field.name != "place")
+    return [value for value in values if isinstance(value, Expression)]
+
+
+def _is_angle(scene: Scene, name: str) -> bool:
+    role = scene.model.unknowns.roles.get(name)
+    return role is not None and role.kind == "angle"
+
+
+def _is_ratio(tree: Expression) -> bool:
+    return (
+        isinstance(tree, Apply)
+        and tree.function in ("sin", "cos", "tan")
+        and isinstance(tree.argument, Letter)
+    )
+
+
+def _with(tree: Expression, values: Mapping[Expression, Expression]) -> Expression:
+    return rebuilt(tree, lambda each: values.get(each, each))
+
+
+def _replaced(tree: Expression, values: Mapping[Expression, Expression]) -> Expression:
+    """A tree with values for ratios, and then for letters."""
+    for ratios in (True, False):
+        chosen = {each: value for each, value in values.items() if _is_ratio(each) is ratios}
+        tree = _with(tree, chosen)
+    return tree
+
+
+def _known_tree(scene: Scene, tree: Expression, symbol: sp.Symbol | None) -> Source | None:
+    match tree:
+        case Letter(name) if symbol is None or name != symbol.name:
+            known = scene.desk.known(tree)
+            if known is None or isinstance(known.value, tuple):
+                return None
+            value, refs = scene.put(known.value)
+            if value != known.value and not value.free_symbols & scene.model.final.keys():
+                return _settled_letter(scene, tree, known, Source(value, refs))
+            return Source(value, together(known.refs, refs))
+        case Apply("sin" | "cos" | "tan" as kind, Letter(name)):
+            if symbol is not None and name == symbol.name:
+                return None
+            letter = scene.model.unknowns.letter(name)
+            known = scene.desk.known(tree)
+            if known is None and scene.desk.known(Letter(name)) is not None:
+                write_other_ratio(scene, letter, kind)
+            value, refs = scene.put(getattr(sp, kind)(letter))
+            return Source(value, refs) if refs else None
+    return None
+
+
+def _settled_letter(scene: Scene, letter: Letter, known: Source, final: Source) -> Source:
+    """What a letter is by now, in a line of its own before that is put in."""
+    whole = together(known.refs, final.refs)
+    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    relation = chain(letter, (tree_of(final.value), None))
+    if len(lines) != 1 or scene.desk.last_link(lines[0]).left != letter:
+        return Source(final.value, whole)
+    line = scene.judge.write((Move("put"),), whole, relation)
+    if line is None:
+        return Source(final.value, whole)
+    scene.desk.know(letter, final.value, (line,))
+    return Source(final.value, (line,))
+
+
+def _unknown_of(scene: Scene, number: int, symbol: sp.Symbol) -> sp.Symbol:
+    """The unknown of a line; it may be another than that of the equation behind it."""
+    own = scene.unknown(residual(scene, number))
+    if symbol in own or len(own) != 1:
+        return symbol
+    (other,) = own
+    return other
+
+
+# --- shapes -------------------------------------------------------------------------------------
+
+
+def _already(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """The line says what the unknown is."""
+    link = scene.desk.last_link(number)
+    if link.left != Letter(symbol.name) or link.sign != "=":
+        return None
+    value, right = scene.final(symbol), scene_value(scene, link.right)
+    if right.free_symbols & scene.model.final.keys():
+        return None
+    if not scene.model.identically_zero(right - value):
+        return None
+    angle = _is_angle(scene, symbol.name)
+    forms = [tree_of(value, angle=angle, as_it_is=each) for each in (True, False)]
+    if link.right not in forms and not isinstance(value, sp.atan):
+        relation = chain(link.left, (forms[1], None))
+        number = scene.desk.write(Move("rearrange"), (number,), relation)
+    return known_as(scene, symbol, value, number)
+
+
+def _squared(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """Roots on both sides, or one that is a number: both sides are squared."""
+    link = scene.desk.last_link(number)
+    sides = [link.left, link.right]
+    if not any(_has_root(side, symbol) for side in sides):
+        return None
+    squares = [_square_of(scene, side) for side in sides]
+    if any(each is None for each in squares):
+        return None
+    relation = Relation(((Link(squares[0], "=", squares[1]),),))  # type: ignore[arg-type]
+    move = Move("rearrange")
+    refs = scene.judge.enough(move, (number,), relation, _background(scene, number))
+    if refs is None:
+        return None
+    return close(scene, scene.desk.write(move, refs, relation), symbol)
+
+
+def _by_one_root(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """One root in which the unknown stands: it is alone on a side, before both are squared."""
+    line = alone(scene, number, symbol)
+    return None if line is None else _squared(scene, line, symbol)
+
+
+def _has_root(tree: Expression, symbol: sp.Symbol) -> bool:
+    """Whether an unknown stands below a root, or in a vector of which the size is taken."""
+    return any(
+        isinstance(node, Apply)
+        and node.function in ("sqrt", "abs")
+        and any(isinstance(x, Letter) and x.name == symbol.name for x in walk(node))
+        for node in walk(tree)
+    )
+
+
+def _square_of(scene: Scene, tree: Expression) -> Expression | None:
+    """A side squared: a number, a root, a size, a product or a quotient with one in it."""
+    if not letters(tree):
+        return tree_of(tidy(scene_value(scene, tree) ** 2))
+    match tree:
+        case Apply("sqrt", inside):
+            return inside
+        case Apply("abs", inside):
+            return _square_of_size(scene, inside)
+        case Negate(operand):
+            return _square_of(scene, operand)
+        case Binary("*" | "/" as op, left, right) if any(map(_is_size, walk(tree))):
+            squares = [_square_of(scene, each) for each in (left, right)]
+            if None in squares:
+                return None
+            return Binary(op, squares[0], squares[1])  # type: ignore[arg-type]
+    if any(_is_size(node) for node in walk(tree)):
+        return None
+    return square(tree)
+
+
+def _is_size(tree: Expression) -> bool:
+    return isinstance(tree, Apply) and tree.function in ("sqrt", "abs")
+
+
+def _square_of_size(scene: Scene, tree: Expression) -> Expression | None:
+    """The square of the size of a vector, by its components."""
+    value = scene.value(tree)
+    if not isinstance(value, Vector):
+        return square(tree)
+    parts = [tidy(expanded(each)) for each in value]
+    return total(square(tree_of(part)) for part in parts if part != 0)
+
+
+def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """Linear in the unknown: it is made the subject."""
+    above = numerator(residual(scene, number))
+    if symbol in inside_functions(above) or symbol not in above.free_symbols:
+        return None
+    if (solved := _by_tangents(scene, number, symbol)) is not None:
+        return solved
+    for each in (above, _uncertain(scene, above, symbol)):
+        poly = sp.Poly(each, symbol)
+        if poly.degree() != 1:
+            continue
+        value = tidy(-poly.nth(0) / poly.nth(1))
+        root = _quotient(symbol, poly, value)
+        if _is_angle(scene, symbol.name):
+            root = chain(Letter(symbol.name), (tree_of(value, angle=True), None))
+        line = rearranged(scene, number, root)
+        if line is None and (own := _in_its_degrees(scene, number, symbol, poly)) is not None:
+            value, line = own
+        if line is not None:
+            return known_as(scene, symbol, value, line)
+    return _by_identity(scene, number, symbol)
+
+
+def _in_its_degrees(
+    scene: Scene, number: int, symbol: sp.Symbol, poly: sp.Poly
+) -> tuple[sp.Expr, int] | None:
+    """The root of a linear polynomial by the ratios of whole degrees that are in it.
+
+    No formula joins 40° and 70°, though the value may be one in 20° alone.
+    """
+    value = -poly.nth(0) / poly.nth(1)
+    if len({each.args for each in value.atoms(sp.sin, sp.cos) if each.is_number}) < 2:
+        return None
+    own = in_tangents(value)
+    relation = chain(Letter(symbol.name), (tree_of(own, as_it_is=True), None))
+    line = rearranged(scene, number, relation)
+    return None if line is None else (own, line)
+
+
+def _by_tangents(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """The unknown of a line that has tangents of other angles alone, in these; None of another."""
+    link = scene.desk.last_link(number)
+    ratios = {each for side in (link.left, link.right) for each in walk(side) if _is_ratio(each)}
+    gap = scene_value(scene, link.left) - scene_value(scene, link.right)
+    back: dict[Expression, Expression] = {}
+    for each in ratios:
+        match each:
+            case Apply("tan", Letter(name)):
+                angle = scene.model.unknowns.letter(name)
+                t = sp.Symbol(f"tan {name}", positive=True)
+                gap = gap.xreplace({sp.tan(angle): t, sp.sin(angle): t * sp.cos(angle)})
+                back[Letter(t.name)] = each
+            case _:
+                return None
+    if not back:
+        return None
+    poly = sp.Poly(numerator(sp.cancel(gap)), symbol)
+    if poly.degree() != 1 or inside_functions(poly.as_expr()) or poly.as_expr().atoms(sp.cos):
+        return None
+    value = tidy(-poly.nth(0) / poly.nth(1))
+    tree = rebuilt(tree_of(value), lambda each: back.get(each, each))
+    line = rearranged(scene, number, chain(Letter(symbol.name), (tree, None)))
+    return None if line is None else known_as(scene, symbol, scene.scalar(tree), line)
+
+
+def _quotient(symbol: sp.Symbol, poly: sp.Poly, value: sp.Expr) -> Relation:
+    """The root of a linear polynomial; below a sum with roots it is first a quotient."""
+    letter, last = Letter(symbol.name), tree_of(value)
+    below, letters_ = _without_letters(poly.nth(1))
+    if not below.is_Add:
+        return chain(letter, (last, None))
+    above = cancelled(-poly.nth(0) / letters_)
+    lowest = sp.ilcm(*(each.as_coeff_Mul()[0].q for each in below.args))
+    above, below = (expanded(each * lowest) for each in (above, below))
+    if below.is_negative:
+        above, below = -above, -below
+    top, others = _without_letters(above) if above.free_symbols else (above, sp.Integer(1))
+    over = product(tree_of(top, as_it_is=True), tree_of(others)) if top.is_Add else tree_of(above)
+    first = Binary("/", over, tree_of(below, as_it_is=True))
+    return chain(letter, (first, None), (last, "rearrange"))
+
+
+def without(
+    symbol: sp.Symbol, other: sp.Symbol, residuals: Sequence[sp.Expr], value: sp.Expr
+) -> Relation:
+    """One unknown of two linear equations, once the other is eliminated."""
+    slopes = [sp.diff(each, other) for each in residuals]
+    left = expanded(residuals[0] * slopes[1] - residuals[1] * slopes[0])
+    return _quotient(symbol, sp.Poly(left, symbol), value)
+
+
+def is_over_roots(above: sp.Expr, symbol: sp.Symbol) -> bool:
+    """Whether an unknown, in a linear equation, is divided by a sum with roots."""
+    whole = numerator(above)
+    if symbol in inside_functions(whole) or sp.degree(whole, symbol) != 1:
+        return False
+    return bool(_without_letters(sp.Poly(whole, symbol).nth(1))[0].is_Add)
+
+
+def _without_letters(x: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """A number, and the product of letters that goes with it; 1 and 1 where it is more."""
+    number, letters_ = sp.factor_terms(expanded(x)).as_independent(*x.free_symbols, as_Add=False)
+    return (expanded(number), letters_) if not letters_.is_Add else (sp.Integer(1), x)
+
+
+def _by_identity(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """The unknown in the form of its answer, where sin² + cos² = 1 leads to that."""
+    value = scene.final(symbol)
+    if not value.atoms(sp.sin, sp.cos, sp.tan):
+        return None
+    relation = chain(Letter(symbol.name), (tree_of(value), None))
+    for record in ("pythagoras", "double-angle"):
+        move = Move("identity", record)
+        refs = scene.judge.enough(move, (number,), relation, _background(scene, number))
+        if refs is not None:
+            return known_as(scene, symbol, value, scene.desk.write(move, refs, relation))
+    return None
+
+
+def _uncertain(scene: Scene, x: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    """An expression without the factors that are certain not to vanish.
+
+    A factor that is linear in the unknown has a root, which is written down and rejected.
+    """
+    factors = sp.Mul.make_args(factored(x))
+    kept = [factor for factor in factors if not proved_sign(scene.model.ground, factor)]
+    kept += [factor for factor in factors if factor not in kept and _single(factor, symbol)]
+    return expanded(sp.Mul(*kept))
+
+
+def _single(factor: sp.Expr, symbol: sp.Symbol) -> bool:
+    """Whether a factor is a polynomial in an unknown alone: it has roots to be looked at.
+
+    So has a sum such as d + r.
+    """
+    if not factor.is_polynomial(symbol) or factor == symbol:
+        return False
+    terms = sp.Add.make_args(factor)
+    plain = len(terms) == 2 and all(not x.as_coeff_Mul()[0] - 1 and x.is_Symbol for x in terms)
+    return factor.free_symbols == {symbol} or (plain and symbol in factor.free_symbols)
+
+
+def rearranged(scene: Scene, number: int, relation: Relation) -> int | None:
+    """A line in another form, with what makes the factor between them not zero."""
+    own = scene.desk.line(number)
+    if statement_of(scene.desk.relation(number)) == statement_of(relation):
+        if number in scene.desk.shown:
+            return number  # it was to be shown as it stands
+        # From the other side: the line itself is written so.
+        return scene.desk.write(own.move, own.premises, relation)
+    return in_another_form(scene, number, relation)
+
+
+def _background(scene: Scene, number: int) -> tuple[Ref, ...]:
+    names = {symbol.name for symbol in residual(scene, number).free_symbols}
+    return background(scene, names)
+
+
+def _quadratic(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """A quadratic: its roots, and those that are excluded."""
+    above = numerator(residual(scene, number))
+    if symbol in inside_functions(above):
+        return None
+    return by_roots(scene, number, above, symbol, Letter(symbol.name), symbol)
+
+
+def _without_a_factor(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """A sine or cosine of the unknown is a factor that is certain not to vanish: it goes."""
+    if not _is_angle(scene, symbol.name):
+        return None
+    whole = factored(numerator(residual(scene, number)))
+    ratios = {sp.sin(symbol), sp.cos(symbol)}
+    common = [
+        each
+        for each in sp.Mul.make_args(whole)
+        if each.as_base_exp()[0] in ratios and proved_sign(scene.model.ground, each)
+    ]
+    if not common:
+        return None
+    link = scene.desk.last_link(number)
+    left, right = (
+        tree_of(tidy(scene_value(scene, side) / sp.Mul(*common)))
+        for side in (link.left, link.right)
+    )
+    relation = chain(left, (right, None))
+    refs = scene.judge.enough(Move("cancel"), (number,), relation, background(scene, {symbol.name}))
+    if refs is None:
+        return None
+    return close(scene, scene.desk.write(Move("cancel"), refs, relation), symbol)
+
+
+def _without_an_angle(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """An angle of the data goes, as sin² + cos² = 1; what is left is solved."""
+    whole = numerator(residual(scene, number))
+    angles = {f.args[0] for f in whole.atoms(sp.sin, sp.cos)} - {symbol}
+    gone = [each for each in sorted(angles, key=str) if each.is_Symbol and _goes(whole, each)]
+    if not gone or symbol in inside_functions(whole):
+        return None
+    move = Move("identity", "pythagoras")
+    link = scene.desk.last_link(number)
+    left, right = (
+        tree_of(_in_sines(expanded(scene_value(scene, side)), gone))
+        for side in (link.left, link.right)
+    )
+    refs = scene.judge.enough(move, (number,), chain(left, (right, None)), ())
+    if refs is None:
+        return None
+    return close(scene, scene.desk.write(move, refs, chain(left, (right, None))), symbol)
+
+
+def _goes(x: sp.Expr, angle: sp.Symbol) -> bool:
+    """Whether an angle is not in an expression any more, once its cosines are sines."""
+    return angle in x.free_symbols and angle not in _in_sines(x, [angle]).free_symbols
+
+
+def _in_sines(x: sp.Expr, angles: Iterable[sp.Symbol]) -> sp.Expr:
+    for angle in angles:
+        x = expanded(x.subs(sp.cos(angle) ** 2, 1 - sp.sin(angle) ** 2))
+    return factored(x)
+
+
+SHAPES: tuple[Shape, ...] = (
+    _already,
+    _without_an_angle,
+    _squared,
+    _by_one_root,
+    in_squares,
+    sum_of_angles,
+    ratio,
+    _without_a_factor,
+    by_its_half,
+    even,
+    divided_angle,
+    _linear,
+    _quadratic,
+)
+"""What an equation may look like, in the order in which the shapes are tried."""
+
+__all__ = [
+    "SHAPES",
+    "close",
+    "is_over_roots",
+    "nonzero",
+    "not_negative",
+    "rearranged",
+    "with_known",
+    "without",
+]

@@ -1,0 +1,282 @@
+"""Equations of squares: the root of both sides is taken, and nothing is multiplied out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Relation
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    children,
+    is_zero,
+    letters,
+)
+from restitution.planning.formulas.impacts import scene_value
+from restitution.planning.formulas.rewriting import in_another_form
+from restitution.planning.writing.desk import chain
+from restitution.planning.writing.forms import TWO, factors_above, product, swept, tree_of
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import Scene
+
+
+def root_taken(scene: Scene, number: int, symbol: sp.Symbol) -> int:
+    """The line with the root taken of both sides, as a line; the same line where there is none.
+
+    It is taken where both sides are squares, or where the unknown stands in one square of a sum
+    alone, and where it is certain which of the two roots it is.
+    """
+    for shape in _SHAPES:
+        taken = shape(scene, number, symbol)
+        if taken is not None:
+            return taken
+    return number
+
+
+def without_equal_squares(scene: Scene, line: int) -> int:
+    """Two equal sums of two squares, of which one stands in both: the others are equal too."""
+    link = scene.desk.last_link(line)
+    match link.left, link.right:
+        case Binary("+", a, b), Binary("+", c, d):
+            pairs = [((a, b), (c, d)), ((a, b), (d, c)), ((b, a), (c, d)), ((b, a), (d, c))]
+        case _:
+            return line
+    for (own, left), (other, right) in pairs:
+        match left, right:
+            case Binary("^", one, power), Binary("^", two, exponent) if (
+                own == other
+                and power == exponent == TWO
+                and not isinstance(one, Letter)
+                and not isinstance(two, Letter)  # a component, of which the root has two signs
+            ):
+                break
+    else:
+        return line
+    first = scene.judge.write((Move("rearrange"),), (line,), chain(left, (right, None)))
+    if first is None:
+        return line
+    known = background(scene, letters(one) | letters(two))
+    relation = chain(one, (two, None))
+    return scene.judge.write((Move("rearrange"),), (first, *known), relation) or first
+
+
+def _of_one_square(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
+    """The unknown stands in the square of one sum: that is made the subject, and its root taken."""
+    link = scene.desk.last_link(number)
+    sums = {base for side in (link.left, link.right) for base in _sums(side, symbol.name)}
+    if len(sums) != 1:
+        return None
+    (base,) = sums
+    x = sp.Dummy(real=True)
+    sides = [rebuilt(each, _replace(base, Letter("_sum"))) for each in (link.left, link.right)]
+    if any(symbol.name in letters(each) for each in sides):
+        return None
+    left, right = (scene_value(scene, each, {"_sum": x}) for each in sides)
+    gap = sp.expand(sp.fraction(sp.together(left - right))[0])
+    if not gap.is_polynomial(x):
+        return None
+    power = int(sp.degree(gap, x))
+    if power not in (2, 4) or any(gap.coeff(x, n) != 0 for n in range(1, power)):
+        return None
+    whole = Binary("^", base, Number(Fraction(power)))
+    value = tidy(-gap.coeff(x, 0) / gap.coeff(x, power))
+    root = tidy(sp.root(value, power))
+    if scene.model.sign(scene_value(scene, base).xreplace(dict(scene.model.final))) < 0:
+        root = -root
+    plain = all(_is_plain(atom) for atom in root.atoms(sp.Pow))
+    if symbol in value.free_symbols or root.atoms(sp.Abs) or not plain:
+        return None
+    squared = Relation(((Link(whole, "=", tree_of(value)),),))
+    mark = scene.desk.mark()
+    own = (
+        number
+        if scene.desk.relation(number) == squared
+        else in_another_form(scene, number, squared)
+    )
+    if own is None:
+        return None
+    taken = in_another_form(scene, own, Relation(((Link(base, "=", tree_of(root)),),)))
+    if taken is None and own != number and power != 2:
+        scene.desk.back(mark)
+        return None
+    return taken or own
+
+
+def as_square(value: sp.Expr) -> Expression | None:
+    """A number with roots, times letters, as a square: 7 − √33 = (√33 − 3)²/6.
+
+    None where the root is seen, or is no shorter.
+    """
+    if not any(isinstance(e, sp.Add) and e.is_number for e in sp.preorder_traversal(value)):
+        return None
+    root = tidy(sp.sqrt(value))
+    powers = [each for each in root.atoms(sp.Pow) if not each.exp.is_Integer]
+    if root.atoms(sp.Abs) or not all(each.base.is_Rational for each in powers):
+        return None
+    return Binary("^", tree_of(root), TWO)
+
+
+def is_square_of_sum(scene: Scene, number: int, symbol: sp.Symbol) -> bool:
+    """Whether a line says what the square of a sum with the unknown is: its roots are read off."""
+    match scene.desk.last_link(number):
+        case Link(Binary("^", Binary("+" | "-") as base, Number(power)), "=", right):
+            if power != 2:
+                return False
+            return symbol.name in letters(base) and symbol.name not in letters(right)
+    return False
+
+
+def is_product_of_sums(scene: Scene, number: int, symbol: sp.Symbol) -> bool:
+    """Whether a line says that a product of sums with the unknown is zero: so are its roots."""
+    return len(linear_factors(scene, number, symbol)) > 1
+
+
+def linear_factors(scene: Scene, number: int, symbol: sp.Symbol) -> list[sp.Expr]:
+    """The factors with the unknown of a product that is zero, where all are linear; else none."""
+    match scene.desk.last_link(number):
+        case Link(left, "=", right) if is_zero(right):
+            factors = [factor for factor in factors_above(left) if symbol.name in letters(factor)]
+            values = [sp.sympify(scene_value(scene, factor), strict=True) for factor in factors]
+            if all(
+                value.is_polynomial(symbol) and sp.Poly(value, symbol).degree() == 1
+                for value in values
+            ):
+                return values
+    return []
+
+
+def _sums(tree: Expression, name: str) -> Iterator[Expression]:
+    """The smallest sums in which a letter stands."""
+    if not (isinstance(tree, Binary) and tree.op in ("+", "-")):
+        for child in children(tree):
+            yield from _sums(child, name)
+        return
+    terms = list(_terms(tree))
+    inside = [list(_sums(term, name)) for term in terms]
+    if any(name in letters(a) and not b for a, b in zip(terms, inside, strict=True)):
+        yield tree
+    else:
+        yield from (base for own in inside for base in own)
+
+
+def _terms(tree: Expression) -> Iterator[Expression]:
+    match tree:
+        case Binary("+" | "-", left, right):
+            yield from _terms(left)
+            yield from _terms(right)
+        case _:
+            yield tree
+
+
+def _is_plain(power: sp.Expr) -> bool:
+    """Whether it is a power of letters, or the root of a whole number."""
+    return bool(power.exp.is_Integer or power.base.is_Integer)
+
+
+def _of_two_squares(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
+    """Both sides are squares of products."""
+    link = scene.desk.last_link(number)
+    if symbol.name not in letters(link.left) | letters(link.right):
+        return None
+    left, right = (_root_of(each) for each in (link.left, link.right))
+    if left is None or right is None:
+        return None
+    relation = Relation(((Link(left, "=", swept(right)),),))
+    if all(is_not_negative(scene, each) for each in (left, right)):
+        taken = in_another_form(scene, number, relation)
+        if taken is not None:
+            return taken
+    # A root that is excluded later is written all the same.
+    product_ = _as_a_product(scene, number, symbol, left, right)
+    return product_ or in_another_form(scene, number, relation)
+
+
+def is_not_negative(scene: Scene, tree: Expression) -> bool:
+    """Whether what is known of its letters makes a side not negative, without the equation."""
+    relation = Relation(((Link(tree, ">=", Number(Fraction(0))),),))
+    return scene.judge.proves(scene.judge.known(letters(tree)), relation)
+
+
+def _as_a_product(
+    scene: Scene, number: int, symbol: sp.Symbol, left: Expression, right: Expression
+) -> int | None:
+    """Where either root may be meant: the difference of two squares as a product that is zero."""
+    one, other = (sp.sympify(scene_value(scene, each), strict=True) for each in (left, right))
+    parts = _side_by_side(one, other)
+    if not all(each.is_polynomial(symbol) and sp.degree(each, symbol) <= 1 for each in parts):
+        return None
+    if any(each.free_symbols - {symbol} or not each.has(symbol) for each in parts):
+        return None
+    trees = [tree_of(sp.factor_terms(each)) for each in parts]
+    factors = Binary("-", *trees), Binary("+", *trees)
+    zero = Number(Fraction(0))
+    # What is below a line, and what is common, goes first.
+    squares = [_squared(each) for each in parts]
+    number = in_another_form(scene, number, chain(squares[0], (squares[1], None))) or number
+    line = in_another_form(scene, number, Relation(((Link(Binary("*", *factors), "=", zero),),)))
+    if line is None:
+        return None
+    sums = (sp.expand(parts[0] - parts[1]), sp.expand(parts[0] + parts[1]))
+    if not all(sp.degree(each, symbol) == 1 for each in sums):
+        return line
+    plain = Binary("*", *(tree_of(each.primitive()[1]) for each in sums))
+    return in_another_form(scene, line, Relation(((Link(plain, "=", zero),),))) or line
+
+
+def _squared(value: sp.Expr) -> Expression:
+    """The square of a sum, with its number in front: 4(1 + k)²."""
+    factor, rest = sp.factor_terms(value).as_independent(*value.free_symbols, as_Add=False)
+    return product(tree_of(tidy(factor**2)), Binary("^", tree_of(rest), TWO))
+
+
+def _side_by_side(one: sp.Expr, other: sp.Expr) -> list[sp.Expr]:
+    """Two sides without what is below a line, and without a common factor."""
+    (a, b), (c, d) = (sp.fraction(sp.together(each)) for each in (one, other))
+    if any(
+        each.is_number and not each.is_Rational for x in (b, d) for each in sp.preorder_traversal(x)
+    ):
+        # Of denominators with roots of numbers none is a factor of the other.
+        parts = [sp.expand(a * d), sp.expand(c * b)]
+        contents = [sp.factor_terms(each).as_coeff_Mul()[0] for each in parts]
+        common = sp.gcd(*contents)
+        return [sp.expand(each / common) for each in parts]
+    below = sp.lcm(b, d)
+    parts = [sp.cancel(each * below) for each in (one, other)]
+    common = sp.gcd(*parts)
+    return [sp.cancel(each / common) for each in parts]
+
+
+def _root_of(tree: Expression) -> Expression | None:
+    """The root of a product of squares, as a tree; None for any other."""
+    match tree:
+        case Binary("^", base, _) if _is_square(tree):
+            return base
+        case Binary("*" | "/" as op, left, right):
+            roots = [_root_of(each) for each in (left, right)]
+            if None in roots:
+                return None
+            if op == "*":
+                return product(*roots)  # type: ignore[arg-type]
+            return Binary(op, *roots)  # type: ignore[arg-type]
+        case Number(value):
+            root = sp.sqrt(sp.Rational(value.numerator, value.denominator))
+            return tree_of(root) if root.is_Rational else None
+    return None
+
+
+def _is_square(tree: Expression) -> bool:
+    return isinstance(tree, Binary) and tree.op == "^" and tree.right == TWO
+
+
+def _replace(tree: Expression, other: Expression) -> Callable[[Expression], Expression]:
+    return lambda each: other if each == tree else each
+
+
+_SHAPES = (_of_one_square, _of_two_squares)

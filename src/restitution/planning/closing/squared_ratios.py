@@ -1,0 +1,231 @@
+"""Formulas of the second degree in the sine and the cosine of an angle with a known tangent.
+
+Where sine and cosine are roots and their squares are not, the squares are put in: the speed that
+comes of ``u cos α`` and ``½u sin α`` needs no component with a root in it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.explaining.facts import staged
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Quantity,
+    walk,
+)
+from restitution.planning.formulas.definitions import Formula
+from restitution.planning.writing.angle_ratios import range_of
+from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
+from restitution.planning.writing.forms import square, swept, tree_of
+from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.premises import background, not_negative
+from restitution.planning.writing.scene import Scene
+from restitution.problem import Find, Show, trees_of_step
+
+_KINDS = ("speed", "energy", "energy_lost")
+
+
+def write_by_squares(
+    scene: Scene, quantity: Quantity, formula: Callable[[Scene, Quantity], Formula]
+) -> int | None:
+    """The line of a quantity by squares of ratios of an angle; None where that is no gain."""
+    if quantity.kind not in _KINDS or scene.desk.known(quantity) is not None or scene.others:
+        return None
+    if not _is_last(scene, quantity):
+        return None
+    for symbol in angles_by_squares(scene):
+        mark = scene.desk.mark()
+        line = _write(scene, quantity, symbol, formula)
+        if line is not None:
+            return line
+        scene.desk.back(mark)
+    return None
+
+
+@contextmanager
+def keeping(scene: Scene, symbol: sp.Symbol) -> Iterator[None]:
+    """For a while no ratio of an angle is put in."""
+    scene.kept = frozenset((symbol,))
+    try:
+        yield
+    finally:
+        scene.kept = frozenset()
+
+
+def _write(
+    scene: Scene,
+    quantity: Quantity,
+    symbol: sp.Symbol,
+    formula: Callable[[Scene, Quantity], Formula],
+) -> int | None:
+    """The line in which the squares of one angle are put in; None where something is left of it."""
+    try:
+        with keeping(scene, symbol):
+            own = formula(scene, quantity)
+    except NotPlannedError:
+        return None
+    right = swept(own.right)
+    if own.left != quantity or symbol not in scene.scalar(right).free_symbols:
+        return None
+    put = squares_put(scene, right, symbol)
+    if put is None:
+        return None
+    value = tidy(scene.scalar(put))
+    line = squares_line(scene, symbol)
+    first = chain(own.left, (right, None))
+    last = chain(own.left, (put, None), (tree_of(value), "rearrange"))
+    names = {each.name for each in value.free_symbols}
+    known = together(not_negative(scene, value), background(scene, names))
+    premises = scene.judge.enough(own.move, own.refs, first, known)
+    if premises is None:
+        return None
+    number = scene.desk.write(own.move, premises, first, shown="inline")
+    refs = scene.judge.enough(Move("put"), (number, line), last, known)
+    if refs is None:
+        return None
+    number = scene.desk.write(Move("put"), refs, last)
+    scene.desk.know(quantity, value, (number,))
+    return number
+
+
+def _is_last(scene: Scene, quantity: Quantity) -> bool:
+    """Whether nothing that is asked needs a component itself: no vector, and no other body."""
+    asked = {
+        node
+        for part in scene.problem.parts
+        for item, now in scene.problem.asked(part)
+        for tree in trees_of_step(item if isinstance(item, Show) else Find((item,)))
+        for node in walk(staged(scene.problem, tree, now))
+        if isinstance(node, Quantity) and not _is_square(scene, node)
+    }
+    speeds = {each for each in asked if each.kind == "speed" and each.stage}
+    return (
+        all(each.kind in _KINDS for each in asked)
+        and len(speeds) <= 1
+        and all(each.stage == scene.events for each in speeds)
+    )
+
+
+def _is_square(scene: Scene, quantity: Quantity) -> bool:
+    """Whether a deflection is a right angle, which the scalar product tells."""
+    match quantity:
+        case Quantity("deflection", (Name(body),), int(event)):
+            early, late = (scene.velocity(body, each) for each in (event - 1, event))
+            return scene.model.identically_zero(scene.model.in_data(early.dot(late)))
+    return False
+
+
+def angles_by_squares(scene: Scene) -> Iterator[sp.Symbol]:
+    """The angles of which a tangent is known, and of which only the squares are free of roots."""
+    for symbol in scene.model.final:
+        role = scene.model.unknowns.roles.get(symbol.name)
+        if role is None or role.kind != "angle" or (scene.final(symbol) / sp.pi).is_Rational:
+            continue
+        letter = Letter(symbol.name)
+        *others, tangent = (scene.desk.known(Apply(e, letter)) for e in ("sin", "cos", "tan"))
+        if tangent is None or len(tangent.refs) != 1 or not isinstance(tangent.refs[0], int):
+            continue
+        if any(_is_used(scene, each) for each in others if each is not None):
+            continue
+        squares = _squares(scene, symbol)
+        if not any(map(_has_root, squares.values())) and any(
+            _has_root(tidy(sp.sqrt(each))) for each in squares.values()
+        ):
+            yield symbol
+
+
+def _is_used(scene: Scene, source: Source) -> bool:
+    """Whether a ratio is put in somewhere, or does not come of another one."""
+    (line, *rest) = source.refs
+    if rest or not isinstance(line, int) or scene.desk.line(line).move.id != "triangle":
+        return True
+    return any(line in each.premises for each in scene.desk.lines)
+
+
+def _has_root(value: sp.Expr) -> bool:
+    return any(each.exp.is_Rational and each.exp.q != 1 for each in value.atoms(sp.Pow))
+
+
+def _squares(scene: Scene, symbol: sp.Symbol) -> dict[type[sp.Function], sp.Expr]:
+    """The squares of the sine and the cosine of an angle, by its tangent."""
+    known = scene.desk.known(Apply("tan", Letter(symbol.name)))
+    assert known is not None
+    tangent = tidy(scene.put(known.value)[0] ** 2)
+    return {sp.sin: tidy(tangent / (1 + tangent)), sp.cos: tidy(1 / (1 + tangent))}
+
+
+def squares_line(scene: Scene, symbol: sp.Symbol) -> int:
+    """``sin²α = 4/5 and cos²α = 1/5``, by the tangent; it is written once."""
+    letter = Letter(symbol.name)
+    known = scene.desk.known(Apply("tan", letter))
+    assert known is not None
+    links = tuple(
+        Link(square(Apply(kind.__name__, letter)), "=", tree_of(value))
+        for kind, value in _squares(scene, symbol).items()
+    )
+    relation = Relation((links,))
+    standing = scene.judge.standing(relation)
+    if standing is not None:
+        return standing
+    extent, move = range_of(scene, symbol.name), Move("triangle")
+    squared = _square_above(scene, Apply("tan", letter))
+    if squared is not None and scene.judge.follows(move, (squared, extent), relation):
+        return scene.desk.write(move, (squared, extent), relation)
+    premises: tuple[Ref, ...] = (*known.refs, extent)
+    return scene.desk.write(move, premises, relation)
+
+
+def _square_above(scene: Scene, tangent: Apply) -> int | None:
+    """The line that gives the square of a tangent, of which the root was taken."""
+    for line in reversed(scene.desk.lines):
+        match line.relation:
+            case Relation(((Link(left, "="),),)) if left == square(tangent):
+                return line.number if scene.desk.holds(line.number) else None
+    return None
+
+
+def squares_put(scene: Scene, tree: Expression, symbol: sp.Symbol) -> Expression | None:
+    """A tree with the squares of the ratios of an angle put in, product by product.
+
+    None where something is left of the angle.
+    """
+    squares = {kind(symbol) ** 2: value for kind, value in _squares(scene, symbol).items()}
+    return _with_squares(scene, tree, symbol, squares)
+
+
+def _with_squares(
+    scene: Scene, tree: Expression, symbol: sp.Symbol, squares: dict[sp.Expr, sp.Expr]
+) -> Expression | None:
+    """The same of a part of it."""
+    value = sp.sympify(scene.scalar(tree), strict=True)
+    if symbol not in value.free_symbols:
+        return tree
+    match tree:
+        case Apply("sqrt", inside):
+            put = _with_squares(scene, inside, symbol, squares)
+            return None if put is None else Apply("sqrt", put)
+        case Negate(operand):
+            put = _with_squares(scene, operand, symbol, squares)
+            return None if put is None else Negate(put)
+        case Binary(op, left, right) if op in "+-" or (
+            op in "*/" and (_is_sum(left) or _is_sum(right))
+        ):
+            parts = [_with_squares(scene, each, symbol, squares) for each in (left, right)]
+            return None if None in parts else Binary(op, *parts)  # type: ignore[arg-type]
+    put_in = expanded(expanded(value).xreplace(squares))
+    return None if symbol in put_in.free_symbols else tree_of(tidy(put_in))
+
+
+def _is_sum(tree: Expression) -> bool:
+    return isinstance(tree, Binary) and tree.op in "+-"

@@ -1,0 +1,389 @@
+"""Angles, directions, deflections and scalar products, by their definitions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, Ref
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    Unit,
+    is_zero,
+    walk,
+)
+from restitution.planning.formulas.definitions import Formula, itself, write_formula
+from restitution.planning.formulas.impacts import after, in_direction
+from restitution.planning.formulas.velocity_formulas import (
+    body_and_stage,
+    frame_after,
+    in_the_plane,
+    parts,
+    velocity_formula,
+    velocity_source,
+)
+from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
+from restitution.planning.writing.forms import (
+    difference,
+    negative,
+    product,
+    square,
+    total,
+    tree_of,
+)
+from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.scene import Scene
+from restitution.vector import Vector
+
+
+def tangent(tree: Expression) -> Expression:
+    """The tangent of an angle."""
+    return Apply("tan", tree)
+
+
+def _frame_of_line(scene: Scene, body: str, stage: int, line: Expression) -> Frame:
+    """The frame in which the angle to a wall or a line of centres is taken."""
+    for event in sorted({stage, *scene.model.frames}):
+        if event not in scene.model.frames or body not in scene.bodies(event):
+            continue
+        if stage not in (event, scene.last_event(body, event - 1)):
+            continue
+        frame = scene.model.frames[event]
+        if line == Quantity("line_of_centres", (), event) or (
+            isinstance(line, Name) and line.name == frame.wall
+        ):
+            return scene.frame(event)
+    return frame_after(scene, body, stage)
+
+
+def angle_formula(scene: Scene, quantity: Quantity) -> Formula:
+    """The angle of a velocity with a line, or between two velocities."""
+    velocity, line = quantity.arguments
+    body, stage = body_and_stage(scene, velocity)
+    if isinstance(line, Unit):
+        return _angle_to_unit(scene, quantity, body, stage, line)
+    if isinstance(line, Quantity) and line.kind == "velocity":
+        return _angle_between(scene, quantity)
+    frame = _frame_of_line(scene, body, stage, line)
+    along, across = parts(scene, body, stage, frame)
+    walls: tuple[Ref, ...] = ()
+    if isinstance(line, Name) and line.name == frame.wall:
+        above, below = along, across
+    elif isinstance(line, Name) and _is_beside(scene, line, frame):
+        above, below, walls = along, across, (f"wall {line.name}", f"wall {frame.wall}")
+    elif isinstance(line, Quantity) and line.kind == "line_of_centres":
+        above, below = across, along
+    elif isinstance(line, Name) and (side := _by_another(scene, line, frame)) is not None:
+        above, below = (along, across) if side == "across" else (across, along)
+        walls = (f"wall {line.name}", f"axis {frame.number}")
+    else:
+        raise NotPlannedError(f"an angle to {line}")
+    trees = []
+    for each in (above, below):
+        tree = tree_of(each.value)
+        trees.append(negative(tree) if scene.model.sign(each.value) < 0 else tree)
+    if is_zero(trees[1]):
+        raise NotPlannedError("a right angle")
+    value = tidy(above.value / below.value)
+    value = -value if scene.model.sign(value) < 0 else value
+    if not is_zero(trees[0]) and not _of_one_sign(scene, above.value):
+        raise NotPlannedError("a tangent of open sign")
+    both = {each.sign(each.in_data(below.value)) for each in scene.others} >= {1, -1}
+    if (both and isinstance(line, Name)) or not _of_one_sign(scene, below.value):
+        # Which way the body goes along the line is open, or not the same in each solution.
+        size = sp.Abs(below.value, evaluate=False)
+        trees[1], value = Apply("abs", tree_of(below.value)), tidy(above.value) / size
+        value = -value if scene.model.sign(above.value) < 0 else value
+    # Of what moves along the line the other component does not matter.
+    sources = (above,) if is_zero(trees[0]) else (above, below)
+    names = together(frame.names_axis("along"), frame.names_axis("across"))
+    refs = together(*(source.whole for source in sources), names, walls)
+    return Formula(
+        Move("define", "tan", frame.number, (body,)),
+        tangent,
+        quantity,
+        Binary("/", *trees),
+        value if value.has(sp.Abs) else tidy(value),
+        refs,
+    )
+
+
+def _is_beside(scene: Scene, line: Name, frame: Frame) -> bool:
+    """Whether a name is that of a wall parallel to the wall of an impact."""
+    if frame.wall is None or line.name not in scene.model.story.walls:
+        return False
+    direction = scene.model.story.direction(line, scene.events)
+    return bool(tidy(direction.dot(frame.n)) == 0)
+
+
+def _by_another(scene: Scene, line: Name, frame: Frame) -> str | None:
+    """How a wall of another event lies to a line of centres: along it, or across it; else None."""
+    if line.name not in scene.model.story.walls or f"wall {line.name}" not in scene.facts:
+        return None
+    direction = scene.model.story.direction(line, scene.events)
+    if tidy(direction.dot(frame.n)) == 0:
+        return "across"
+    return "along" if tidy(direction.cross(frame.n)) == 0 else None
+
+
+def _angle_between(scene: Scene, quantity: Quantity) -> Formula:
+    """The tangent of the angle between two velocities at one impact, by their components.
+
+    Raises NotPlannedError where they belong to no impact, or it is open which leads the other.
+    """
+    pair = [body_and_stage(scene, argument) for argument in quantity.arguments]
+    (first, late), (second, other) = pair
+    event = max(late, other)
+    together_ = late == other and event in scene.model.frames and first != second
+    if not together_ or {first, second} != set(scene.bodies(event)):
+        return _by_product(scene, quantity, pair)
+    frame = scene.frame(event)
+    (a, b), (c, d) = own = [parts(scene, *each, frame) for each in pair]
+    names = together(frame.names_axis("along"), frame.names_axis("across"))
+    move = Move("define", "tan", event, (first, second))
+    for body, (along, across), zero in ((second, (a, b), d), (first, (c, d), b)):
+        if zero.value == 0:
+            own_line = after(scene, "along", body, frame)
+            right, value = _to_the_line(scene, along, across, own_line)
+            refs = together(*(each.whole for each in (along, across, zero, own_line)), names)
+            return Formula(move, tangent, quantity, right, value, refs)
+    cross = tidy(expanded(a.value * d.value - b.value * c.value))
+    if not _of_one_sign(scene, cross):
+        raise NotPlannedError("to which side a sphere turns is open")
+    terms = [product(tree_of(x.value), tree_of(y.value)) for x, y in ((a, d), (b, c))]
+    if scene.model.sign(cross) < 0:
+        terms, cross = terms[::-1], -cross
+    below = total(product(tree_of(x.value), tree_of(y.value)) for x, y in ((a, c), (b, d)))
+    value = tidy(cross / tidy(expanded(a.value * c.value + b.value * d.value)))
+    refs = together(*(each.whole for one in own for each in one), names)
+    return Formula(move, tangent, quantity, Binary("/", difference(*terms), below), value, refs)
+
+
+def _by_product(scene: Scene, quantity: Quantity, pair: Iterable[tuple[str, int]]) -> Formula:
+    """The cosine of the angle between two velocities as vectors, by their scalar product."""
+    pair = list(pair)
+    sources = [velocity_as_a_line(scene, *each) for each in pair]
+    (a, b), (c, d) = ([tree_of(each) for each in source.value] for source in sources)
+    squares_ = [tidy(expanded(sum(each**2 for each in source.value))) for source in sources]
+    if any(scene.model.identically_zero(each) for each in squares_):
+        raise NotPlannedError("an angle to what is at rest")
+    above = total((product(a, c), product(b, d)))
+    sizes = [
+        Apply("sqrt", total(square(tree_of(each)) for each in source.value if each != 0))
+        for source in sources
+    ]
+    dot = sum(x * y for x, y in zip(sources[0].value, sources[1].value, strict=True))
+    value = tidy(expanded(dot) / tidy(sp.sqrt(squares_[0])) / tidy(sp.sqrt(squares_[1])))
+    bodies = tuple(dict.fromkeys(body for body, _ in pair))
+    move = Move("define", "scalar-angle", max(stage for _, stage in pair) or None, bodies)
+    refs = together(*(each.whole for each in sources))
+    right = Binary("/", above, product(*sizes))
+    return Formula(move, cosine, quantity, right, value, refs)
+
+
+def cosine(tree: Expression) -> Expression:
+    """The cosine of an angle."""
+    return Apply("cos", tree)
+
+
+def velocity_as_a_line(scene: Scene, body: str, stage: int) -> Source:
+    """A velocity as a vector; where it is put together of components, by a line of its own."""
+    source = velocity_source(scene, body, stage)
+    if stage not in scene.model.frames or len(source.refs) == 1:
+        return source
+    number_ = write_formula(
+        scene, velocity_formula(scene, Quantity("velocity", (Name(body),), stage))
+    )
+    return Source(source.value, (number_,))
+
+
+def product_formula(scene: Scene, quantity: Quantity) -> Formula:
+    """The scalar product of two vectors, each as a line has it.
+
+    That of a velocity and the unit vector along the line of centres is a component.
+    """
+    if (own := _product_along_the_line(scene, quantity)) is not None:
+        return own
+    refs: list[Ref] = []
+    vectors: list[Vector] = []
+    bodies: list[str] = []
+    late = 0
+    for argument in quantity.arguments:
+        for node in walk(argument):
+            match node:
+                case Quantity("velocity", (Name(body),), int(stage)):
+                    last = scene.last_event(body, stage)
+                    refs += velocity_as_a_line(scene, body, last).refs
+                    bodies.append(body)
+                    late = max(late, last)
+                case Quantity("line_of_centres", (), int(number_)):
+                    refs += scene.frame(number_).refs
+                case Quantity() | Letter():
+                    raise NotPlannedError("a scalar product of other vectors")
+        put, _ = scene.put(scene.vector(argument))
+        vectors.append(Vector(*(tidy(expanded(each)) for each in put)))
+    if not refs:
+        raise NotPlannedError("a scalar product of data")
+    (a, b), (c, d) = ([tree_of(each) for each in own] for own in vectors)
+    value = tidy(expanded(sum(x * y for x, y in zip(*vectors, strict=True))))
+    move = Move("define", "product", late or None, tuple(dict.fromkeys(bodies)))
+    right = total((product(a, c), product(b, d)))
+    return Formula(move, itself, quantity, right, value, together(refs))
+
+
+def _product_along_the_line(scene: Scene, quantity: Quantity) -> Formula | None:
+    """A scalar product that is a component along the line of centres, where that is known."""
+    match quantity.arguments:
+        case (Quantity("velocity", (Name(),), int()) as velocity, axis) | (
+            axis,
+            Quantity("velocity", (Name(),), int()) as velocity,
+        ):
+            body, stage = body_and_stage(scene, velocity)
+        case _:
+            return None
+    if axis != Quantity("line_of_centres", (), stage) or stage not in scene.model.frames:
+        return None
+    frame = scene.frame(stage)
+    known = scene.desk.known(frame.component("along", body, stage))
+    if known is None or scene.unknown(known.value):
+        return None
+    own = in_direction(scene, "along", body, stage, frame)
+    move = Move("define", "product", stage, (body,))
+    right = tree_of(own.value)
+    pool = together(known.whole, own.whole, frame.refs, frame.unit_free)
+    refs = scene.judge.needed(move, pool, chain(quantity, (right, None)))
+    return None if refs is None else Formula(move, itself, quantity, right, own.value, refs)
+
+
+def _to_the_line(
+    scene: Scene, along: Source, across: Source, other: Source
+) -> tuple[Expression, sp.Expr]:
+    """The tangent of the angle to a velocity along the line of centres, of which the size cancels.
+
+    ``other`` is that velocity; of its component no more than the sign is needed.
+    """
+    side = scene.model.sign(across.value)
+    sense = scene.model.sign(scene.model.in_data(other.value))
+    if not side or not sense or not _of_one_sign(scene, across.value):
+        raise NotPlannedError("to which side a sphere turns is open")
+    trees = [
+        negative(tree_of(each.value)) if sign < 0 else tree_of(each.value)
+        for each, sign in ((across, side), (along, sense))
+    ]
+    return Binary("/", *trees), tidy(side * sense * across.value / along.value)
+
+
+def _of_one_sign(scene: Scene, value: sp.Expr) -> bool:
+    """Whether a component has one sign, or is 0 at most at an end, for all admissible letters."""
+    return scene.model.proved_sign(value) is not None or bool(
+        scene.model.decide(scene.model.sign(value) * scene.model.in_data(value), ">=", 0)
+    )
+
+
+def _angle_to_unit(scene: Scene, quantity: Quantity, body: str, stage: int, line: Unit) -> Formula:
+    """The angle to **i** or **j**, of up to 180°: what stands above is taken positive."""
+    x, y = in_the_plane(scene, body, stage)
+    above, below = (y, x) if line.axis == "i" else (x, y)
+    if scene.model.identically_zero(below.value):
+        raise NotPlannedError("a right angle")
+    if scene.model.identically_zero(above.value):
+        # Of 0° and 180°, which have one tangent, the scalar product tells which it is.
+        own, sense = (
+            velocity_as_a_line(scene, body, stage),
+            sp.Integer(scene.model.sign(below.value)),
+        )
+        move = Move("define", "scalar-angle", stage or None, (body,))
+        return Formula(move, cosine, quantity, tree_of(sense), sense, own.whole)
+    size = -above.value if scene.model.sign(above.value) < 0 else above.value
+    return Formula(
+        Move("define", "tan", stage or None, (body,)),
+        tangent,
+        quantity,
+        Binary("/", tree_of(size), tree_of(below.value)),
+        tidy(size / below.value),
+        together(above.whole, below.whole),
+    )
+
+
+def direction_formula(scene: Scene, quantity: Quantity) -> Formula:
+    """The direction of a velocity, by the ratio of components."""
+    body, stage = body_and_stage(scene, quantity)
+    x, y = in_the_plane(scene, body, stage)
+    if scene.model.identically_zero(x.value):
+        raise NotPlannedError("a direction along j")
+    along_the_line = _along_the_line(scene, body, stage)
+    return Formula(
+        Move("define", "tan-direction", stage or None, (body,)),
+        tangent,
+        quantity,
+        *_slope(y.value, x.value, along_the_line),
+        along_the_line or together(x.whole, y.whole),
+    )
+
+
+def _slope(y: sp.Expr, x: sp.Expr, simple: Any) -> tuple[Expression, sp.Expr]:
+    """The tangent of a direction; of a line of centres without the size of the velocity."""
+    value = tidy(y / x)
+    return tree_of(value) if simple else Binary("/", tree_of(y), tree_of(x)), value
+
+
+def _along_the_line(scene: Scene, body: str, stage: int) -> tuple[Ref, ...]:
+    """Why a sphere moves along the line of centres, or across it: the component that is zero.
+
+    () where both components are not zero.
+    """
+    if stage not in scene.model.frames:
+        return ()
+    frame = scene.frame(stage)
+    if frame.across is not None or frame.n.x == 0 or frame.n.y == 0:
+        return ()
+    for kind in ("across", "along"):
+        own = in_direction(scene, kind, body, stage, frame)
+        if own.value == 0:
+            # A direction in letters is that of the velocity with both its components.
+            frame_ = frame if frame.write is not None else scene.model.frames[stage]
+            plain = all(each.is_number for each in frame_.n)
+            other = "along" if kind == "across" else "across"
+            whole = () if plain else after(scene, other, body, frame).refs
+            return together(own.refs, whole, frame.refs)
+    return ()
+
+
+def deflection_formula(scene: Scene, quantity: Quantity) -> Formula:
+    """The tangent of a deflection, by the components before and after."""
+    (name,) = quantity.arguments
+    event = quantity.stage
+    assert isinstance(name, Name)
+    assert isinstance(event, int)
+    body, frame = name.name, scene.frame(event)
+    early, late = (parts(scene, body, stage, frame) for stage in (event - 1, event))
+    (c, s), (d, t) = early, late
+    dot = tidy(expanded(c.value * d.value + s.value * t.value))
+    if dot == 0:
+        raise NotPlannedError("a deflection of a right angle")
+    cross = tidy(expanded(c.value * t.value - s.value * d.value))
+    if not _of_one_sign(scene, cross):
+        raise NotPlannedError("to which side a sphere turns is open")
+    trees = [tree_of(each.value) for each in (c, s, d, t)]
+    above = [product(trees[0], trees[3]), product(trees[1], trees[2])]
+    if scene.model.sign(cross) < 0:
+        above, cross = above[::-1], -cross
+    below = total((product(trees[0], trees[2]), product(trees[1], trees[3])))
+    names = together(frame.names_axis("along"), frame.names_axis("across"))
+    return Formula(
+        Move("define", "tan-deflection", event, (body,)),
+        tangent,
+        quantity,
+        Binary("/", difference(*above), below),
+        tidy(cross / dot),
+        together(*(each.whole for each in (*early, *late)), names),
+    )

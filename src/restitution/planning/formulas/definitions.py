@@ -1,0 +1,214 @@
+"""A quantity by its definition, as data, and the lines that write it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from restitution.errors import StatementError
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, MoveId, Ref
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Quantity,
+    children,
+    letters,
+    walk,
+)
+from restitution.planning.writing.between import root_of_a_square, terms_between
+from restitution.planning.writing.desk import NotPlannedError, chain, together
+from restitution.planning.writing.forms import (
+    outer_terms,
+    swept,
+    total,
+    tree_of,
+    vector,
+)
+from restitution.planning.writing.polynomials import expanded, one_fraction
+from restitution.planning.writing.premises import background, not_negative, sign_known
+from restitution.planning.writing.scene import Scene
+from restitution.vector import Vector
+
+
+@dataclass(frozen=True)
+class Formula:
+    """A definition with values put in: ``left`` is the quantity, a power or a ratio of it.
+
+    ``value`` is what the right side is worth; ``of`` makes the left side of any tree that stands
+    for the quantity.
+    """
+
+    move: Move
+    of: Callable[[Expression], Expression]
+    quantity: Expression
+    right: Expression
+    value: Any
+    refs: tuple[Ref, ...]
+
+    @property
+    def left(self) -> Expression:
+        """The left side, of the quantity itself."""
+        return self.of(self.quantity)
+
+
+def itself(tree: Expression) -> Expression:
+    """The left side that is the quantity itself."""
+    return tree
+
+
+def formula_of_line(scene: Scene, quantity: Quantity, number_: int, value: Any) -> Formula:
+    """What a line says that stands, as a definition."""
+    line = scene.desk.line(number_)
+    right = scene.desk.relation(number_).only[0].right
+    return Formula(line.move, itself, quantity, right, value, line.premises)
+
+
+# A speed from components with roots is a line that people write; deeper roots are not.
+_MOST_ROOTS = 2
+_PAIR = 2
+
+
+def write_formula(scene: Scene, own: Formula) -> int:
+    """A quantity by its definition, and what that comes to."""
+    final = tree_of(own.value)
+    right = swept(own.right)
+    between: tuple[tuple[Expression, MoveId | None], ...] = ()
+    if _depth_of_roots(right) > _MOST_ROOTS and not _trivial(own.right, final):
+        squares = root_of_a_square(scene, final)
+        between = (*_with_squares(scene, right), *((each, "rearrange") for each in squares))
+    else:
+        between = tuple((each, "rearrange") for each in terms_between(scene, right, final))
+    if isinstance(own.value, Vector):
+        number = scene.desk.write(own.move, own.refs, chain(own.left, (right, None)))
+        if right != final:
+            parted = _by_coordinates(scene, right)
+            steps: list[tuple[Expression, MoveId | None]] = [(final, None)]
+            if parted is not None:
+                steps = [(parted, None), (final, "rearrange")]
+            link = chain(own.left, *steps)
+            move = Move("rearrange")
+            pythagoras = Move("identity", "pythagoras")
+            ratios = any(sp.sympify(each, strict=True).atoms(sp.sin, sp.cos) for each in own.value)
+            if ratios and not scene.judge.follows(move, (number,), link):
+                move = pythagoras if scene.judge.follows(pythagoras, (number,), link) else move
+            number = scene.desk.write(move, (number,), link)
+    else:
+        refs = own.refs
+        if isinstance(right, Apply) and right.function == "sqrt":
+            refs = together(
+                refs, not_negative(scene, own.value), sign_known(scene, _before_root(own.value))
+            )
+        if _trivial(own.right, final):
+            right = final
+        elif _is_figure(own.value) and isinstance(right, Apply):
+            final = right  # what follows is its decimal: no other form of it is plainer
+        by: MoveId = "identity" if _by_pythagoras(scene, own) else "rearrange"
+        relation = chain(own.left, (right, None), *between, (final, by))
+        if _has_roots_of_letters(own.right):
+            known = background(scene, letters(right))
+            refs = scene.judge.enough(own.move, refs, relation, known) or refs
+        number = scene.desk.write(own.move, refs, relation)
+    scene.desk.know(own.quantity, own.value, (number,))
+    return number
+
+
+def _by_coordinates(scene: Scene, right: Expression) -> Expression | None:
+    """A sum of two vectors by their coordinates, each still a sum of two.
+
+    None where these are added in the head: where no part of them is a sum itself.
+    """
+    terms = list(outer_terms(right))
+    if len(terms) != _PAIR:
+        return None
+    parts: list[list[sp.Expr]] = [[], []]
+    for term in terms:
+        value = scene.value(term)
+        if not isinstance(value, Vector):
+            return None
+        for part, size in zip(parts, value, strict=True):
+            part.append(tidy(size))
+    sums = [size for part in parts for size in part if size.has(sp.Add)]
+    if not sums or any(size == 0 for part in parts for size in part):
+        return None
+    return vector(*(total(map(tree_of, part)) for part in parts))
+
+
+def _with_squares(scene: Scene, root: Expression) -> tuple[tuple[Expression, MoveId | None], ...]:
+    """The root of a sum of squares in which what is squared holds roots: with the squares.
+
+    Raises NotPlannedError for another one.
+    """
+    match root:
+        case Apply("sqrt", Binary("+", Binary("^"), Binary("^")) as sum_):
+            terms = (sum_.left, sum_.right)
+        case _:
+            raise NotPlannedError("a root of sums of roots")
+    squares = [tidy(sp.expand(scene.scalar(each))) for each in terms]
+    tree = Apply("sqrt", Binary("+", *map(tree_of, squares)))
+    if _depth_of_roots(tree) > _MOST_ROOTS:
+        raise NotPlannedError("a root of sums of roots")
+    return ((tree, "rearrange"),)
+
+
+def _has_roots_of_letters(tree: Expression) -> bool:
+    """Whether a root of letters stands in it, below the root of the whole if it is one."""
+    inside = tree.argument if isinstance(tree, Apply) else tree
+    return any(
+        isinstance(node, Apply) and node.function == "sqrt" and letters(node.argument)
+        for node in walk(inside)
+    )
+
+
+def _is_figure(value: Any) -> bool:
+    """Whether a number is made of sines and cosines of degrees that have no exact values."""
+    own = sp.sympify(value, strict=True)
+    return bool(own.is_number and own.atoms(sp.sin, sp.cos, sp.tan))
+
+
+def _trivial(right: Expression, final: Expression) -> bool:
+    """Whether a root is that of one square."""
+    match right:
+        case Apply("sqrt", Binary("^", base, _)):
+            return base == final
+    return False
+
+
+def _before_root(value: sp.Expr) -> sp.Expr:
+    """The factors of a value that are not roots."""
+    return sp.Mul(
+        *(
+            factor
+            for factor in sp.Mul.make_args(value)
+            if not (factor.is_Pow and factor.exp.is_Rational and factor.exp.q == 2)
+        )
+    )
+
+
+def _by_pythagoras(scene: Scene, own: Formula) -> bool:
+    """Whether a value comes of its formula by sin² + cos² = 1 alone."""
+    value = sp.sympify(own.value, strict=True)
+    try:
+        right = scene.scalar(own.right)
+    except StatementError:
+        return False
+    ratios = right.atoms(sp.sin, sp.cos) | value.atoms(sp.sin, sp.cos, sp.tan)
+    angles = {ratio.args[0] for ratio in ratios}
+    if len(ratios) == len(angles):
+        return False
+    put: dict[sp.Basic, sp.Expr] = {}
+    for angle in angles:
+        s, c = sp.Dummy("s", positive=True), sp.Dummy("c", positive=True)
+        put |= {sp.sin(angle): s, sp.cos(angle): c, sp.tan(angle): s / c}
+    gap = right.xreplace(put) ** 2 - value.xreplace(put) ** 2
+    return bool(expanded(sp.fraction(one_fraction(expanded(gap)))[0]) != 0)
+
+
+def _depth_of_roots(tree: Expression) -> int:
+    """How many roots stand in one another in a tree."""
+    below = max(map(_depth_of_roots, children(tree)), default=0)
+    return below + (isinstance(tree, Apply) and tree.function == "sqrt")

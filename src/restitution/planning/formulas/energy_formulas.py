@@ -1,0 +1,468 @@
+"""Kinetic energies, what is lost of them, and momenta, by their definitions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, Ref
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Name,
+    Negate,
+    Polar,
+    Quantity,
+    Unit,
+    has_quantity,
+    is_zero,
+)
+from restitution.planning.formulas.angle_formulas import velocity_as_a_line
+from restitution.planning.formulas.definitions import Formula, itself, write_formula
+from restitution.planning.formulas.impacts import in_direction
+from restitution.planning.formulas.velocity_formulas import (
+    body_and_stage,
+    known_speed,
+    parts,
+    speed_formula,
+    squares,
+    velocity_source,
+)
+from restitution.planning.writing.desk import Source, chain, together
+from restitution.planning.writing.forms import (
+    difference,
+    number,
+    product,
+    square,
+    swept,
+    total,
+    tree_of,
+)
+from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import Scene
+from restitution.vector import Vector
+
+
+def half(mass: Expression, squares: Expression) -> Expression:
+    """Half of a mass times squares of speeds, in this order: ½ × 2(3² − 1²)."""
+    if is_zero(squares):
+        return squares
+    if isinstance(squares, Negate):
+        return Negate(half(mass, squares.operand))
+    factor: Expression = Binary("/", number(1), number(2))
+    if mass != number(1):
+        factor = Binary("*", factor, mass)
+    return Binary("*", factor, squares)
+
+
+def energy_formula(scene: Scene, quantity: Quantity) -> Formula:
+    """A kinetic energy, ½mv²."""
+    assert isinstance(quantity.stage, int)
+    names = [argument.name for argument in quantity.arguments if isinstance(argument, Name)]
+    if not names and (left := _left_of_energy(scene, quantity)) is not None:
+        return left
+    bodies = names or list(scene.model.story.spheres)
+    terms: list[Expression] = []
+    values: list[Any] = []
+    refs: list[Ref] = []
+    for body in bodies:
+        stage = scene.last_event(body, quantity.stage)
+        known = _known_energy(scene, quantity.stage, body) if len(bodies) > 1 else None
+        if known is not None:
+            terms.append(tree_of(known.value))
+            values.append(known.value)
+            refs += known.refs
+            continue
+        if len(bodies) == 1:
+            _speed_before(scene, body, stage)
+        tree, value, own = squares(scene, body, stage, known=len(bodies) == 1)
+        if stage and stage != quantity.stage:
+            own = together(own, scene.frame(stage).unit_free)
+        mass = scene.mass(body)
+        terms.append(half(tree_of(mass.value), tree))
+        values.append(mass.value * value / 2)
+        refs += [*(() if value == 0 else mass.refs), *own]
+    move = Move("define", "energy" if names else "total", quantity.stage or None, tuple(names))
+    return Formula(
+        move, itself, quantity, total(terms), tidy(expanded(sum(values))), together(refs)
+    )
+
+
+def _speed_before(scene: Scene, body: str, stage: int) -> None:
+    """Writes a speed of two components that the part asks too, before the energy that has it."""
+    speed = Quantity("speed", (Name(body),), stage)
+    if (
+        stage not in scene.model.frames
+        or speed not in scene.asked_alone
+        or known_speed(scene, body, stage)
+    ):
+        return
+    if any(scene.unknown(each.value) or each.value == 0 for each in parts(scene, body, stage)):
+        return
+    own = speed_formula(scene, speed)
+    scene.desk.know(speed, own.value, (write_formula(scene, own),))
+
+
+def _known_energy(scene: Scene, stage: int, *bodies: str) -> Source | None:
+    """A kinetic energy that is a line already, with nothing open in it; of all without a body."""
+    names = tuple(map(Name, bodies))
+    stages = (stage, *(scene.last_event(body, stage) for body in bodies))
+    for each in dict.fromkeys(stages):
+        known = _known_value(scene, Quantity("energy", names, each))
+        if known is not None:
+            return known
+    return None
+
+
+def speed_by_its_energy(scene: Scene, speed: Quantity) -> int | None:
+    """A speed by the line of its kinetic energy; None without one, or where that is no gain.
+
+    It is none where the speed is a line, and where a body has one component alone, or a root is
+    left.
+    """
+    body, stage = body_and_stage(scene, speed)
+    if stage not in scene.model.frames or known_speed(scene, body, stage):
+        return None
+    known, record = scene.desk.known(Quantity("energy", (Name(body),), stage)), "energy"
+    if known is None and tuple(scene.model.story.spheres) == (body,):
+        known, record = scene.desk.known(Quantity("energy", (), stage)), "total"
+    if known is None or any(each.value == 0 for each in parts(scene, body, stage)):
+        return None
+    return _speed_of_energy(scene, body, stage, known, record)
+
+
+def speed_by_given_energy(scene: Scene, speed: Quantity) -> int | None:
+    """A speed by its kinetic energy, which is given; None where that is not so."""
+    body, stage = body_and_stage(scene, speed)
+    if stage not in scene.model.frames or known_speed(scene, body, stage):
+        return None
+    energy = Quantity("energy", (Name(body),), stage)
+    for each in scene.given:
+        if each.link.left == energy and each.link.sign == "=" and not has_quantity(each.link.right):
+            known = Source(scene.scalar(each.link.right), each.refs)
+            if not scene.unknown(scene.mass(body).value):
+                return _speed_of_energy(scene, body, stage, known, "energy")
+    return None
+
+
+def _speed_of_energy(scene: Scene, body: str, stage: int, known: Source, record: str) -> int | None:
+    """The lines of a speed by a kinetic energy: its square, and the root of that."""
+    mass = scene.mass(body)
+    squared = tidy(2 * known.value / mass.value)
+    value, more = scene.put(squared)
+    size = tidy(sp.sqrt(tidy(value)))
+    plain = size.is_rational_function() or tidy(value).is_Rational
+    if scene.unknown(value) or size.has(sp.Add) or not plain:
+        return None
+    own = Quantity("speed", (Name(body),), stage)
+    define = Move("define", record, stage, (body,) if record == "energy" else ())
+    relation = chain(square(own), (tree_of(squared), None))
+    pool = together(known.refs, mass.refs)
+    line = scene.judge.write((define,), pool, relation, shown="inline" if more else "line")
+    if line is not None and more:
+        relation = chain(square(own), (tree_of(tidy(value)), None))
+        line = scene.judge.write((Move("put"),), (line, *more), relation)
+    if line is None:
+        return None
+    names = {each.name for each in squared.free_symbols}
+    root = chain(own, (tree_of(size), None))
+    line = scene.judge.write((Move("rearrange"),), (line, *background(scene, names)), root, (line,))
+    if line is not None:
+        scene.desk.know(own, size, (line,))
+    return line
+
+
+def _known_value(scene: Scene, tree: Expression) -> Source | None:
+    """What a line says of an expression, with nothing open in it."""
+    known = scene.desk.known(tree)
+    if known is None:
+        return None
+    value, more = scene.put(known.value)
+    return None if scene.unknown(value) else Source(value, together(known.refs, more))
+
+
+def _left_of_energy(scene: Scene, quantity: Quantity) -> Formula | None:
+    """The energy of all after an impact: that before it less what is lost, if both are lines."""
+    stage = quantity.stage
+    if not isinstance(stage, int) or stage not in scene.model.frames:
+        return None
+    if any(_known_energy(scene, stage, body) for body in scene.model.story.spheres):
+        return None
+    before = _known_energy(scene, stage - 1)
+    lost = _known_value(scene, Quantity("energy_lost", (), stage))
+    if before is None or lost is None:
+        return None
+    right = difference(tree_of(before.value), tree_of(lost.value))
+    value = tidy(expanded(before.value - lost.value))
+    move, refs = Move("define", "total", stage), together(before.refs, lost.refs)
+    return Formula(move, itself, quantity, right, value, refs)
+
+
+def _lost_by_changes(scene: Scene, quantity: Quantity, event: int) -> Formula | None:
+    """What is lost, of the changes of the kinetic energy of each sphere that are lines."""
+    terms: list[Expression] = []
+    values: list[Any] = []
+    refs: list[Ref] = []
+    bodies = tuple(scene.spheres(event))
+    for body in bodies:
+        late, early = (
+            Quantity("energy", (Name(body),), n) for n in (event, scene.last_event(body, event - 1))
+        )
+        for one, other, sign in ((early, late, 1), (late, early, -1)):
+            known = _known_value(scene, Binary("-", one, other))
+            if known is not None:
+                terms.append(tree_of(sign * known.value))
+                values.append(sign * known.value)
+                refs += known.refs
+                break
+        else:
+            return None
+    move = Move("define", "energy-lost", event, bodies)
+    value = tidy(expanded(sum(values)))
+    return Formula(move, itself, quantity, total(terms), value, together(refs))
+
+
+def _lost_by_losses(scene: Scene, quantity: Quantity, stage: int) -> Formula | None:
+    """What all impacts take, where what each of them takes is a line."""
+    if stage < 2 or any(n not in scene.model.frames for n in range(1, stage + 1)):
+        return None
+    lost = [_known_value(scene, Quantity("energy_lost", (), n)) for n in range(1, stage + 1)]
+    own = [each for each in lost if each is not None]
+    if len(own) != stage:
+        return None
+    right = total(tree_of(each.value) for each in own)
+    value = tidy(expanded(sum(each.value for each in own)))
+    refs = together(*(each.refs for each in own))
+    return Formula(Move("define", "total-lost", stage), itself, quantity, right, value, refs)
+
+
+def _lost_by_energies(
+    scene: Scene, quantity: Quantity, stages: tuple[int, int], bodies: tuple[str, ...]
+) -> Formula | None:
+    """What is lost, of kinetic energies that are lines already; None where one of them is not."""
+    for group in ([()], [(body,) for body in bodies]):
+        ends = [[_known_energy(scene, stage, *names) for names in group] for stage in stages]
+        early, late = ([each for each in own if each is not None] for own in ends)
+        if len(early) != len(group) or len(late) != len(group):
+            continue
+        pairs = list(zip(early, late, strict=True))
+        terms = [difference(*(tree_of(each.value) for each in pair)) for pair in pairs]
+        value = sum(one.value - other.value for one, other in pairs)
+        refs = together(*(each.refs for pair in pairs for each in pair))
+        record = "energy-lost" if quantity.kind == "energy_lost" else "total-lost"
+        move = Move("define", record, stages[1], bodies if quantity.kind == "energy_lost" else ())
+        return Formula(move, itself, quantity, total(terms), tidy(expanded(value)), refs)
+    return None
+
+
+def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
+    """Components across the line do not change, so that they cancel."""
+    event = quantity.stage
+    assert isinstance(event, int)
+    known = _lost_by_energies(
+        scene, quantity, (event - 1, event), tuple(scene.spheres(event))
+    ) or _lost_by_changes(scene, quantity, event)
+    if known is not None:
+        return known
+    by_speeds = _lost_by_speeds(scene, quantity, event, _given_speed)
+    if by_speeds is not None:
+        return by_speeds
+    frame = scene.frame(event)
+    if len(scene.spheres(event)) == 1 and _is_open(scene, scene.spheres(event)[0], frame):
+        by_speeds = _lost_by_speeds(scene, quantity, event, _plain_speed)
+        if by_speeds is not None and _follows(scene, by_speeds):
+            return by_speeds
+    terms: list[Expression] = []
+    values: list[Any] = []
+    refs: list[Any] = [*frame.names_axis("along")]
+    for body in scene.spheres(event):
+        early, late = (in_direction(scene, "along", body, k, frame) for k in (event - 1, event))
+        mass = scene.mass(body)
+        squared = [square(tree_of(each.value)) for each in (early, late)]
+        change = difference(*squared)
+        terms.append(half(tree_of(mass.value), change))
+        values.append(mass.value * (early.value**2 - late.value**2) / 2)
+        own = () if values[-1] == 0 else mass.refs
+        refs += [*own, *early.whole, *late.whole]
+    move = Move("define", "energy-lost", event, scene.spheres(event))
+    pool = together(refs)
+    axis = [ref for ref in frame.refs if isinstance(ref, int)] if 0 in frame.n else []
+    if axis:
+        # Along i, or j, the velocities tell the same without the line that finds the axis.
+        bare = tuple(ref for ref in pool if ref not in axis)
+        if scene.judge.follows(move, bare, chain(quantity, (swept(total(terms)), None))):
+            pool = bare
+    value = tidy(expanded(sum(values)))
+    return Formula(move, itself, quantity, total(terms), value, pool)
+
+
+def energy_change(scene: Scene, asked: Expression) -> Formula | None:
+    """The change of the energy of one body at an impact, by the component that changes.
+
+    None of another difference, and where one of the two energies is a line, or is asked too.
+    """
+    match asked:
+        case Binary(
+            "-",
+            Quantity("energy", (Name(body),), int(late)) as first,
+            Quantity("energy", (Name(other),), int(early)) as second,
+        ) if body == other:
+            pass
+        case _:
+            return None
+    event = scene.last_event(body, max(late, early))
+    frame = scene.frame(event) if event in scene.model.frames else None
+    if frame is None or scene.last_event(body, event - 1) != scene.last_event(
+        body, min(late, early)
+    ):
+        return None
+    if any(
+        scene.desk.known(each) is not None or each in scene.asked_alone for each in (first, second)
+    ):
+        return None
+    ends = [in_direction(scene, "along", body, k, frame) for k in (event, event - 1)]
+    ends = ends if late > early else ends[::-1]
+    mass = scene.mass(body)
+    squared = difference(*(square(tree_of(end.value)) for end in ends))
+    value = mass.value * (ends[0].value ** 2 - ends[1].value ** 2) / 2
+    refs = together(frame.names_axis("along"), mass.refs, *(end.whole for end in ends))
+    move = Move("define", "energy-change", event, (body,))
+    right = half(tree_of(mass.value), squared)
+    return Formula(move, itself, asked, right, tidy(expanded(value)), refs)
+
+
+def _lost_by_speeds(
+    scene: Scene,
+    quantity: Quantity,
+    event: int,
+    known: Callable[[Scene, str, int], Source | None],
+) -> Formula | None:
+    """Where every speed is known, before and after: ½mu² − ½mv²; None otherwise."""
+    terms: list[Expression] = []
+    values: list[Any] = []
+    refs: list[Any] = []
+    for body in scene.spheres(event):
+        mass = scene.mass(body)
+        early, late = (known(scene, body, k) for k in (event - 1, event))
+        if early is None or late is None:
+            return None
+        halves = [half(tree_of(mass.value), square(tree_of(e.value))) for e in (early, late)]
+        terms.append(difference(*halves))
+        values.append(mass.value * (early.value**2 - late.value**2) / 2)
+        refs += [*mass.refs, *early.refs, *late.refs]
+    move = Move("define", "energy-lost", event, scene.spheres(event))
+    value = tidy(expanded(sum(values)))
+    return Formula(move, itself, quantity, total(terms), value, together(refs))
+
+
+def _follows(scene: Scene, own: Formula) -> bool:
+    """Whether a quantity is what a formula makes of it, with no identity between."""
+    return scene.judge.follows(own.move, own.refs, chain(own.left, (swept(own.right), None)))
+
+
+def _is_open(scene: Scene, body: str, frame: Frame) -> bool:
+    """Whether the component that changed stands in a letter that has been worked out since."""
+    own = scene.desk.known(frame.component("along", body, frame.number))
+    return own is not None and bool(scene.put(own.value)[1])
+
+
+def _plain_speed(scene: Scene, body: str, stage: int) -> Source | None:
+    """A speed that is given, or a line with nothing open in it."""
+    given = _given_speed(scene, body, stage)
+    if given is not None:
+        return given
+    known = known_speed(scene, body, scene.last_event(body, stage))
+    return None if known is None or scene.unknown(known.value) else known
+
+
+def _given_speed(scene: Scene, body: str, stage: int) -> Source | None:
+    """A speed that the data give, with a direction at an angle or as a fact about the motion."""
+    last = scene.last_event(body, stage)
+    size: Any = None
+    refs: tuple[Ref, ...] = ()
+    if not last and (fact := scene.facts.get(f"velocity {body}")) is not None:
+        match fact.relation.only[0].right:
+            case Polar(size) if not isinstance(size, Unit):
+                refs = (fact.id,)
+    for each in scene.given if last else ():
+        if each.link.left == Quantity("speed", (Name(body),), last) and each.link.sign == "=":
+            size, refs = each.link.right, each.refs
+    if size is None or has_quantity(size):
+        return None
+    value, more = scene.put(scene.scalar(size))
+    return None if scene.unknown(value) else Source(value, together(refs, more))
+
+
+def total_energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
+    """The energy of all spheres at the start, less that after an event: each a line before it."""
+    assert isinstance(quantity.stage, int)
+    spheres = tuple(scene.model.story.spheres)
+    known = _lost_by_energies(scene, quantity, (0, quantity.stage), spheres) or _lost_by_losses(
+        scene, quantity, quantity.stage
+    )
+    if known is not None:
+        return known
+    if quantity.stage == 1 and 1 in scene.model.frames:
+        own = energy_lost_formula(scene, Quantity("energy_lost", (), 1))
+        return replace(own, quantity=quantity, move=Move("define", "total-lost", 1))
+    terms, values, refs = [], [], []
+    for stage in (0, quantity.stage):
+        own = energy_formula(scene, Quantity("energy", (), stage))
+        number = write_formula(scene, own)
+        terms.append(tree_of(own.value))
+        values.append(own.value)
+        refs.append(number)
+    return Formula(
+        Move("define", "total-lost", quantity.stage),
+        itself,
+        quantity,
+        difference(*terms),
+        tidy(expanded(values[0] - values[1])),
+        together(refs),
+    )
+
+
+def momentum_formula(scene: Scene, quantity: Quantity) -> Formula:
+    """The momentum of a sphere, by its velocity as a vector."""
+    if not quantity.arguments:
+        return _momentum_of_all(scene, quantity)
+    (name,) = quantity.arguments
+    assert isinstance(name, Name)
+    assert isinstance(quantity.stage, int)
+    velocity = velocity_source(scene, name.name, quantity.stage)
+    mass = scene.mass(name.name)
+    return Formula(
+        Move("define", "momentum-of", quantity.stage or None, (name.name,)),
+        itself,
+        quantity,
+        product(tree_of(mass.value), tree_of(velocity.value)),
+        Vector(*(tidy(mass.value * each) for each in velocity.value)),
+        together(mass.refs, velocity.refs),
+    )
+
+
+def _momentum_of_all(scene: Scene, quantity: Quantity) -> Formula:
+    """The momentum of all spheres, by their velocities as vectors."""
+    stage = quantity.stage
+    assert isinstance(stage, int)
+    terms: list[Expression] = []
+    refs: list[Ref] = []
+    x = y = sp.Integer(0)
+    for body in scene.model.story.spheres:
+        velocity = velocity_as_a_line(scene, body, scene.last_event(body, stage))
+        refs += velocity.refs
+        if all(each == 0 for each in velocity.value):
+            continue
+        mass = scene.mass(body)
+        refs += mass.refs
+        terms.append(product(tree_of(mass.value), tree_of(velocity.value)))
+        x, y = (a + mass.value * b for a, b in zip((x, y), velocity.value, strict=True))
+    whole = Vector(*(tidy(expanded(each)) for each in (x, y)))
+    move = Move("define", "momentum-of", stage or None, ())
+    return Formula(move, itself, quantity, total(terms), whole, together(refs))

@@ -1,0 +1,739 @@
+"""Lines about impacts: components before and after, and the laws that tie them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Meaning, Move, MoveId, Ref, Relation, Showing
+from restitution.explaining.trees import exchanged
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Polar,
+    Quantity,
+    letters,
+    walk,
+)
+from restitution.planning.formulas.assembling import put_together
+from restitution.planning.formulas.definitions import write_formula
+from restitution.planning.writing.circles import chord_from, from_centre
+from restitution.planning.writing.degrees import by_degrees, share_by_degrees
+from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
+from restitution.planning.writing.forms import (
+    ONE,
+    ZERO,
+    difference,
+    factors,
+    neat,
+    negative,
+    product,
+    reordered,
+    swept,
+    total,
+    tree_of,
+)
+from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.scene import Scene
+from restitution.planning.writing.unit_vectors import whole_direction
+from restitution.planning.writing.vectors import initial_as_a_line, velocity_given
+from restitution.problem import Find, Impact, Value
+from restitution.vector import Vector
+
+# --- components ---------------------------------------------------------------------------------
+
+
+def before(scene: Scene, kind: str, body: str, frame: Frame) -> Source:
+    """A component of a velocity just before the impact of a frame.
+
+    Where it takes a line, that of the other one stands beside it.
+    """
+    lines = len(scene.desk.lines)
+    source = in_direction(scene, kind, body, frame.number - 1, frame)
+    if len(scene.desk.lines) > lines and frame.is_slanted:
+        other = "across" if kind == "along" else "along"
+        in_direction(scene, other, body, frame.number - 1, frame)
+    return source
+
+
+def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> Source:
+    """A component, after ``stage`` events, in one of the directions of a frame."""
+    last = scene.last_event(body, stage)
+    tree = frame.component(kind, body, last)
+    known = settled(scene, tree)
+    if known is not None:
+        return _put(scene, known)
+    direction = frame.direction(kind)
+    if stage == frame.number - 1 and (begin := chord_from(scene, body, frame.number)) is not None:
+        return _on_a_chord(scene, kind, body, begin, frame)
+    if last == 0 and (sought := _sought(scene, body, direction)) is not None:
+        return _put(scene, sought)
+    if last == 0:
+        initial = scene.initial(body)
+        if not any(initial.value):
+            return Source(sp.Integer(0), initial.refs)  # at rest: in every direction
+        value = neat(initial.value.dot(direction))
+        form = by_degrees(scene, kind, body, frame, value)
+        form = form or _by_the_angle_of_the_line(scene, kind, body, frame)
+        in_a_line = frame.write is not None or not is_polar(scene, body)
+        # Who moves along the line of centres, by its angle, has its speed as its component.
+        in_a_line |= frame.wall is None and not any(
+            _parallel(scene, initial.value, each) for each in (frame.n, frame.t)
+        )
+        if frame.is_slanted and in_a_line:
+            initial = initial_as_a_line(scene, body) if form is None else initial
+            return by_scalar_product(scene, tree, initial, frame, direction, form)
+        source = _put(scene, Source(value, initial.refs, frame.refs, form))
+        if form is None and kind == "along":
+            return replace(source, form=_with_its_ratio(value, source.value))
+        return source
+    vector = scene.desk.known(Quantity("velocity", (Name(body),), last))
+    if last not in scene.model.frames:
+        blow = blown(scene, body, last) if vector is None else vector
+        return _of_vector(scene, kind, body, frame, blow, last)
+    own = scene.frame(last)
+    for each in ("along", "across"):
+        sign = _parallel(scene, own.direction(each), direction)
+        if sign:
+            source = settled(scene, own.component(each, body, last)) or after(
+                scene, each, body, own
+            )
+            axis = source.axis
+            if own.component(each, body, last) != tree:
+                axis = together(axis, own.unit_free, frame.unit_free)
+            turned = _put(scene, Source(sign * source.value, source.refs, axis))
+            if (each, sign) != (kind, 1) and frame.is_slanted and turned.value != 0:
+                return _as_a_line(scene, tree, turned, frame)
+            return turned
+    if vector is not None and not (direction.x and direction.y):
+        return _put(scene, Source(vector.value.dot(direction), vector.refs, frame.unit_free))
+    if (
+        vector is not None
+        and own.is_slanted
+        and frame.is_slanted
+        and all(x.is_number for x in vector.value)
+    ):
+        return by_scalar_product(scene, tree, vector, frame, direction, None)
+    return _resolved(scene, kind, body, last, frame)
+
+
+def _as_a_line(scene: Scene, quantity: Quantity, source: Source, frame: Frame) -> Source:
+    """A component that is known in another direction, or in the other sense, in a line."""
+    number = scene.desk.write(
+        Move("define", "component", frame.number, _body(quantity)),
+        source.whole,
+        chain(quantity, (tree_of(source.value), None)),
+    )
+    return scene.desk.know(quantity, source.value, (number,))
+
+
+def _on_a_chord(scene: Scene, kind: str, body: str, since: int, frame: Frame) -> Source:
+    """A component before an impact with a circular wall, from another point of it.
+
+    A chord makes equal angles with the radii at its ends.
+    """
+    refs: tuple[Ref, ...] = (f"contact {frame.number}",)
+    form: Expression | None = None
+    by: MoveId = "rearrange"
+    if since:
+        own = scene.frame(since)
+        source = _put(scene, after(scene, kind, body, own))
+        value, refs = source.value, (*refs, f"contact {since}", *source.whole)
+        value = neat(-value if kind == "along" else value)
+    else:
+        place, velocity = scene.data(f"position {body}"), scene.initial(body)
+        radius_vector = from_centre(scene, frame.number, place.value)
+        unit = radius_vector / scene.model.story.size(radius_vector)
+        direction = -unit if kind == "along" else unit.turned_left()
+        value, more = scene.put(velocity.value.dot(direction))
+        refs = together(refs, place.refs, velocity.refs, more)
+        form, value = _scalar_product(velocity.value, direction), neat(value)
+        by = "put" if more else "rearrange"
+    quantity = frame.component(kind, body, since)
+    steps: list[tuple[Expression, MoveId | None]] = [(tree_of(value), None)]
+    if form is not None:
+        steps = [(form, None), (tree_of(value), by)]
+    line = scene.desk.write(
+        Move("define", "chord", frame.number, (body,)), refs, chain(quantity, *steps)
+    )
+    return scene.desk.know(quantity, value, (line,))
+
+
+def _sought(scene: Scene, body: str, direction: Vector) -> Source | None:
+    """A component along **i** or **j** of a velocity at the start that is to be found."""
+    if f"velocity {body}" in scene.facts or direction.x * direction.y != 0:
+        return None
+    own = scene.sought(body, "j" if direction.x == 0 else "i")
+    return Source(own.value * (direction.x + direction.y), own.refs)
+
+
+def is_polar(scene: Scene, body: str) -> bool:
+    """Whether a velocity at the start is given by its size and an angle."""
+    fact = scene.facts.get(f"velocity {body}")
+    if fact is None:
+        return False
+    (link,) = fact.relation.only
+    return any(isinstance(node, Polar) for node in walk(link.right))
+
+
+def by_scalar_product(
+    scene: Scene,
+    quantity: Quantity,
+    source: Source,
+    frame: Frame,
+    direction: Vector,
+    form: Expression | None = None,
+) -> Source:
+    """A component of a vector of numbers in a direction that is one: a line of its own.
+
+    ``form`` is how the component is written, where it is no scalar product.
+    """
+    (body,) = _body(quantity)
+    exact = neat(source.value.dot(direction))
+    value, more = scene.put(exact)
+    value, refs = tidy(value), together(source.refs, more, frame.refs)
+    move = Move("define", "component", frame.number, (body,))
+    last = tree_of(value)
+    if form is None and frame.number in scene.desk.paths:
+        form = _with_a_ratio(exact)  # by the angle with the path
+    if form is None and more and not scene.last_event(body, frame.number - 1):
+        form = _with_a_ratio(exact)
+    by: MoveId = "rearrange" if form is None or letters(form) == letters(last) else "define"
+    written = form or _scalar_product(scene.put(source.value)[0], direction)
+    if any(ratio.args[0].is_Add for ratio in value.atoms(sp.sin, sp.cos)):
+        number = scene.desk.write(move, refs, chain(quantity, (written, None)))
+        refs, move, written = (number,), Move("identity", "sum-of-angles"), last
+    if reordered(written, last):
+        links: tuple[Link, ...] = (Link(quantity, "=", written),)
+    elif _is_over_a_root(written):
+        links = (Link(quantity, "=", written), Link(written, "=", last, by))
+    else:
+        links = chain(quantity, (written, None), (last, by)).only
+    # What is at rest has no component in any direction: nobody writes that down.
+    shown: Showing = "line" if any(source.value) else "silent"
+    number = scene.desk.write(move, refs, Relation((links,)), shown)
+    return scene.desk.know(quantity, value, (number,))
+
+
+def _by_the_angle_of_the_line(
+    scene: Scene, kind: str, body: str, frame: Frame
+) -> Expression | None:
+    """A component by the letter of the angle of a line of centres, of which a ratio is given."""
+    fact = scene.facts.get(f"axis {frame.number}")
+    if fact is None or not frame.is_slanted or frame.direction(kind).x.free_symbols:
+        return None
+    match fact.relation.only:
+        case (Link(_, "=" | "parallel to", Letter() as angle),):
+            turn = in_letters(angle)
+        case _:
+            return None
+    along = Vector(sp.cos(turn), sp.sin(turn))
+    direction = along if kind == "along" else along.turned_left()
+    return _with_a_ratio(neat(scene.initial(body).value.dot(direction)))
+
+
+def _with_a_ratio(value: sp.Expr) -> Expression | None:
+    """A component as a speed times a sine or a cosine; None of any other."""
+    ratios = value.atoms(sp.sin, sp.cos)
+    return tree_of(value) if len(ratios) == 1 and not value.has(sp.Add) else None
+
+
+def _is_over_a_root(tree: Expression) -> bool:
+    """Whether a product is over the root that is the length of a direction: ``u/√2``."""
+    own = tree.operand if isinstance(tree, Negate) else tree
+    return isinstance(own, Binary) and own.op == "/" and isinstance(own.right, Apply)
+
+
+def _scalar_product(vector: Vector, direction: Vector) -> Expression:
+    """The scalar product with a unit vector as a line has it: of whole numbers over a length."""
+    whole, length = whole_direction(direction)
+    terms = total(product(tree_of(a), tree_of(b)) for a, b in zip(whole, vector, strict=True))
+    return swept(terms if length == 1 else Binary("/", terms, tree_of(length)))
+
+
+def _body(component: Quantity) -> tuple[str, ...]:
+    """The body of which a quantity is a component of the velocity."""
+    return tuple(
+        argument.arguments[0].name
+        for argument in component.arguments
+        if isinstance(argument, Quantity)
+        and argument.arguments
+        and isinstance(argument.arguments[0], Name)
+    )
+
+
+def settled(scene: Scene, tree: Expression) -> Source | None:
+    """What a component, or a letter, is known to be; None where it is not.
+
+    Where letters in it have been found since, what that makes of it is a line of its own, unless
+    a number only takes the place of a letter in a line of the same part.
+    """
+    known = scene.desk.known(tree)
+    if known is None:
+        return None
+    own = known.value if known.value.is_Symbol else -known.value
+    if own.is_Symbol:
+        settled(scene, Letter(own.name))
+        return known
+    value, refs = scene.put(known.value)
+    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    if value == known.value or len(lines) != 1:
+        return known
+    (line,) = lines
+    if (
+        _is_plain(known.value, value)
+        and scene.desk.is_of_this_part(line)
+        and not _is_asked(scene, tree)
+    ):
+        return known
+    link = scene.desk.last_link(line)
+    if link.left != tree and (link.right != tree or value.free_symbols):
+        return known
+    move = Move("put")
+    line = scene.desk.write(move, (line, *refs), chain(tree, (tree_of(value), None)))
+    return scene.desk.know(tree, value, (line,))
+
+
+def _is_asked(scene: Scene, tree: Expression) -> bool:
+    """Whether a letter is asked: its value then stands before it is used."""
+    asked = [item for step in scene.part.steps if isinstance(step, Find) for item in step.items]
+    values = [item.expression for item in asked if isinstance(item, Value)]
+    return isinstance(tree, Letter) and tree in values
+
+
+# With a denominator up to this, numbers are multiplied in one's head.
+_EASY = 12
+
+
+def _is_plain(before_: sp.Expr, after_: sp.Expr) -> bool:
+    """Whether a product of letters and a rational number still is one, of one letter less."""
+    return bool(after_.free_symbols) and not (
+        sp.Mul.make_args(before_)[0].is_Add
+        or before_.atoms(sp.Add, sp.Function, sp.Pow)
+        or after_.atoms(sp.Add, sp.Function, sp.Pow)
+        or after_.as_coeff_Mul()[0].q > _EASY
+        or len(before_.free_symbols - after_.free_symbols) != 1
+    )
+
+
+def _with_its_ratio(value: sp.Expr, put: sp.Expr) -> Expression | None:
+    """A component as a speed times the number of its cosine, ``(5u/4)(4/5)``.
+
+    None where one sees that in what it comes to, as the speed is no fraction.
+    """
+    ratios = value.atoms(sp.sin, sp.cos)
+    if len(ratios) != 1 or value.is_Add or put.has(*ratios):
+        return None
+    size = tidy(value / next(iter(ratios)))
+    share = tidy(put / size)
+    number, rest = size.as_coeff_Mul()
+    if not share.is_Rational or not number.is_Rational or number.is_Integer or rest == 1:
+        return None
+    own = product(tree_of(abs(number) * rest), tree_of(abs(share)))
+    return negative(own) if (number < 0) != (share < 0) else own
+
+
+def _put(scene: Scene, source: Source) -> Source:
+    value, refs = scene.put(source.value)
+    form = source.form if not refs else None
+    return Source(value, together(source.refs, refs), source.axis, form)
+
+
+def tree_in_law(source: Source) -> Expression:
+    """A component as a law has it: as it comes of the data, or as what it is worth."""
+    return tree_of(source.value) if source.form is None else source.form
+
+
+def _by_ratio(
+    scene: Scene, kind: str, body: str, frame: Frame, source: Source
+) -> Expression | None:
+    """A component at the start by what has a value in it: ``5 sin α``, ``u sin 60°``.
+
+    None where the velocity is not given by its size and an angle, or where the component keeps
+    the ratio, or stands in a line of its own.
+    """
+    if scene.last_event(body, frame.number - 1) or not is_polar(scene, body):
+        return None
+    if source.form is not None or scene.desk.known(frame.component(kind, body, 0)) is not None:
+        return None
+    value = neat(scene.initial(body).value.dot(frame.direction(kind)))
+    form = by_degrees(scene, kind, body, frame, value)
+    if form is not None:
+        # The angle is a number, and the speed has been found.
+        return form if letters(form) and not source.value.free_symbols else None
+    ratios = value.atoms(sp.sin, sp.cos)
+    if value.is_Add or len(ratios) != 1 or not any(ratio.free_symbols for ratio in ratios):
+        return None
+    return None if source.value.has(*ratios) else tree_of(value)
+
+
+def _product_of_units(a: Vector, b: Vector, value: sp.Expr) -> Expression:
+    """The scalar product of two unit vectors: as products, where neither is along an axis."""
+    (one, size), (other, length) = whole_direction(a), whole_direction(b)
+    if not all((*one, *other)):
+        return tree_of(value)
+    minus = bool(value.is_negative)
+    terms = (
+        product(tree_of(-p if minus else p), tree_of(q)) for p, q in zip(one, other, strict=True)
+    )
+    quotient = swept(Binary("/", total(terms), tree_of(tidy(size * length))))
+    return Negate(quotient) if minus else quotient
+
+
+def _parallel(scene: Scene, a: Vector, b: Vector) -> int:
+    """1 or −1 where two unit vectors are parallel, 0 where they are not."""
+    if tidy(a.cross(b)) != 0:
+        return 0
+    return 1 if scene.model.sign(a.dot(b)) > 0 else -1
+
+
+def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> Source:
+    """A component of a velocity of which the components in other directions are known."""
+    own = scene.frame(stage)
+    parts = [after(scene, each, body, own) for each in ("along", "across")]
+    direction = frame.direction(kind)
+    shares = [tidy(own.direction(each).dot(direction)) for each in ("along", "across")]
+    put = [_put(scene, part) for part in parts]
+    value = tidy(sum(a.value * b for a, b in zip(put, shares, strict=True)))
+    functions = ("cos", "sin") if kind == "along" else ("sin", "cos")
+    terms = [
+        product(
+            tree_of(a.value),
+            _share_of_degrees(b, function) or _product_of_units(own.direction(each), direction, b),
+        )
+        for each, a, b, function in zip(("along", "across"), put, shares, functions, strict=True)
+        if a.value
+    ]
+    if own.direction("along").x == 0:
+        terms.reverse()  # along **i** first
+    terms.sort(key=lambda term: isinstance(term, Negate))
+    quantity = frame.component(kind, body, stage)
+    if own.is_slanted and frame.is_slanted and _are_two_terms([each.value for each in put]):
+        # Instead of four products of the unit vectors of two slanting lines.
+        whole = put_together(body, stage, own, (put[0], put[1]))
+        vector = Source(whole.value, (write_formula(scene, whole),))
+        return by_scalar_product(scene, quantity, vector, frame, direction)
+    refs = together(*(each.whole for each in put), own.unit_free, frame.unit_free)
+    move = Move("define", "component", frame.number, (body,))
+    first, last = swept(total(terms)), tree_of(value)
+    if any(ratio.args[0].is_Add for ratio in value.atoms(sp.sin, sp.cos)):
+        number = scene.desk.write(move, refs, chain(quantity, (first, None)))
+        refs, move, first = (number,), Move("identity", "sum-of-angles"), last
+    exact = {each: tree_of(tidy(scene.scalar(each))) for each in _of_degrees(first)}
+    between: tuple[tuple[Expression, MoveId | None], ...] = ()
+    if exact:
+        between = ((swept(exchanged(first, exact)), "rearrange"),)
+    relation = chain(quantity, (first, None), *between, (last, "rearrange"))
+    number = scene.desk.write(move, refs, relation)
+    return scene.desk.know(quantity, value, (number,))
+
+
+def _of_degrees(tree: Expression) -> list[Expression]:
+    """The sines and cosines of degrees in a tree."""
+    return [
+        node
+        for node in walk(tree)
+        if isinstance(node, Apply) and isinstance(node.argument, Degrees)
+    ]
+
+
+def _are_two_terms(values: list[sp.Expr]) -> bool:
+    """Whether two components are other than 0, and no sums."""
+    return all(values) and not any(value.has(sp.Add) for value in values)
+
+
+def _share_of_degrees(share: sp.Expr, function: str) -> Expression | None:
+    """The sine or cosine of an angle such as 75°, of which the number is long; None of others."""
+    tree = share_by_degrees(share, function) if share.has(sp.Add) else None
+    return negative(tree) if tree is not None and share < 0 else tree
+
+
+def after(scene: Scene, kind: str, body: str, frame: Frame) -> Source:
+    """A component just after the impact of a frame, by the law, or by the letter that names it."""
+    quantity = frame.component(kind, body, frame.number)
+    known = scene.desk.known(quantity)
+    if known is not None:
+        return known
+    given = _given_after(scene, kind, body, frame)
+    if given is not None:
+        return given
+    if frame.number not in scene.model.frames:
+        return _of_vector(scene, kind, body, frame, blown(scene, body, frame.number))
+    if kind == "across":
+        return unchanged(scene, body, frame)
+    if frame.wall is not None:
+        return rebound(scene, body, frame)
+    return named(scene, body, frame)
+
+
+def _given_after(scene: Scene, kind: str, body: str, frame: Frame) -> Source | None:
+    """A component of a velocity after an impact that is given as a vector."""
+    velocity = Quantity("velocity", (Name(body),), frame.number)
+    given = velocity_given(scene, body, frame.number)
+    if given is not None and scene.desk.known(velocity) is None:
+        speed = Quantity("speed", velocity.arguments, frame.number)
+        is_given = any(each.link.left == speed for each in scene.given)
+        along = is_given and tidy(given[1].cross(frame.direction(kind))) == 0
+        # Along its own direction a velocity has its speed as its component.
+        size = tree_of(tidy(given[1].dot(frame.direction(kind)))) if along else None
+        return _of_vector(scene, kind, body, frame, Source(given[1], given[2], form=size))
+    known = scene.desk.known(velocity)
+    if known is None or (kind == "across" and _is_by_momentum(scene, known, frame)):
+        return None  # what stays is known from before
+    return _of_vector(scene, kind, body, frame, known)
+
+
+def _is_by_momentum(scene: Scene, velocity: Source, frame: Frame) -> bool:
+    """Whether a velocity after an impact of two spheres is what is left of the momentum."""
+    return frame.wall is None and any(
+        isinstance(each, int) and scene.desk.line(each).move.record == "momentum-vector"
+        for ref in velocity.refs
+        if isinstance(ref, int)
+        for each in scene.desk.under(ref)
+    )
+
+
+def _of_vector(
+    scene: Scene, kind: str, body: str, frame: Frame, source: Source, stage: int | None = None
+) -> Source:
+    """A component after an event of a velocity that is known as a vector."""
+    direction = frame.direction(kind)
+    if frame.is_slanted and all(x.is_number for x in frame.n):
+        source = _with_its_values(scene, body, frame.number if stage is None else stage, source)
+        quantity = frame.component(kind, body, frame.number if stage is None else stage)
+        return by_scalar_product(scene, quantity, source, frame, direction, source.form)
+    own = Source(tidy(source.value.dot(direction)), source.refs, frame.refs)
+    last = _put(scene, own)
+    share, letter = own.value.as_coeff_Mul()
+    if letter.is_Symbol and last.value.is_number and share not in (0, 1, -1):
+        # The size that has been found times the ratio: a reader sees where the number comes from.
+        size = tree_of(tidy(last.value / share))
+        return replace(last, form=product(size, tree_of(share)))
+    return last
+
+
+def _with_its_values(scene: Scene, body: str, stage: int, source: Source) -> Source:
+    """A velocity that is asked with the letters put in that are known: its line stands first."""
+    velocity = Quantity("velocity", (Name(body),), stage)
+    value, refs = scene.put(source.value)
+    line = source.refs[0] if len(source.refs) == 1 else None
+    if velocity not in scene.asked_alone or not isinstance(line, int) or source.form is not None:
+        return source
+    if not refs or scene.unknown(value) or scene.desk.known(velocity) is not source:
+        return source
+    whole = Vector(*map(tidy, value))
+    relation = chain(velocity, (tree_of(whole), None))
+    number = scene.desk.write(Move("put"), (line, *refs), relation)
+    return scene.desk.know(velocity, whole, (number,))
+
+
+def blown(scene: Scene, body: str, number: int) -> Source:
+    """A velocity after a blow: the impulse is the change of momentum."""
+    velocity = Quantity("velocity", (Name(body),), number)
+    known = scene.desk.known(velocity)
+    if known is not None:
+        return known
+    given = velocity_given(scene, body, number)
+    if given is not None:
+        return scene.desk.know(velocity, given[1], given[2])
+    fact = scene.facts.get(f"impulse {number}")
+    if fact is None:
+        raise NotPlannedError(f"the velocity of {body} after event {number}")
+    plain = scene.frame(number)
+    parts = [in_direction(scene, each, body, number - 1, plain) for each in ("along", "across")]
+    early = Vector(*(part.value for part in parts))
+    mass = scene.mass(body)
+    right = fact.relation.only[0].right
+    impulse, refs = scene.put(scene.value(right))
+    late = Vector(*(tidy(u + j / mass.value) for u, j in zip(early, impulse, strict=True)))
+    walls = [
+        f"wall {node.name}"
+        for node in walk(right)
+        if isinstance(node, Name) and f"wall {node.name}" in scene.facts
+    ]
+    change = difference(velocity, tree_of(early)) if any(early) else velocity
+    move = Move("law", "impulse-vector", number, (body,))
+    used = together((fact.id,), walls, refs, mass.refs, *(part.whole for part in parts))
+    change = swept(product(tree_of(mass.value), change))
+    if change == velocity:
+        # Of a mass of 1 at rest the impulse is the velocity.
+        line = scene.desk.write(move, used, chain(velocity, (tree_of(late), None)))
+        return scene.desk.know(velocity, late, (line,))
+    left = tree_of(impulse) if refs or isinstance(right, Polar) else right
+    line = scene.desk.write(move, used, chain(left, (change, None)))
+    line = scene.desk.write(Move("rearrange"), (line,), chain(velocity, (tree_of(late), None)))
+    return scene.desk.know(velocity, late, (line,))
+
+
+def named(scene: Scene, body: str, frame: Frame) -> Source:
+    """The letter for a component along the line of centres after an impact, introduced here."""
+    symbol = scene.model.components[frame.number, body].symbol
+    quantity = frame.component("along", body, frame.number)
+    fact = f"let {symbol.name}"
+    if fact in scene.facts:
+        return scene.desk.know(quantity, frame.letter_sign * symbol, (fact,))
+    meaning = Meaning(symbol.name, quantity, frame.sense)
+    number = scene.desk.write(Move("let"), (), meaning)
+    return scene.desk.know(quantity, frame.letter_sign * symbol, (number,))
+
+
+def component_letter(scene: Scene, body: str, frame: Frame) -> sp.Symbol:
+    """The letter of the model for a component along the line of centres."""
+    return scene.model.components[frame.number, body].symbol
+
+
+# --- laws --------------------------------------------------------------------------------------
+
+
+def _as_first_written(
+    scene: Scene, kind: str, body: str, frame: Frame, source: Source
+) -> tuple[Expression, MoveId]:
+    """A component before an impact as it comes of the data, and the move to what it is worth."""
+    ratio = _by_ratio(scene, kind, body, frame, source)
+    return (tree_in_law(source), "rearrange") if ratio is None else (ratio, "put")
+
+
+def unchanged(scene: Scene, body: str, frame: Frame) -> Source:
+    """The component across the line of centres, or parallel to a wall, is the same after."""
+    source = before(scene, "across", body, frame)
+    own, by = _as_first_written(scene, "across", body, frame, source)
+    quantity = frame.component("across", body, frame.number)
+    number = scene.desk.write(
+        Move("law", "unchanged", frame.number, (body,)),
+        together(source.whole, frame.names_axis("across")),
+        chain(quantity, (own, None), (tree_of(source.value), by)),
+    )
+    return scene.desk.know(quantity, source.value, (number,))
+
+
+def rebound(scene: Scene, body: str, frame: Frame) -> Source:
+    """The component perpendicular to a wall after an impact: −e times the one before."""
+    source = before(scene, "along", body, frame)
+    e = scene.coefficient(frame.number)
+    quantity = frame.component("along", body, frame.number)
+    value = neat(-e.value * source.value)
+    own, by = _as_first_written(scene, "along", body, frame, source)
+    first = product(tree_of(e.value), negative(own))
+    last = tree_of(value)
+    if factors(first) == factors(last):
+        first = last  # nothing is worked out
+    # Where e is 0 nothing is said of the velocity before.
+    before_ = () if e.value == 0 else source.whole
+    number = scene.desk.write(
+        Move("law", "restitution-wall", frame.number, (body,)),
+        together(before_, frame.names_axis("along"), e.refs),
+        chain(quantity, (first, None), (last, by)),
+    )
+    letter = component_letter(scene, body, frame)
+    scene.desk.know(Letter(letter.name), frame.letter_sign * value, (number,))
+    return scene.desk.know(quantity, value, (number,))
+
+
+def closing_at_wall(scene: Scene, body: str, frame: Frame, kind: str) -> int:
+    """A law at a wall as an equation, where the component after it is known."""
+    quantity = frame.component(kind, body, frame.number)
+    known = scene.desk.known(quantity) or _given_after(scene, kind, body, frame)
+    if known is None:
+        raise NotPlannedError(f"the component of {body} after event {frame.number}")
+    later, earlier = _put(scene, known), before(scene, kind, body, frame)
+    refs = together(later.whole, earlier.whole, frame.names_axis(kind))
+    if kind == "across":
+        move = Move("law", "unchanged", frame.number, (body,))
+        sides = [tree_of(later.value), tree_in_law(earlier)]
+        open_ = scene.unknown(earlier.value) and not scene.unknown(later.value)
+        if open_ or isinstance(sides[1], Letter):
+            sides.reverse()
+        return scene.desk.write(move, refs, chain(sides[0], (sides[1], None)))
+    e = scene.coefficient(frame.number)
+    move = Move("law", "restitution-wall", frame.number, (body,))
+    left, right = tree_of(later.value), tree_of(earlier.value)
+    back = product(tree_of(e.value), negative(right))
+    if scene.model.sign(later.value) < 0:
+        if isinstance(right, Negate) and e.value != 1:
+            back = Negate(Binary("*", tree_of(e.value), right))  # −⅓(−v cos θ), as it is read off
+        else:
+            left, back = negative(left), negative(back)
+    relation = chain(left, (back, None))
+    return scene.desk.write(move, together(refs, e.refs), relation)
+
+
+def momentum(scene: Scene, frame: Frame) -> int:
+    """Conservation of momentum along the line of centres."""
+    sides: list[list[Expression]] = [[], []]
+    refs: list[Any] = []
+    for body in scene.spheres(frame.number):
+        mass = scene.mass(body)
+        refs += mass.refs
+        ends = (before(scene, "along", body, frame), _now(scene, body, frame))
+        for side, source in zip(sides, ends, strict=True):
+            refs += source.whole
+            side.append(_momentum_of(tree_of(mass.value), tree_in_law(source)))
+    left, right = map(total, sides)
+    return scene.desk.write(
+        Move("law", "momentum", frame.number, scene.bodies(frame.number)),
+        together(refs, frame.names_axis("along")),
+        chain(left, (right, None)),
+    )
+
+
+def _momentum_of(mass: Expression, velocity: Expression) -> Expression:
+    """Mass times velocity; of numbers, a negative velocity keeps its sign: 3 × (−2)."""
+    if isinstance(velocity, Negate) and mass != ONE and not (letters(mass) or letters(velocity)):
+        return Binary("*", mass, velocity)
+    return swept(product(mass, velocity))
+
+
+def restitution(scene: Scene, frame: Frame, separation: sp.Expr | None = None) -> int:
+    """Newton's law of restitution between two spheres; with what the ``separation`` comes to."""
+    first, second = scene.bodies(frame.number)
+    step = scene.model.happening(frame.number).step
+    assert isinstance(step, Impact)
+    e = scene.coefficient(frame.number)
+    early = [before(scene, "along", each, frame) for each in (first, second)]
+    late = [_now(scene, each, frame) for each in (first, second)]
+    # Where e is 0 nothing is said of the velocities before.
+    order = late if e.value == 0 else (*early, *late)
+    refs = together(e.refs, *(each.whole for each in order), frame.names_axis("along"))
+    v, w = (tree_of(each.value) for each in late)
+    u, x = (tree_in_law(each) for each in early)
+    approach = difference(u, x)
+    # As long as solutions have their lines in common, all write it as the first one does.
+    chosen = scene.others[0] if scene.others else scene.model
+    if chosen.sign(early[0].value - early[1].value) < 0:
+        v, w, approach = w, v, difference(x, u)
+        separation = None if separation is None else -separation
+    law = chain(ZERO if w == v else difference(w, v), (product(tree_of(e.value), approach), None))
+    if separation is not None and scene.judge.standing(law) is None:
+        law = chain(law.only[0].left, (law.only[0].right, None), (tree_of(separation), "rearrange"))
+    return scene.desk.write(Move("law", "restitution", frame.number, (first, second)), refs, law)
+
+
+def _now(scene: Scene, body: str, frame: Frame) -> Source:
+    """A component after an impact: its value if it is known, else its letter."""
+    source = after(scene, "along", body, frame)
+    if source.value.is_Symbol:
+        settled(scene, Letter(source.value.name))
+    return _put(scene, source)
+
+
+def residual(scene: Scene, number: int) -> sp.Expr:
+    """A line as an expression that is zero."""
+    own = scene.desk.last_link(number)
+    return scene.gap(own.left, own.right)
+
+
+def scene_value(
+    scene: Scene, tree: Expression, others: Mapping[str, sp.Symbol] | None = None
+) -> sp.Expr:
+    """The value of a tree of a line, with the letters of components, and others, as letters."""
+    return scene.worth(tree, others)

@@ -1,0 +1,175 @@
+"""Impulses, by their definitions."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.components.models import Model
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Name,
+    Quantity,
+)
+from restitution.planning.formulas.definitions import Formula, itself, write_formula
+from restitution.planning.formulas.impacts import in_direction
+from restitution.planning.formulas.velocity_formulas import velocity_source
+from restitution.planning.writing.desk import NotPlannedError, Source, together
+from restitution.planning.writing.forms import (
+    difference,
+    negative,
+    product,
+    square,
+    total,
+    tree_of,
+)
+from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.scene import Scene
+from restitution.vector import Vector
+
+
+def impulse_formula(scene: Scene, quantity: Quantity) -> Formula:
+    """The impulse of an event, or its size."""
+    event = quantity.stage
+    assert isinstance(event, int)
+    if quantity.arguments:
+        return _impulse_vector(scene, quantity, event)
+    if event not in scene.model.frames:
+        return _size_of_blow(scene, quantity, event)
+    _write_vector_before(scene, event)
+    whole = _size_of_impulse(scene, quantity, event)
+    if whole is not None:
+        return whole
+    frame = scene.frame(event)
+    spheres = scene.spheres(event)
+    body = spheres[0]
+    for sphere in spheres[1:]:
+        if in_direction(scene, "along", sphere, event - 1, frame).value == 0:
+            body = sphere
+    if scene.unknown(scene.mass(body).value):
+        # A mass that is known leaves one unknown less.
+        body = next((own for own in spheres if not scene.unknown(scene.mass(own).value)), body)
+    closed = [sphere for sphere in spheres if not _is_open(scene, sphere, event)]
+    if closed and body not in closed:
+        body = closed[0]
+    return impulse_on(scene, quantity, body, event)
+
+
+def impulse_in_sense(scene: Scene, own: Formula) -> Formula:
+    """An impulse by a change of momentum that is positive in the first of several solutions."""
+    (body,), event = own.move.bodies, own.move.event
+    assert event is not None
+    assert isinstance(own.quantity, Quantity)
+    return impulse_on(scene, own.quantity, body, event, scene.first)
+
+
+def impulse_on(
+    scene: Scene, quantity: Quantity, body: str, event: int, model: Model | None = None
+) -> Formula:
+    """The size of an impulse, as the change of momentum of one of the bodies.
+
+    The change is positive in the solution that is written, or in that of another ``model``.
+    """
+    model = model or scene.model
+    frame = scene.frame(event)
+    early, late = (in_direction(scene, "along", body, k, frame) for k in (event - 1, event))
+    change = late.value - early.value
+    mass = scene.mass(body)
+    first, last = tree_of(early.value), tree_of(late.value)
+    if model.sign(model.in_data(change)) < 0:
+        first, last, change = last, first, -change
+    # At a wall the two point opposite ways: sizes are added.
+    walled = frame.wall is not None
+    change_tree = total((last, negative(first))) if walled else difference(last, first)
+    return Formula(
+        Move("law", "impulse", event, (body,)),
+        itself,
+        quantity,
+        product(tree_of(mass.value), change_tree),
+        tidy(mass.value * change),
+        together(mass.refs, early.whole, late.whole, frame.names_axis("along")),
+    )
+
+
+def _is_open(scene: Scene, body: str, event: int) -> bool:
+    """Whether the component along the line of centres after an impact is not known yet."""
+    component = scene.model.components.get((event, body))
+    return component is not None and bool(scene.unknown(component.symbol))
+
+
+def _write_vector_before(scene: Scene, event: int) -> None:
+    """Writes the impulse on a body before its size, where both are asked and it has no component.
+
+    It has none where both velocities of the body stand as vectors, and the line is slanting.
+    """
+    for body in scene.spheres(event) if scene.frame(event).is_slanted else ():
+        vector = Quantity("impulse", (Name(body),), event)
+        if vector not in scene.asked_alone or scene.desk.known(vector) is not None:
+            continue
+        velocities = [Quantity("velocity", (Name(body),), n) for n in (event, event - 1)]
+        late, early = (scene.desk.known(each) for each in velocities)
+        data = scene.last_event(body, event - 1) == 0
+        if late is None or (early is None and not data) or scene.unknown(late.value):
+            continue
+        own = _impulse_vector(scene, vector, event)
+        if not any(map(scene.unknown, own.value)):
+            write_formula(scene, own)
+            return
+
+
+def _size_of_impulse(scene: Scene, quantity: Quantity, event: int) -> Formula | None:
+    """The size of an impulse of which a line tells both components."""
+    for body in scene.spheres(event):
+        known = scene.desk.known(Quantity("impulse", (Name(body),), event))
+        if known is None or not isinstance(known.value, Vector):
+            continue
+        if _is_in_a_plain_direction(known.value):
+            return _size(Move("define", "size", event, (body,)), quantity, known)
+    return None
+
+
+def _is_in_a_plain_direction(vector: Vector) -> bool:
+    """Whether the components of a vector are numbers, or in the ratio of numbers."""
+    x, y = (sp.sympify(each, strict=True) for each in vector)
+    if not (x.free_symbols | y.free_symbols):
+        return True
+    return bool(x) and bool(y) and bool(tidy(y / x).is_number)
+
+
+def _size_of_blow(scene: Scene, quantity: Quantity, event: int) -> Formula:
+    """The size of a blow that is given as a vector."""
+    blow = scene.data(f"impulse {event}")
+    if not isinstance(blow.value, Vector):
+        raise NotPlannedError("the size of a blow")
+    return _size(Move("define", "size", event, scene.bodies(event)), quantity, blow)
+
+
+def _size(move: Move, quantity: Quantity, vector: Source) -> Formula:
+    """The size of a vector by its components."""
+    value = tidy(sp.sqrt(tidy(expanded(vector.value.dot(vector.value)))))
+    parts = [each for each in vector.value if each != 0]
+    tree: Expression = Apply("sqrt", total(square(tree_of(each)) for each in parts))
+    if len(parts) == 1 and sp.sympify(parts[0], strict=True).is_number:
+        tree = tree_of(value)
+    return Formula(move, itself, quantity, tree, value, vector.refs)
+
+
+def _impulse_vector(scene: Scene, quantity: Quantity, event: int) -> Formula:
+    (name,) = quantity.arguments
+    assert isinstance(name, Name)
+    body = name.name
+    mass = scene.mass(body)
+    late, early = (velocity_source(scene, body, stage) for stage in (event, event - 1))
+    change = Binary("-", tree_of(late.value), tree_of(early.value))
+    value = Vector(*(tidy(mass.value * each) for each in late.value - early.value))
+    return Formula(
+        Move("law", "impulse-vector", event, (body,)),
+        itself,
+        quantity,
+        product(tree_of(mass.value), change),
+        value,
+        together(mass.refs, late.refs, early.refs),
+    )

@@ -1,0 +1,158 @@
+"""Angles that a working names: the letter for one, and its ratios as lines."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import sympy as sp
+
+from restitution.explaining.derivation import Meaning, Move, MoveId, Ref
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    Quantity,
+    has_quantity,
+    letters,
+)
+from restitution.planning.formulas.definitions import Formula
+from restitution.planning.writing.desk import chain, together
+from restitution.planning.writing.forms import in_tangents, swept, tree_of
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.same_angles import tangent_by_the_same, write_same_angle
+from restitution.planning.writing.scene import Scene
+
+ANGLES = {
+    "deflection": ("delta", "phi", "psi"),
+    "angle": ("beta", "theta", "phi", "psi", "gamma"),
+    "direction": ("theta", "phi", "beta", "psi", "gamma"),
+}
+
+
+def letter_of(scene: Scene, asked: Quantity) -> tuple[str, Ref]:
+    """The letter for an angle, and the line that introduces it, or the fact."""
+    known = letter_known(scene, asked)
+    if known is not None:
+        return known
+    letter = free_letter(scene, asked.kind)
+    return letter, scene.desk.write(Move("let"), (), Meaning(letter, asked))
+
+
+def letter_known(scene: Scene, asked: Quantity) -> tuple[str, Ref] | None:
+    """The letter that an angle has already, and the line or the fact that says so; else None."""
+    for fact in scene.desk.facts:
+        if fact.id.startswith("let ") and fact.relation.only[0].left == asked:
+            right = fact.relation.only[0].right
+            assert isinstance(right, Letter)
+            return right.name, fact.id
+    for line in scene.desk.lines:
+        if isinstance(line.relation, Meaning) and line.relation.quantity == asked:
+            return line.relation.letter, line.number
+    return None
+
+
+def free_letter(scene: Scene, kind: str) -> str:
+    """A letter for an angle of a kind that stands for nothing yet."""
+    taken, names = letters_taken(scene), ANGLES[kind]
+    numbered = (f"{each}_{n}" for n in range(1, 9) for each in names)
+    return next(each for each in (*names, *numbered) if each not in taken)
+
+
+def letters_taken(scene: Scene) -> set[str]:
+    """The letters that a new one must not be."""
+    own = {line.relation.letter for line in scene.desk.lines if isinstance(line.relation, Meaning)}
+    symbols = {component.symbol.name for component in scene.model.components.values()}
+    return own | symbols | set(scene.model.unknowns.roles)
+
+
+def ratio_line(
+    scene: Scene,
+    move: Move,
+    refs: tuple[Ref, ...],
+    ratio: Expression,
+    right: Expression,
+    value: Any,
+) -> int:
+    """A ratio of an angle by components, and what that comes to.
+
+    Where the one in the denominator is negative it keeps its sign: that tells the angle.
+    """
+    first = swept(right)
+    match right:
+        case Binary("/", above, below) if isinstance(swept(below), Negate):
+            first = Binary("/", swept(above), swept(below))
+    final = in_tangents(value) if sp.sympify(value, strict=True).is_number else value
+    ends = (*_over_roots(scene, first), tree_of(final))
+    rearrange: MoveId = "rearrange"
+    relation = chain(ratio, (first, None), *((each, rearrange) for each in ends))
+    names = letters(relation.only[0].right)
+    # On which side of a right angle the angle is, may rest on what is given of letters.
+    known = [ref for name in sorted(names) for ref in scene.judge.ranges_given(name)]
+    if known or sp.sympify(value, strict=True).has(sp.Abs):
+        known += background(scene, names)
+    if known:
+        refs = scene.judge.enough(move, refs, relation, known) or refs
+    return scene.desk.write(move, refs, relation)
+
+
+def _over_roots(scene: Scene, quotient: Expression) -> Iterator[Expression]:
+    """A quotient of numbers without common letters, where a sum with roots stands below."""
+    match quotient:
+        case Binary("/", above, below) if letters(above) & letters(below):
+            sides = [sp.sympify(scene.scalar(each), strict=True) for each in (above, below)]
+        case _:
+            return
+    common = sp.Mul(*(each for each in sides[1].free_symbols))
+    top, bottom = (sp.expand(sp.cancel(each / common)) for each in sides)
+    if not top.is_number or not bottom.is_number or not bottom.is_Add:
+        return
+    terms = [term for side in (top, bottom) for term in sp.Add.make_args(side)]
+    lowest = sp.ilcm(1, *(term.as_coeff_Mul()[0].q for term in terms))
+    top, bottom = (tree_of(sp.expand(each * lowest), as_it_is=True) for each in (top, bottom))
+    yield Binary("/", top, bottom)
+
+
+def tangent_line(scene: Scene, asked: Quantity, own: Formula, move: Move) -> tuple[int, str]:
+    """The tangent of an angle by its definition: the line, and the letter of the angle.
+
+    Where that stands in letters of which some are known by now, these are put in.
+    """
+    letter, meaning = letter_of(scene, asked)
+    refs = together(own.refs, (meaning,))
+    subject = Apply("tan", Letter(letter))
+    standing = _tangent_with_values(scene, subject, own)
+    if standing is not None:
+        return standing, letter
+    same = write_same_angle(scene, asked, letter, meaning)
+    known = None if same is None else tangent_by_the_same(scene, letter, same)
+    if known is not None:
+        return known, letter
+    return ratio_line(scene, move, refs, subject, own.right, own.value), letter
+
+
+def _tangent_with_values(scene: Scene, subject: Expression, own: Formula) -> int | None:
+    """The line of a tangent that stands, with the values of its letters put in if they have any."""
+    desk = scene.desk
+    for line in reversed(desk.lines):
+        if isinstance(line.relation, Meaning) or not desk.holds(line.number):
+            continue
+        links = line.relation.options[0]
+        if len(line.relation.options) > 1 or links[0].left != subject:
+            continue
+        if any(each.sign != "=" for each in links) or has_quantity(links[-1].right):
+            continue
+        value = scene.scalar(links[-1].right)
+        put, refs = scene.put(value)
+        if not scene.model.identically_zero(put - own.value):
+            continue
+        lets = scene.lets_in(desk.last_link(line.number))
+        if not refs and not lets:
+            return line.number
+        relation = chain(subject, (tree_of(in_tangents(put)), None))
+        premises = scene.judge.enough(Move("put"), (line.number, *refs), relation, lets)
+        if premises is not None:
+            return desk.write(Move("put"), premises, relation)
+    return None

@@ -1,0 +1,24 @@
+"""A line in another form: rearranged, or with a factor left out."""
+
+from __future__ import annotations
+
+from restitution.explaining.derivation import Move, Relation
+from restitution.planning.formulas.impacts import residual
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import Scene
+
+
+def in_another_form(scene: Scene, number: int, relation: Relation) -> int | None:
+    """Writes a line in another form, with what is known of its letters where it is needed.
+
+    None where the one does not follow from the other so.
+    """
+    names = {symbol.name for symbol in residual(scene, number).free_symbols}
+    for move in (Move("rearrange"), Move("cancel")):
+        refs = scene.judge.enough(move, (number,), relation, background(scene, names))
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
+    return None
+
+
+__all__ = ["in_another_form"]

@@ -1,0 +1,232 @@
+"""Directions that are tied to each other: a right angle or a common direction, in components."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Name,
+    Negate,
+    Polar,
+    Quantity,
+    Unit,
+    walk,
+)
+from restitution.planning.formulas.impacts import in_direction, is_polar
+from restitution.planning.formulas.velocity_formulas import (
+    body_and_stage,
+    frame_after,
+    in_the_plane,
+)
+from restitution.planning.formulas.whereabouts import source_of
+from restitution.planning.writing.desk import NotPlannedError, Source, link, together
+from restitution.planning.writing.forms import ONE, ZERO, product, total, tree_of
+from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.scene import GivenEquation, Scene
+from restitution.planning.writing.unit_vectors import whole_direction
+from restitution.vector import Vector
+
+_KINDS = ("along", "across")
+
+
+def write_tie(scene: Scene, each: GivenEquation) -> int:
+    """The line in which a tie of directions becomes an equation."""
+    left, right, record = tied(each.link) or (each.link.left, each.link.right, "")
+    pair = [moving(scene, side) for side in (left, right)]
+    both = [own for own in pair if own is not None]
+    if len(both) == 2:
+        return _two_velocities(scene, each, record, both)
+    if not both:
+        raise NotPlannedError("a tie of two directions that are given")
+    other = right if pair[0] is not None else left
+    return _to_a_direction(scene, each, record, both[0], other)
+
+
+def tied(own: Link) -> tuple[Expression, Expression, str] | None:
+    """The two directions of a relation, and whether they are perpendicular or parallel."""
+    if own.sign in ("perpendicular to", "parallel to"):
+        return own.left, own.right, own.sign.removesuffix(" to")
+    if own.sign != "=":
+        return None
+    match own.left, own.right:
+        case Quantity("direction", (Name() as body,), int(stage)), angle:
+            velocity = Quantity("velocity", (body,), stage)
+            return velocity, Polar(ONE, angle), "parallel"
+        case Quantity("deflection", (body,), int(stage)), _:
+            early, late = (Quantity("velocity", (body,), n) for n in (stage - 1, stage))
+            return early, late, _record(own.right)
+        case Quantity("angle", (a, b)), _:
+            return a, b, _record(own.right)
+    return None
+
+
+def _record(angle: Expression) -> str:
+    """What an angle of 0°, 90° or 180° says of two directions."""
+    straight = isinstance(angle, Degrees) and angle.value in (0, 180)
+    return "parallel" if straight else "perpendicular"
+
+
+def moving(scene: Scene, tree: Expression) -> tuple[str, int] | None:
+    """The body and the event of a velocity; None for a direction in the plane."""
+    match tree:
+        case Negate(operand):
+            return moving(scene, operand)
+        case Quantity("velocity" | "direction", (Name(body),), int()):
+            if body in scene.model.story.walls:
+                return None
+            return body_and_stage(scene, tree)
+    return None
+
+
+def _two_velocities(
+    scene: Scene, each: GivenEquation, record: str, both: list[tuple[str, int]]
+) -> int:
+    frame = frame_after(scene, *max(both, key=lambda own: own[1]))
+    sources = _as_vectors(scene, both) if frame.is_slanted else None
+    if sources is None:
+        sources = [
+            [in_direction(scene, kind, name, when, frame) for kind in _KINDS] for name, when in both
+        ]
+    (a, b), (c, d) = sources
+    pairs = ((a, c), (b, d)) if record == "perpendicular" else ((a, d), (b, c))
+    cited = [_cited(pair) for pair in pairs]
+    first, second = (product(*(tree_of(each.value) for each in pair)) for pair in cited)
+    bodies = tuple(dict.fromkeys(body for body, _ in both))
+    move = Move("define", record, frame.number, bodies)
+    for along, still in ((a, d), (c, b)) if record == "perpendicular" else ():
+        if still.value != 0 or along.value == 0:
+            continue
+        # Who moves along the line of centres is at right angles to who moves across it.
+        read = Relation(((link(tree_of(along.value), ZERO),),))
+        cites = scene.judge.needed(move, together(each.refs, along.whole, still.whole), read)
+        if cites is not None:
+            return scene.desk.write(move, cites, read)
+    refs = together(each.refs, *(s.refs for p in cited for s in p), _axis(frame, cited))
+    own = link(total((first, second)), ZERO) if record == "perpendicular" else link(first, second)
+    return scene.desk.write(move, refs, Relation(((own,),)))
+
+
+def _as_vectors(scene: Scene, both: list[tuple[str, int]]) -> list[list[Source]] | None:
+    """The parts of velocities that are vectors of the data or of lines; None where one is not."""
+    vectors = []
+    for body, stage in both:
+        vector = scene.desk.known(Quantity("velocity", (Name(body),), stage))
+        if vector is None and (stage or is_polar(scene, body)):
+            return None
+        own = scene.initial(body) if vector is None else vector
+        vectors.append([source_of(scene, each, own.refs) for each in own.value])
+    return vectors
+
+
+def _cited(pair: tuple[Source, Source]) -> tuple[Source, ...]:
+    """Of a product that is zero, the factor that is zero."""
+    return next(((each,) for each in pair if each.value == 0), pair)
+
+
+def _axis(frame: Frame, pairs: Any) -> tuple[Ref, ...]:
+    """The axis, where components of vectors stand beside those that are named by it."""
+    named = isinstance(frame.along, Quantity)
+    plain = frame.across is not None and named
+    vectors = any(source.axis for pair in pairs for source in pair)
+    return frame.refs if (vectors and named) or plain else ()
+
+
+def _to_a_direction(
+    scene: Scene, each: GivenEquation, record: str, own: tuple[str, int], other: Expression
+) -> int:
+    body, stage = own
+    frame = frame_after(scene, body, stage)
+    move = Move("define", record, frame.number, (body,))
+    centres = other == Quantity("line_of_centres", (), frame.number)
+    wall = isinstance(other, Name) and other.name == frame.wall
+    if centres or wall:
+        kind = "along" if (record == "perpendicular") != wall else "across"
+        source = in_direction(scene, kind, body, stage, frame)
+        refs = together(each.refs, source.whole, frame.names_axis(kind))
+        return scene.desk.write(move, refs, Relation(((link(tree_of(source.value), ZERO),),)))
+    direction, about = _direction(scene, other)
+    vector = scene.desk.known(Quantity("velocity", (Name(body),), stage))
+    if frame.is_slanted and vector is None:
+        return _across_a_frame(scene, each, move, body, stage, frame, direction, about)
+    if vector is not None:
+        x, y = (source_of(scene, each, vector.refs) for each in vector.value)
+    else:
+        x, y = in_the_plane(scene, body, stage)
+    refs = together(each.refs, about)
+    if record == "perpendicular":
+        terms = [(x, direction.x), (y, direction.y)]
+        used = [(s, w) for s, w in terms if w != 0]
+        relation = link(total(product(tree_of(w), tree_of(s.value)) for s, w in used), ZERO)
+    else:
+        terms = [(y, direction.x), (x, direction.y)]
+        used = [(s, w) for s, w in terms if w != 0]
+        sides = [_multiple(w, s.value) for s, w in terms]
+        left, right = sides
+        relation = link(left, right) if left != ZERO else link(right, ZERO)
+    refs = together(refs, *(source.whole for source, _ in used))
+    return scene.desk.write(move, refs, Relation(((relation,),)))
+
+
+def _multiple(factor: sp.Expr, component: sp.Expr) -> Expression:
+    """A component of a velocity times one of a direction: both with their signs, as read off."""
+    a, b = tree_of(factor), tree_of(component)
+    if isinstance(a, Negate) and isinstance(b, Negate) and a.operand != ONE:
+        return Binary("*", a, b)
+    return product(a, b) if factor != 0 else ZERO
+
+
+def _share(factor: sp.Expr, component: sp.Expr) -> Expression:
+    """The share of a component in a direction: −sin²θ, and not sin θ sin θ."""
+    if (component / factor).is_number:
+        return tree_of(tidy(factor * component))
+    return product(tree_of(factor), tree_of(component))
+
+
+def _across_a_frame(
+    scene: Scene,
+    each: GivenEquation,
+    move: Move,
+    body: str,
+    stage: int,
+    frame: Frame,
+    direction: Vector,
+    about: tuple[Ref, ...],
+) -> int:
+    """By the components in the directions of an impact that slants."""
+    sources = [in_direction(scene, kind, body, stage, frame) for kind in _KINDS]
+    if move.record == "parallel":
+        direction = direction.turned_left()
+        if direction.y == 0 and scene.model.sign(direction.x) < 0:
+            direction = -direction  # the component in the direction of **i**
+    shares = [tidy(direction.dot(each)) for each in (frame.n, frame.t)]
+    used = [(s, w) for s, w in zip(sources, shares, strict=True) if w != 0]
+    used.sort(key=lambda term: tidy(term[0].value * term[1]).could_extract_minus_sign())
+    tree = total(_share(w, s.value) for s, w in used)
+    refs = together(each.refs, about, *(s.refs for s, _ in used), frame.refs)
+    return scene.desk.write(move, refs, Relation(((link(tree, ZERO),),)))
+
+
+def _direction(scene: Scene, tree: Expression) -> tuple[Vector, tuple[Ref, ...]]:
+    """A direction in the plane as a vector, of whole numbers where that is so, and its facts."""
+    refs = tuple(
+        f"wall {node.name}"
+        for node in walk(tree)
+        if isinstance(node, Name) and f"wall {node.name}" in scene.facts
+    )
+    if isinstance(tree, Unit):
+        return Vector(*(sp.Integer(tree.axis == axis) for axis in "ij")), refs
+    own, more = scene.put(scene.model.story.direction(tree, scene.events))
+    if any(scene.unknown(each) for each in own):
+        raise NotPlannedError("a tie to a direction that is open")
+    whole, _ = whole_direction(own)
+    return Vector(*(tidy(each) for each in whole)), together(refs, more)
+
+
+__all__ = ["moving", "tied", "write_tie"]

@@ -1,0 +1,320 @@
+"""Angles between velocities at an impact of spheres: by the angles of both to the line of centres.
+
+The two lie on one side of that line or on both, and point the same way along it or not. So the
+angles are added, or taken from each other, or from 180°; in letters, by their tangents.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any, Literal
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Meaning, Move, Ref
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Name,
+    Negate,
+    Polar,
+    Quantity,
+    Unit,
+)
+from restitution.planning.formulas.impacts import in_direction
+from restitution.planning.formulas.velocity_formulas import body_and_stage
+from restitution.planning.writing.angles import RIGHT, STRAIGHT, angle_to_a_line
+from restitution.planning.writing.desk import Source, together
+from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.given_angles import given_angle
+from restitution.planning.writing.scene import Scene
+
+_I = Unit("i")
+NONE = Degrees(Fraction(0))
+
+# Of two angles p and q that are made into a third: p + q, p − q, 180° − p − q, 180° − p + q.
+Form = Literal["sum", "difference", "rest of sum", "rest of difference"]
+
+
+# A body, and the event after which its velocity is meant.
+Moving = tuple[str, int]
+
+
+@dataclass(frozen=True)
+class Direction:
+    """A velocity, seen from the line of centres.
+
+    ``angle`` is its angle to that, where it is told: as none, or a right one, or by the data, which
+    ``told`` names; else ``named`` is the quantity that a working has to name.
+    """
+
+    velocity: Quantity
+    along: Source
+    across: Source
+    angle: Expression | None
+    named: Quantity
+    sources: tuple[Ref, ...] = ()
+
+    @property
+    def refs(self) -> tuple[Ref, ...]:
+        """What its components rest on."""
+        return together(self.along.whole, self.across.whole)
+
+
+@dataclass(frozen=True)
+class Turn:
+    """An angle between two velocities at an impact, of two to the line of centres.
+
+    ``pushed`` tells which way the impulse pushes a body of which the velocity afterwards is open.
+    """
+
+    asked: Quantity
+    frame: Frame
+    move: Move
+    first: Direction
+    second: Direction
+    form: Form
+    pushed: tuple[Ref, ...] = ()
+
+    def made_of(self, first: Expression | None, second: Expression | None) -> Expression:
+        """The angle by the two others; None stands for no angle at all."""
+        if first is None and second is None:
+            return STRAIGHT if self.form.startswith("rest") else NONE
+        if first is None or second is None:
+            (one,) = (each for each in (first, second) if each is not None)
+            return Binary("-", STRAIGHT, one) if self.form.startswith("rest") else one
+        match self.form:
+            case "sum":
+                return Binary("+", first, second)
+            case "difference":
+                return Binary("-", first, second)
+            case "rest of sum":
+                return Binary("-", Binary("-", STRAIGHT, first), second)
+        return Binary("+", Binary("-", STRAIGHT, first), second)
+
+
+def turns_of(scene: Scene, asked: Quantity) -> Iterator[Turn]:
+    """The ways in which an angle is made of two others; none where it is no such angle.
+
+    The angles are those to the line of centres; where it is open which way a body goes along that,
+    they are those of up to 180° to **i** or **j**.
+    """
+    pair = velocities_of(scene, asked)
+    if pair is None:
+        return
+    (one, first), (other, second) = pair
+    if one == other and first > second:
+        pair = pair[::-1]
+    event = impact_of(scene, *pair)
+    if event is None:
+        return
+    frame = scene.frame(event)
+    p, q = (_direction(scene, frame, *each) for each in pair)
+    if p is None or q is None:
+        return
+    angles = {p.angle, q.angle}
+    if frame.wall is not None and angles != {NONE}:
+        return  # at a wall the angles are those to the wall
+    if one != other and NONE in angles and RIGHT not in angles:
+        wider = p if q.angle == NONE else q
+        if wider.angle is None and scene.desk.known(wider.named) is None:
+            return  # the other angle is what is asked
+    move = Move("define", "difference", event, (one,) if one == other else (one, other))
+    by_a_unit = one == other and angles.isdisjoint((NONE, RIGHT))
+    # An angle that is given to **i** or **j** is not found again to the line of centres.
+    units_first = by_a_unit and any(_is_given_to_a_unit(scene, side.velocity) for side in (p, q))
+    for in_units in (True, False) if units_first else (False, True):
+        turn: Turn | None = None
+        if in_units and by_a_unit:
+            turn = _from_a_unit(scene, asked, frame, move, (p, q))
+        elif not in_units:
+            form, swapped = _form_of(scene, p, q, one == other)
+            sides = (q, p) if swapped else (p, q)
+            turn = None if form is None else Turn(asked, frame, move, *sides, form)
+        if turn is not None:
+            yield turn
+
+
+def _is_given_to_a_unit(scene: Scene, velocity: Quantity) -> bool:
+    """Whether the facts give the angle of a velocity to **i** or **j**."""
+    angles = (Quantity("angle", (velocity, each)) for each in (Unit("i"), Unit("j")))
+    return any(given_angle(scene, each) is not None for each in angles)
+
+
+def _from_a_unit(
+    scene: Scene, asked: Quantity, frame: Frame, move: Move, sides: tuple[Direction, Direction]
+) -> Turn | None:
+    """Where it is open which way a body goes along the line of centres: by angles of up to 180°."""
+    units = [each for each in (frame.along, frame.across) if isinstance(each, Unit)]
+    fact = scene.facts.get(f"axis {frame.number}")
+    line = fact.relation.only[0].right if fact is not None else None
+    unit = line if isinstance(line, Unit) else next(iter(units), None)
+    if unit is None or frame.write is not None or not isinstance(line, Unit):
+        return None
+    body = asked.arguments[0] if asked.kind == "deflection" else sides[0].velocity.arguments[0]
+    assert isinstance(body, Name)
+    given = scene.facts.get(f"velocity {body.name}")
+    seen: list[Direction] = []
+    for side in sides:
+        angle: Expression | None = None
+        match given.relation.only[0].right if given is not None else None:
+            case Polar(_, size, origin, None) if not side.velocity.stage:
+                if (origin or Unit("i")) == unit:
+                    angle = size
+        if angle is None and not side.velocity.stage:
+            onward = scene.scalar(Quantity("along", (side.velocity, unit)))
+            if scene.model.decide(onward, ">=", 0):
+                angle = _angle_of_data(scene, body.name, frame)
+        own = replace(side, angle=None, named=Quantity("angle", (side.velocity, unit)), sources=())
+        given_as = given_angle(scene, own.named) if angle is None else None
+        if given_as is not None:
+            own = replace(own, angle=given_as[0], sources=given_as[1])
+        seen.append(own if angle is None else _of_data(scene, own, body.name, angle))
+    fall = tidy(sp.expand(sides[0].along.value - sides[1].along.value))
+    sign = scene.model.sign(fall)
+    if not sign or not scene.model.decide(sign * fall, ">=", 0):
+        return None
+    late, early = (seen[1], seen[0]) if sign == 1 else (seen[0], seen[1])
+    # Which way the impulse pushes the body is seen before the laws are used.
+    open_ = scene.unknown(sides[1].along.value)
+    pushed = _met(scene, frame, body.name) if open_ else ()
+    return Turn(asked, frame, move, late, early, "difference", pushed)
+
+
+def _met(scene: Scene, frame: Frame, body: str) -> tuple[Ref, ...]:
+    """What the component along the line of centres of what a body meets rests on, before it."""
+    before = frame.number - 1
+    others = (each for each in scene.spheres(frame.number) if each != body)
+    sources = (in_direction(scene, "along", each, before, frame) for each in others)
+    return together(*(each.whole for each in sources))
+
+
+def impact_of(scene: Scene, one: Moving, other: Moving) -> int | None:
+    """The impact at which two velocities are resolved: that of one body before and after it.
+
+    Of two bodies it is their own, with both velocities after it, or both before. None without one.
+    """
+    (a, early), (b, late) = one, other
+    event = max(early, late)
+    if event not in scene.model.frames or not {a, b} <= set(scene.bodies(event)):
+        return None
+    if a == b:
+        return event if scene.last_event(a, event - 1) == min(early, late) != event else None
+    return event if early == late else None
+
+
+def velocities_of(scene: Scene, asked: Quantity) -> tuple[Moving, Moving] | None:
+    """The two velocities between which an angle is, each after the last event of its body.
+
+    Those of a deflection are the one before it and the one after it. None of another angle.
+    """
+    match asked:
+        case Quantity("deflection", (Name(body),), int(event)):
+            return (body, scene.last_event(body, event - 1)), (body, event)
+        case Quantity("angle", (Quantity("velocity") as a, Quantity("velocity") as b)):
+            return body_and_stage(scene, a), body_and_stage(scene, b)
+    return None
+
+
+def _direction(scene: Scene, frame: Frame, body: str, last: int) -> Direction | None:
+    stage = frame.number if last == frame.number else frame.number - 1
+    along, across = (in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))
+    velocity = Quantity("velocity", (Name(body),), last)
+    named = Quantity("angle", (velocity, Quantity("line_of_centres", (), frame.number)))
+    zero = [scene.model.identically_zero(each.value) for each in (along, across)]
+    if all(zero):
+        return None
+    angle: Expression | None = None
+    if zero[0]:
+        angle = RIGHT
+    elif zero[1]:
+        angle = NONE
+    own = Direction(velocity, along, across, angle, named)
+    if angle is None and not last:
+        angle = _angle_of_data(scene, body, frame)
+        return own if angle is None else _of_data(scene, own, body, angle)
+    if angle is None:
+        known = given_angle(scene, named) or _by_its_direction(scene, velocity, frame)
+        return own if known is None else replace(own, angle=known[0], sources=known[1])
+    return own
+
+
+def _by_its_direction(
+    scene: Scene, velocity: Quantity, frame: Frame
+) -> tuple[Expression, tuple[Ref, ...]] | None:
+    """An angle to a line of centres along **i**, by a direction that a line tells."""
+    direction = Quantity("direction", velocity.arguments, velocity.stage)
+    known = scene.desk.known(direction)
+    axis = scene.facts.get(f"axis {frame.number}")
+    if known is None or axis is None or axis.relation.only[0].right not in (_I, Negate(_I)):
+        return None
+    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    meanings = [
+        line.number
+        for line in scene.desk.lines
+        if isinstance(line.relation, Meaning) and line.relation.quantity == direction
+    ]
+    if known.value.free_symbols or len(lines) != 1 or not meanings:
+        return None
+    return _acute(scene.desk.last_link(lines[0]).right), (*lines, *meanings)
+
+
+def _acute(angle: Expression) -> Expression:
+    """The angle of up to 90° to **i**, or to its opposite, of a direction."""
+    match angle:
+        case Negate(operand):
+            return _acute(operand)
+        case Binary("-", left, right) if STRAIGHT in (left, right):
+            return right if left == STRAIGHT else left
+        case Degrees(value) if value > 90:
+            return Degrees(180 - value)
+    return angle
+
+
+def _of_data(scene: Scene, direction: Direction, body: str, angle: Expression) -> Direction:
+    """A direction that the data tell by an angle, of which the number may be known."""
+    value, refs = scene.put(scene.scalar(angle))
+    known = tree_of(tidy(value), angle=True) if refs else angle
+    if not isinstance(known, Degrees):
+        known, refs = angle, ()
+    return replace(direction, angle=known, sources=(f"velocity {body}", *refs))
+
+
+def _angle_of_data(scene: Scene, body: str, frame: Frame) -> Expression | None:
+    """The angle of up to 90° to the line of centres at which a velocity is given."""
+    axis = scene.facts.get(f"axis {frame.number}")
+    return None if axis is None else angle_to_a_line(scene, body, axis.relation.only[0].right)
+
+
+def _form_of(scene: Scene, p: Direction, q: Direction, same: bool) -> tuple[Form | None, bool]:
+    """How the angle is made of the two, and whether they change places."""
+
+    def sign(value: Any) -> int | None:
+        own = tidy(sp.expand(value))
+        if scene.model.identically_zero(own):
+            return 1
+        at = scene.model.sign(own)
+        return at if at and scene.model.decide(at * own, ">=", 0) else None
+
+    a, b, c, d = (each.value for each in (p.along, p.across, q.along, q.across))
+    onward = 1 if RIGHT in (p.angle, q.angle) else sign(a * c)
+    beside = 1 if same or NONE in (p.angle, q.angle) else sign(b * d)
+    if onward is None or beside is None:
+        return None, False
+    if onward == 1 and beside == -1:
+        return "sum", False
+    if onward == -1 and beside == 1:
+        return "rest of sum", False
+    if RIGHT in (p.angle, q.angle) or NONE in (p.angle, q.angle):
+        first = p.angle == RIGHT or q.angle == NONE
+        wider: int | None = 1 if first else -1
+    else:
+        wider = sign(c**2 - a**2) if same else sign((b * c) ** 2 - (d * a) ** 2)
+    if wider is None:
+        return None, False
+    return ("difference" if onward == 1 else "rest of difference"), wider == -1

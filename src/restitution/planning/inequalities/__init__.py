@@ -1,0 +1,1 @@
+"""Conditions, ranges and extrema: how an inequality is worked out."""

@@ -1,0 +1,168 @@
+"""Inequalities between angles: acute or not by the sign of a tangent, or one of two the greater."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from restitution.explaining.derivation import FLIPPED, Link, Meaning, Move, Ref, Relation
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import Apply, Degrees, Expression, Letter, Quantity
+from restitution.planning.inequalities.angle_pairs import extents, made_of_two
+from restitution.planning.inequalities.comparing import Comparing
+from restitution.planning.writing.desk import NotPlannedError
+from restitution.planning.writing.forms import ZERO, tree_of
+from restitution.planning.writing.polynomials import expanded
+
+
+def write_of_angles(
+    claims: Comparing, quantities: Sequence[Quantity], relation: Relation
+) -> int | None:
+    """An inequality between angles of the motion; None where there is no way to it."""
+    if len(relation.only) != 1 or not quantities:
+        return None
+    if any(quantity.kind not in ("angle", "deflection") for quantity in quantities):
+        return None
+    mark = claims.worths.mark()
+    for proof in (_by_sign, _by_its_tangent, _by_the_other):
+        try:
+            line = proof(claims, quantities, relation)
+        except NotPlannedError:
+            line = None
+        if line is not None:
+            return line
+        claims.worths.back(mark)
+    return None
+
+
+def _by_sign(claims: Comparing, quantities: Sequence[Quantity], relation: Relation) -> int | None:
+    """That an angle is acute, or obtuse, by the sign of its tangent."""
+    (link,) = relation.only
+    match link:
+        case Link(Quantity() as angle, "<" | ">" as sign, Degrees(value)) if value == 90:
+            pass
+        case _:
+            return None
+    if quantities != [angle]:
+        return None
+    tangent, letter, extent = _tangent_of(claims, angle)
+    tangent_sign = Link(Apply("tan", letter), FLIPPED[sign], ZERO)
+    signed = claims.compared([tangent], Relation(((tangent_sign,),)))
+    return None if signed is None else claims.judge.write(_COMPARE, [signed, *extent], relation)
+
+
+def _tangent_of(claims: Comparing, angle: Quantity) -> tuple[int, Expression, tuple[Ref, ...]]:
+    """The line of the tangent of an angle by its letter, with the letter and its range."""
+    line = claims.worths.angle_by_letter(angle) or claims.worths.angle(angle)
+    subject = claims.scene.desk.last_link(line).left
+    if not isinstance(subject, Apply):
+        raise NotPlannedError("an angle without a tangent")
+    return claims.worths.lettered(line, subject.argument)
+
+
+def _by_its_tangent(
+    claims: Comparing, quantities: Sequence[Quantity], relation: Relation
+) -> int | None:
+    """An angle to a line compared with one of the data, both acute, as their tangents are."""
+    (link,) = relation.only
+    sides = (link.left, link.right)
+    if len(quantities) != 1 or quantities[0] not in sides:
+        return None
+    (angle,) = quantities
+    if not any(isinstance(side, Letter) for side in sides):
+        return None
+    tangent, letter, extent = _tangent_of(claims, angle)
+    left, right = (letter if side == angle else side for side in sides)
+    ratios = Link(Apply("tan", left), link.sign, Apply("tan", right))
+    compared = claims.compared([tangent], Relation(((ratios,),)))
+    if compared is None:
+        return None
+    names = {each.name for each in (left, right) if isinstance(each, Letter)}
+    pool = [compared, *extent, *claims.judge.known(names), *extents(claims.scene, names)]
+    return claims.judge.write(_COMPARE, pool, relation)
+
+
+def _by_the_other(
+    claims: Comparing, quantities: Sequence[Quantity], relation: Relation
+) -> int | None:
+    """An angle that is made of two, of which one is the greater, as its tangent is."""
+    scene = claims.scene
+    for asked in quantities:
+        claims.worths.determine_angle(asked)
+        parts = made_of_two(scene, asked)
+        if parts is None:
+            continue
+        line_of_sum, tangents = parts
+        if len(tangents) != 1:
+            continue
+        (tangent,) = tangents
+        own = scene.desk.last_link(tangent).left
+        assert isinstance(own, Apply)
+        less = _which_is_less(claims, relation.only[0], own.argument)
+        if less is None:
+            continue
+        names = {e.name for e in (less.left, less.right) if isinstance(e, Letter)}
+        ratios = Link(Apply("tan", less.left), less.sign, Apply("tan", less.right))
+        compared = claims.compared([tangent], Relation(((ratios,),)))
+        if compared is None:
+            continue
+        pool = [compared, *claims.judge.known(names), *extents(scene, names)]
+        angles = claims.judge.write(_COMPARE, pool, Relation(((less,),)))
+        if angles is None:
+            continue
+        every = {let.letter for let in _lets(claims)} | names
+        pool = [line_of_sum, angles, *extents(scene, every)]
+        last = claims.judge.write(_COMPARE, pool, relation)
+        if last is not None:
+            return last
+    return None
+
+
+def _which_is_less(claims: Comparing, link: Link, angle: Expression) -> Link | None:
+    """What an inequality says of an angle of the motion and one of the data: ``β <= α``."""
+    left, right = (_in_two(claims, each) for each in (link.left, link.right))
+    if left is None or right is None or not isinstance(angle, Letter):
+        return None
+    gap = expanded(left - right)
+    if len(gap.free_symbols) != 2 or angle.name not in {s.name for s in gap.free_symbols}:
+        return None
+    symbol, other = sorted(gap.free_symbols, key=lambda s: s.name != angle.name)
+    factor = gap.coeff(other)
+    if not factor.is_number or expanded(gap - factor * (other - symbol)) != 0:
+        return None
+    sign = link.sign if factor < 0 else FLIPPED[link.sign]
+    return Link(angle, sign, tree_of(other, angle=True))
+
+
+def _in_two(claims: Comparing, tree: Expression) -> sp.Expr | None:
+    """A side of an inequality in letters of angles, with those put in that lines make of others."""
+    scene = claims.scene
+    named = {let.quantity: let.letter for let in _lets(claims)}
+    sums = {
+        link.left: link.right
+        for each in scene.desk.lines
+        if isinstance(each.relation, Relation) and len(each.relation.options) == 1
+        for link in each.relation.only[:1]
+        if each.move.record in ("sum", "difference")
+    }
+
+    def change(each: Expression) -> Expression:
+        letter = Letter(named[each]) if each in named else each
+        return sums.get(letter, letter)
+
+    put = rebuilt(tree, change)
+    symbols = {name: sp.Symbol(name) for name in named.values()}
+    try:
+        return sp.sympify(scene.worth(put, symbols), strict=True)
+    except (KeyError, TypeError):
+        return None
+
+
+def _lets(claims: Comparing) -> list[Meaning]:
+    """What the letters of the working stand for."""
+    lines = (line.relation for line in claims.scene.desk.lines)
+    return [line for line in lines if isinstance(line, Meaning)]
+
+
+_COMPARE = (Move("compare"),)

@@ -1,0 +1,122 @@
+"""Angles that are made of two others: lines that say of which, their tangents, and their ranges."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from restitution.explaining.derivation import Meaning, Move, Ref
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity, letters
+from restitution.planning.angles.quantities import formula
+from restitution.planning.angles.turn_lines import (
+    Term,
+    by_tangents,
+    made_of_angles,
+    term_of_data,
+    terms_of,
+    write_turn,
+)
+from restitution.planning.angles.turning import angle_line
+from restitution.planning.angles.wall_turns import sum_at_a_wall
+from restitution.planning.formulas.named_angles import ANGLES, free_letter, letter_of, tangent_line
+from restitution.planning.formulas.turns import turns_of
+from restitution.planning.writing.desk import NotPlannedError, chain
+
+if TYPE_CHECKING:
+    from restitution.planning.inequalities.worths import Worths
+    from restitution.planning.writing.scene import Scene
+
+
+def is_of_two_angles(tree: Expression) -> bool:
+    """Whether an expression is a sum or a difference of two angles, of which one moves."""
+    match tree:
+        case Binary("+" | "-", left, right):
+            sides = (left, right)
+            moving = [e for e in sides if isinstance(e, Quantity) and e.kind == "angle"]
+            return bool(moving) and all(isinstance(e, Letter) or e in moving for e in sides)
+    return False
+
+
+def made_of_two(scene: Scene, asked: Quantity) -> tuple[int, tuple[int, ...]] | None:
+    """The line that makes an angle of two others, and those of their tangents; None without one."""
+    mark = scene.desk.mark()
+    frame = scene.frame(asked.stage) if asked.stage in scene.model.frames else None
+    if asked.kind == "deflection" and frame is not None and frame.wall is not None:
+        own = sum_at_a_wall(scene, asked, frame)
+        return None if own is None else (own[0], own[1][1].refs)  # type: ignore[return-value]
+    for turn in turns_of(scene, asked):
+        line = write_turn(scene, turn, angle_line)
+        if line is not None:
+            return line, ()
+        terms = terms_of(scene, turn)
+        if terms is not None:
+            letter, _ = letter_of(scene, asked)
+            angle = turn.made_of(*(term.angle for term in terms))
+            line = made_of_angles(scene, turn, chain(Letter(letter), (angle, None)), ())
+            if line is not None:
+                refs = (ref for each in terms for ref in each.refs)
+                return line, tuple(ref for ref in refs if isinstance(ref, int))
+        scene.desk.back(mark)
+    return None
+
+
+def tangent_of_two(
+    scene: Scene, worths: Worths, asked: Expression
+) -> tuple[int, Letter, tuple[Ref, ...]] | None:
+    """The line of the tangent of a sum or a difference of two angles; None where it has none.
+
+    With the letter for the angle, and what is known of that.
+    """
+    match asked:
+        case Binary("+" | "-" as sign, left, right):
+            pass
+        case _:
+            return None
+    terms: list[Term] = []
+    for side in (left, right):
+        if isinstance(side, Quantity):
+            worths.determine(side)
+            own = formula(scene, side)
+            if own.move.record != "tan":
+                raise NotPlannedError("an angle without a tangent")
+            line, letter = tangent_line(scene, side, own, own.move)
+            terms.append(Term(Letter(letter), scene.desk.last_link(line).right, (line,)))
+        else:
+            terms.append(term_of_data(scene, side))
+    whole = Binary(sign, *(term.angle for term in terms))
+    name = free_letter(scene, "deflection")
+    let = scene.desk.write(Move("let"), (), Meaning(name, whole, angle="signed"))
+    form = "sum" if sign == "+" else "difference"
+    number = by_tangents(scene, let, form, terms, Apply("tan", Letter(name)))  # type: ignore[arg-type]
+    extent = "-90° < {} < 90°" if sign == "-" else "0° < {} < 180°"
+    return None if number is None else (number, Letter(name), (extent.format(name), let))
+
+
+def extents(scene: Scene, names: Iterable[str]) -> tuple[Ref, ...]:
+    """What is known of the ranges of angles of the motion, by their letters."""
+    refs: list[Ref] = []
+    for line in scene.desk.lines:
+        meaning = line.relation
+        if not isinstance(meaning, Meaning) or meaning.letter not in names:
+            continue
+        if isinstance(meaning.quantity, Quantity) and meaning.quantity.kind in ANGLES:
+            refs += [*_texts(meaning.letter), line.number]
+    for fact in scene.desk.facts:
+        match fact.relation.options:
+            case ((link,),) if fact.id.startswith("let ") and isinstance(link.right, Letter):
+                if link.right.name in names:
+                    refs += [*_texts(link.right.name), fact.id]
+    return tuple(refs)
+
+
+def _texts(name: str) -> tuple[str, ...]:
+    """The ranges that an angle may have, as premises say them."""
+    return f"0° <= {name} <= 90°", f"0° <= {name} <= 180°"
+
+
+def letters_under(scene: Scene, ref: Ref) -> frozenset[str]:
+    """The letters in a line."""
+    if isinstance(ref, str) or isinstance(scene.desk.line(ref).relation, Meaning):
+        return frozenset()
+    link = scene.desk.last_link(ref)
+    return letters(link.left) | letters(link.right)

@@ -1,0 +1,71 @@
+"""A given inequality of an angle: its tangent is more, or less, than that of the bound."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Fact, Link, Move, Ref, Relation, Sign
+from restitution.expression.tree import Apply, Degrees, Quantity
+from restitution.planning.angles.turn_lines import meeting
+from restitution.planning.inequalities.worths import Worths
+from restitution.planning.writing.desk import NotPlannedError
+from restitution.planning.writing.forms import ZERO, tree_of
+from restitution.planning.writing.inequalities import without_signs
+from restitution.planning.writing.polynomials import expanded
+
+Bounded = tuple[int, Sign, sp.Expr]
+"""A line that says an inequality of letters, its sign, and what is compared with 0 by it."""
+
+
+def write_bounded(worths: Worths, fact: Fact, link: Link, angle: Quantity) -> Bounded | None:
+    """The tangent of an angle compared with that of an acute one, in letters.
+
+    None where it is open whether the angle is acute, or nothing is left to be compared.
+    """
+    assert isinstance(link.right, Degrees)
+    judge, mark = worths.judge, worths.mark()
+    try:
+        line = worths.angle(angle)
+        own = worths.scene.desk.last_link(line)
+        if not isinstance(own.left, Apply) or own.left.function != "tan":
+            raise NotPlannedError("an angle without a tangent")
+        line, letter, extent = worths.lettered(line, own.left.argument)
+    except NotPlannedError:
+        worths.back(mark)
+        return None
+    tangent, right = Apply("tan", letter), worths.scene.desk.last_link(line).right
+    value, bound = worths.value(right), _tangent_of(link.right)
+    known = worths.known_in(value)
+    pool: list[Ref] = [fact.id, *extent]
+    if not _is_at_most_a_right_angle(extent):
+        met = meeting(worths.scene)
+        acute = judge.write((Move("sign"),), [line, *known, *met], _said(Link(tangent, ">", ZERO)))
+        pool += [] if acute is None else [acute]
+    limit = tree_of(bound)
+    stripped = without_signs(worths.scene, expanded(value - bound), link.sign)
+    compared = judge.write((Move("compare"),), pool, _said(Link(tangent, link.sign, limit)))
+    if compared is None or stripped is None:
+        worths.back(mark)
+        return None
+    put = judge.write((Move("put"),), [compared, line], _said(Link(right, link.sign, limit)))
+    if put is None:
+        worths.back(mark)
+        return None
+    sign, x = stripped
+    return put, sign, x
+
+
+def _said(link: Link) -> Relation:
+    return Relation(((link,),))
+
+
+def _tangent_of(angle: Degrees) -> Any:
+    return tidy(sp.tan(sp.Rational(angle.value.numerator, angle.value.denominator) * sp.pi / 180))
+
+
+def _is_at_most_a_right_angle(extent: tuple[Ref, ...]) -> bool:
+    """Whether what is known of an angle says that it is no more than 90°."""
+    return any(isinstance(ref, str) and ("90°" in ref or "acute" in ref) for ref in extent)

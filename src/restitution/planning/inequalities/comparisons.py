@@ -1,0 +1,217 @@
+"""Components of two bodies along one line compared: who is the faster, and which way one moves."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Quantity,
+    is_zero,
+)
+from restitution.planning.formulas.impacts import by_scalar_product
+from restitution.planning.formulas.separations import separation_known
+from restitution.planning.formulas.velocity_formulas import frame_after
+from restitution.planning.inequalities.claims import Claims
+from restitution.planning.writing.desk import NotPlannedError, Source, chain
+from restitution.planning.writing.forms import swept, tree_of
+from restitution.planning.writing.polynomials import cancelled, factored
+from restitution.solving.letters import roles
+from restitution.vector import Vector
+
+
+class Comparison:
+    """Components compared by the letters for them, or by their values."""
+
+    def __init__(self, claims: Claims) -> None:
+        self.claims = claims
+        self.worths = claims.worths
+        self.scene = claims.scene
+        self.judge = claims.judge
+
+    def write(self, link: Link) -> tuple[int, Relation]:
+        """An inequality between components along one line, as letters say it."""
+        apart = self._by_separation(link)
+        if apart is not None:
+            return apart
+        sides: list[Expression] = []
+        values: list[sp.Expr] = []
+        lines: list[Ref] = []
+        for side in (link.left, link.right):
+            tree, refs, value = self._named_component(side)
+            sides.append(tree)
+            values.append(value)
+            lines += refs
+        own = Link(sides[0], link.sign, sides[1])
+        if isinstance(own.left, Negate) and is_zero(own.right):
+            own = Link(own.left.operand, FLIPPED[own.sign], own.right)
+        relation = Relation(((own,),))
+        if self._is_plain(values):
+            line = self.claims.compared(list(dict.fromkeys(lines)), relation)
+            if line is not None:
+                return line, relation
+        numbers = [each for each in dict.fromkeys(lines) if isinstance(each, int)]
+        if len(numbers) == 2:
+            turn = 1 if link.sign[0] == ">" else -1
+            value = tidy(factored(values[::turn][0] - values[::turn][1]))
+            put = swept(Binary("-", *map(tree_of, values[::turn])))
+            difference = chain(
+                Binary("-", *sides[::turn]), (put, None), (tree_of(value), "rearrange")
+            )
+            line = self._difference(difference, numbers)
+            if line is not None:
+                number_ = self.claims.compared([line], relation)
+                if number_ is None:
+                    more = self.claims.conditions.lines()
+                    number_ = self.claims.compared([line, *more], relation)
+                if number_ is not None:
+                    return number_, relation
+        line = self.claims.compared(list(dict.fromkeys(lines)), relation)
+        if line is not None:
+            return line, relation
+        if len(numbers) == 1:
+            number_ = self._by_product(numbers[0], values, lines, relation)
+            if number_ is not None:
+                return number_, relation
+        raise NotPlannedError("who is the faster")
+
+    def _by_separation(self, link: Link) -> tuple[int, Relation] | None:
+        """Who is the faster after an impact of the two, by how fast they separate.
+
+        The law of restitution alone tells that; None where something else is compared, or where
+        what they were is known already.
+        """
+        scene = self.scene
+        match link:
+            case Link(
+                Quantity("along", (Quantity("velocity", (Name(one),), int(stage)), axis)),
+                "<" | "<=" | ">" | ">=",
+                Quantity("along", (Quantity("velocity", (Name(other),), int(late)), other_axis)),
+            ) if axis == other_axis:
+                event = scene.last_event(one, stage)
+            case _:
+                return None
+        components = [scene.model.components.get((event, each)) for each in (one, other)]
+        if scene.last_event(other, late) != event or None in components:
+            return None
+        symbols = [each.symbol for each in components if each is not None]
+        if not all(scene.unknown(each) for each in symbols):
+            return None
+        frame = scene.frame(event)
+        wanted = scene.model.story.direction(axis, scene.events)
+        if tidy(wanted.cross(frame.n)) != 0:
+            return None
+        mark = self.worths.mark()
+        self.claims.solver.determine([symbols[0] - symbols[1]])
+        apart = separation_known(scene, frame)
+        if apart is not None:
+            ahead = scene.model.sign(wanted.dot(frame.n)) * frame.letter_sign
+            sign = link.sign if ahead > 0 else FLIPPED[link.sign]
+            first, second = (Letter(each.name) for each in symbols)
+            relation = Relation(((Link(first, sign, second),),))
+            conditions = self.claims.conditions
+            for more in (lambda: (), conditions.lines, conditions.story):
+                line = self.claims.compared((*apart.refs, *more()), relation)
+                if line is not None:
+                    return line, relation
+        self.worths.back(mark)
+        return None
+
+    @staticmethod
+    def _is_plain(values: Sequence[sp.Expr]) -> bool:
+        """Whether which is the greater is seen at once: one is zero, or they are like terms."""
+        if any(value == 0 for value in values):
+            return True
+        return bool(cancelled(values[0] / values[1]).is_number)
+
+    def _by_product(
+        self, line: int, values: Sequence[sp.Expr], lines: Sequence[Ref], relation: Relation
+    ) -> int | None:
+        """The sense of a component with several coefficients: their product is positive."""
+        own_roles = roles(self.scene.problem)
+        names = {s.name for each in values for s in each.free_symbols if s.name in own_roles}
+        several = self.claims.coefficients(names)
+        mark = self.worths.mark()
+        products = self.claims.products(several)
+        if not products:
+            return None
+        rest = self.judge.known(names - set(several))
+        sides = relation.only[0]
+        subject, value = (sides.left, values[0]) if values[1] == 0 else (sides.right, values[1])
+        equation = Relation(((Link(subject, "=", tree_of(value)),),))
+        named = self.judge.write((Move("put"), Move("rearrange")), lines, equation) or line
+        pool = [named, *lines, *products, *rest]
+        written = self.judge.write((Move("compare"),), pool, relation)
+        if written is None:
+            self.worths.back(mark)
+        return written
+
+    def _difference(self, relation: Relation, lines: Sequence[int]) -> int | None:
+        for pair in (lines, lines[::-1]):
+            line = self.judge.write((Move("combine"),), pair, relation)
+            if line is not None:
+                return line
+        return None
+
+    def _named_component(self, side: Expression) -> tuple[Expression, tuple[Ref, ...], sp.Expr]:
+        """A component by the letter for it, and the line that says what it is."""
+        scene = self.scene
+        match side:
+            case Quantity("along", (Quantity("velocity", (Name(body),), int(stage)), axis)):
+                self.worths.determine(side)
+                last = scene.last_event(body, stage)
+                frame = frame_after(scene, body, last)
+                quantity = frame.component("along", body, last)
+                known = scene.desk.known(quantity)
+                source = self.worths.component("along", body, last, frame)
+                wanted = scene.model.story.direction(axis, scene.events)
+                sense = scene.model.sign(wanted.dot(frame.n))
+                if tidy(wanted.cross(frame.n)) != 0:
+                    return self._by_the_vector(side, body, last, axis, wanted)
+                value = sense * source.value
+                own = sp.sympify(0 if known is None else known.value, strict=True)
+                symbol = own if own.is_Symbol else -own
+                if symbol not in {
+                    component.symbol for component in scene.model.components.values()
+                }:
+                    tree = quantity if sense == 1 else side
+                    refs = (*source.whole, *frame.refs, *self.claims.conditions.axis_named(axis))
+                    return tree, tuple(dict.fromkeys(refs)), value
+                return tree_of(sense * own), self._explicit(symbol, source), value
+        return side, (), sp.sympify(scene.scalar(side), strict=True)
+
+    def _by_the_vector(
+        self, side: Expression, body: str, stage: int, axis: Expression, wanted: Vector
+    ) -> tuple[Expression, tuple[Ref, ...], sp.Expr]:
+        """A component in the direction of another impact, by the velocity as a vector."""
+        scene = self.scene
+        vector = scene.desk.known(Quantity("velocity", (Name(body),), stage))
+        match axis:
+            case Quantity("line_of_centres", (), int(event)) if vector is not None:
+                pass
+            case _:
+                raise NotPlannedError("components along different lines")
+        assert isinstance(side, Quantity)
+        own = by_scalar_product(scene, side, vector, scene.frame(event), wanted)
+        return side, own.refs, own.value
+
+    def _explicit(self, symbol: sp.Symbol, source: Source) -> tuple[Ref, ...]:
+        """The line that says what a letter of a component is, in letters of the statement."""
+        desk = self.scene.desk
+        own = desk.known(Letter(symbol.name))
+        if own is None:
+            return source.refs
+        value, refs = self.scene.put(own.value)
+        if value == own.value:
+            return own.refs
+        relation = Relation(((Link(Letter(symbol.name), "=", tree_of(value)),),))
+        line = self.judge.write((Move("put"),), (*own.refs, *refs), relation)
+        return source.refs if line is None else (line,)

@@ -1,0 +1,562 @@
+"""Given inequalities: with values put in, without their positive factors, and solved."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Literal
+
+import sympy as sp
+
+from restitution.components.verdicts import proved_sign
+from restitution.exact import tidy
+from restitution.explaining.derivation import (
+    FLIPPED,
+    Fact,
+    Link,
+    Meaning,
+    Move,
+    Ref,
+    Relation,
+    Sign,
+)
+from restitution.explaining.trees import trees_of
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Quantity,
+    Unit,
+    has_quantity,
+    is_zero,
+    walk,
+)
+from restitution.planning.angles.deflections import scalar_product
+from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
+from restitution.planning.inequalities.angles_bounded import Bounded, write_bounded
+from restitution.planning.inequalities.bounds_by_cotangents import write_by_cotangent
+from restitution.planning.inequalities.bounds_with_roots import collected
+from restitution.planning.inequalities.squares import (
+    both_squared,
+    solve_in_squares,
+    solve_quadratic,
+    square_and_solve,
+    without_roots,
+    write_speeds,
+)
+from restitution.planning.inequalities.standard_conditions import as_quadratic, in_factors
+from restitution.planning.inequalities.standing_ratios import write_by_a_ratio
+from restitution.planning.inequalities.wall_ends import is_of_a_path, write_between, write_first_hit
+from restitution.planning.inequalities.worths import Worths
+from restitution.planning.writing.desk import together
+from restitution.planning.writing.forms import ZERO, swept, tree_of
+from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.inequalities import solve_linear, turned, without_signs
+from restitution.planning.writing.polynomials import expanded, factored, one_fraction
+from restitution.problem import Given, Meets
+from restitution.vector import Vector
+
+_BOUNDED = ("<", "<=", ">", ">=")
+_OF_THE_STORY = ("most ", "approach ", "offset ")
+
+Product = tuple[Sequence[tuple[str, int]], Expression, sp.Expr, tuple[Ref, ...]]
+"""A scalar product: of which velocities, as a tree, as a value, and what it rests on."""
+
+
+class Conditions:
+    """The inequalities that a part gives."""
+
+    def __init__(self, worths: Worths) -> None:
+        self.worths = worths
+        self.scene = worths.scene
+        self.solver = worths.solver
+        self.judge = worths.judge
+        self._lines: list[int] | None = None
+        self._story: list[int] | None = None
+
+    def clear(self) -> None:
+        """Forgets what has been taken away again."""
+        self._lines = self._story = None
+
+    def story(self, wanted: Expression | None = None) -> list[int]:
+        """What has to be, or there are no such impacts, in letters."""
+        if self._story is None:
+            self._story = [
+                line
+                for fact in self.scene.desk.facts
+                if fact.id.startswith(_OF_THE_STORY) and self.scene.desk.holds(fact.id)
+                for line in (self.condition(fact, wanted),)
+                if line is not None
+            ]
+        return self._story
+
+    def lines(self, wanted: Expression | None = None) -> list[int]:
+        """The given inequalities, in letters and solved as far as one line does it."""
+        if self._lines is None:
+            self._lines = [
+                line
+                for fact in self.inequalities()
+                for line in (self.condition(fact, wanted),)
+                if line is not None
+            ]
+        return self._lines
+
+    def inequalities(self) -> Iterator[Fact]:
+        """The given inequalities that speak of the motion."""
+        desk = self.scene.desk
+        for fact in desk.facts:
+            if not desk.holds(fact.id):
+                continue
+            if fact.kind not in ("given", "range") and not fact.id.startswith("within "):
+                continue
+            link = fact.relation.options[0][0]
+            if (link.sign in _BOUNDED and self._speaks_of_motion(fact)) or _is_a_sense(fact):
+                yield fact
+
+    def _speaks_of_motion(self, fact: Fact) -> bool:
+        """Whether a relation is about a quantity, or a letter for an angle of the motion."""
+        link = fact.relation.options[0][0]
+        named = [self.worths.opened(side) for side in (link.left, link.right)]
+        angles = [each for each in named if isinstance(each, Quantity)]
+        is_angle = any(each.kind in ("angle", "deflection") for each in angles)
+        return is_angle or has_quantity_in(fact.relation)
+
+    def condition(self, fact: Fact, wanted: Expression | None) -> int | None:
+        """The line of one of them, in letters, and solved as far as one line does it."""
+        if fact.id.startswith("within "):
+            return write_between(self.worths, fact, wanted)
+        if is_of_a_path(fact.relation):
+            return write_first_hit(self.worths, fact, wanted)
+        (link,) = fact.relation.only
+        if not has_quantity(link.left) and has_quantity(self.worths.opened(link.right)):
+            link = turned(link)
+        if fact.id.startswith(("most ", "offset ")):
+            x = expanded(self.scene.scalar(link.left) - self.scene.scalar(link.right))
+            solved = solve_linear(self.scene, link.sign, x, wanted)
+            if solved is None:
+                return None
+            first = self.judge.write((Move("fact"),), [fact.id], fact.relation)
+            pool = [fact.id if first is None else first, *self.worths.known_in(x)]
+            return self.judge.write((Move("rearrange"),), pool, Relation(((solved,),)))
+        if link.sign == "=":
+            return self._by_sense(fact, link, wanted)
+        match self.worths.opened(link.left), link.right:
+            case Quantity("deflection" | "angle") as angle, Degrees(value) if value == 90:
+                return self._past_a_right_angle(fact, link, angle, wanted)
+            case Quantity("deflection" | "angle") as angle, Degrees(value) if 0 < value < 90:
+                bounded = write_bounded(self.worths, fact, link, angle)
+                if bounded is not None:
+                    condition = both_squared(self.worths, *bounded)
+                    number = self.finished(*condition, wanted)
+                    # What divides in the tangent may have either sign: then it is no answer yet.
+                    falling = self._by_cotangent(fact, link) if number == condition[0] else None
+                    return number if falling is None else self.finished(*falling, wanted)
+        bounded = self._by_cotangent(fact, link)
+        if bounded is not None:
+            return self.finished(*bounded, wanted)
+        if (ratio := write_by_a_ratio(self.worths, fact, link)) is not None:
+            bound = self.scene.desk.last_link(ratio)
+            gap = expanded(self.worths.value(bound.left) - self.worths.value(bound.right))
+            return self.finished(ratio, bound.sign, gap, wanted)
+        gap = self.gap(link)
+        own = without_signs(self.scene, gap, link.sign)
+        if own is None or own[1].has(sp.atan2):
+            return None  # an angle that no line bounds
+        sign, x = own
+        squared = write_speeds(self.worths, fact, link, sign, x)
+        if squared is not None:
+            return self.finished(squared, *without_roots(self.worths, squared, sign, x), wanted)
+        pool = [fact.id, *self.sources(link), *self.worths.known_in(gap)]
+        relation = Relation(((Link(tree_of(x), sign, ZERO),),))
+        if x.has(sp.sin) and x.has(sp.cos):
+            solved = solve_linear(self.scene, sign, x, wanted) or solve_linear(self.scene, sign, x)
+            relation = relation if solved is None else Relation(((solved,),))
+        line = self._by_steps(link, fact.id, pool, relation, x, sign)
+        if line is None:
+            return None
+        return self.finished(line, sign, x, wanted)
+
+    def _by_cotangent(self, fact: Fact, link: Link) -> Bounded | None:
+        """A bound in degrees of a deflection, or of a direction, by the cotangent."""
+        match self.worths.opened(link.left), link.right:
+            case Quantity("deflection" | "direction", (Name(),), int()) as angle, (
+                Degrees() | Negate(Degrees())
+            ):
+                return write_by_cotangent(self.worths, fact, link, angle)
+        return None
+
+    def _by_sense(self, fact: Fact, link: Link, wanted: Expression | None) -> int | None:
+        """A direction that is given of who moves along the line of centres: which way it goes."""
+        scene = self.scene
+        match link:
+            case Link(Quantity("direction", (Name(body),), int(stage)), "=", angle):
+                event = scene.last_event(body, stage)
+            case _:
+                return None
+        component = scene.model.components.get((event, body))
+        if component is None or event not in scene.model.frames:
+            return None
+        frame = frame_after(scene, body, event)
+        if scene.put(scene.velocity(body, event).dot(frame.t))[0] != 0:
+            return None
+        turn = scene.scalar(angle)
+        ahead = scene.model.sign(Vector(sp.cos(turn), sp.sin(turn)).dot(frame.n))
+        self.worths.determine(Quantity("velocity", (Name(body),), event))
+        own = self.worths.component("along", body, event, frame)
+        sign: Sign = ">" if ahead * frame.letter_sign > 0 else "<"
+        value = scene.put(component.symbol)[0]
+        stripped = without_signs(scene, expanded(value), sign)
+        if not ahead or stripped is None:
+            return None
+        letter = Letter(component.symbol.name)
+        lets = [
+            each.number
+            for each in scene.desk.lines
+            if isinstance(each.relation, Meaning) and each.relation.letter == letter.name
+        ]
+        first = Relation(((Link(letter, sign, ZERO),),))
+        line = self.judge.write((Move("compare"),), [fact.id, *lets, *frame.refs], first)
+        if line is None:
+            return None
+        put = Relation(((Link(tree_of(value), sign, ZERO),),))
+        known = self.worths.known_in(value)
+        pool = [line, *own.whole, *known]
+        after = self.judge.write((Move("put"), Move("compare")), pool, put)
+        return None if after is None else self.finished(after, *stripped, wanted)
+
+    def stated(
+        self,
+        fact: Fact,
+        wanted: Expression | None,
+        shown: Literal["line", "silent"] = "silent",
+    ) -> int | None:
+        """The line of one of them; where it holds of itself, a silent one that says it in letters.
+
+        No range comes of that: a working only says that it holds.
+        """
+        line = self.condition(fact, wanted)
+        if line is not None:
+            return line
+        (link,) = fact.relation.only
+        if link.sign == "=":
+            return None
+        gap = self.gap(link)
+        if gap.has(sp.atan2):
+            return None
+        pool = [fact.id, *self.sources(link), *self.worths.known_in(gap)]
+        trees = [
+            tree_of(self.scene.put(self.scene.scalar(side))[0]) for side in (link.left, link.right)
+        ]
+        relation = Relation(((Link(trees[0], link.sign, trees[1]),),))
+        return self.judge.write((Move("put"),), pool, relation, shown=shown)
+
+    def holding(self, fact: Fact) -> int | None:
+        """The line of one that holds of itself, without its positive factors.
+
+        None of one that does not, or that no line says.
+        """
+        if len(fact.relation.only) > 1:
+            return None
+        (link,) = fact.relation.only
+        mark = self.worths.mark()
+        first = self.stated(fact, None, shown="line")
+        if first is None or self.scene.desk.line(first).move.id != "put":
+            self.worths.back(mark)
+            return None
+        gap = self.gap(link)
+        above, _ = sp.fraction(factored(one_fraction(gap)))
+        sums = [each for each in sp.Mul.make_args(above) if each.as_base_exp()[0].is_Add]
+        sign = link.sign if link.sign[0] == ">" else FLIPPED[link.sign]
+        rest = expanded(sp.Mul(*sums))
+        positive = proved_sign(self.scene.model.inside, rest)
+        if not sums or not positive:
+            return first
+        inequality = Relation(((Link(tree_of(positive * rest), sign, ZERO),),))
+        moves = (Move("rearrange"), Move("cancel"))
+        last = self.judge.write(moves, [first, *self.worths.known_in(gap)], inequality)
+        return first if last is None else last
+
+    def _past_a_right_angle(
+        self, fact: Fact, link: Link, angle: Quantity, wanted: Expression | None
+    ) -> int | None:
+        """An angle of more than 90°, or of less, by the sign of the scalar product."""
+        product = self._of_velocities(angle) or self._with_a_direction(angle)
+        if product is None:
+            return None
+        pair, tree, value, refs = product
+        event = max(frame_after(self.scene, *each).number for each in pair)
+        opposite = FLIPPED[link.sign]
+        stripped = without_signs(self.scene, expanded(value), opposite)
+        if stripped is None:
+            return None
+        sign, x = stripped
+        move = Move("define", "perpendicular", event, tuple(dict.fromkeys(b for b, _ in pair)))
+        known = self.worths.known_in(expanded(value))
+        first = Relation(((Link(swept(tree), opposite, ZERO),),))
+        lets = self.scene.lets_in(link)
+        pool = [fact.id, *lets, *refs, *self.scene.frame(event).refs, *known]
+        number = self.judge.write((move,), pool, first)
+        if number is None:
+            return None
+        solved = solve_linear(self.scene, sign, x, wanted) or solve_linear(self.scene, sign, x)
+        moves = (Move("rearrange"), Move("cancel"), Move("compare"))
+        short = None if x.has(sp.sin) and x.has(sp.cos) else Link(tree_of(x), sign, ZERO)
+        for each in (short, solved):
+            if each is None:
+                continue
+            after = self.judge.write(moves, [number, *known], Relation(((each,),)))
+            number = number if after is None else after
+        return number
+
+    def _of_velocities(self, angle: Quantity) -> Product | None:
+        """The scalar product of two velocities."""
+        pair = _velocities_of(angle)
+        if pair is None:
+            return None
+        for body, stage in pair:
+            self.worths.determine(Quantity("velocity", (Name(body),), stage))
+        event = max(frame_after(self.scene, *each).number for each in pair)
+        return pair, *scalar_product(self.scene, pair, event)
+
+    def _with_a_direction(self, angle: Quantity) -> Product | None:
+        """The component of a velocity in a direction along the line of centres, or across it."""
+        match angle:
+            case Quantity("angle", (Quantity("velocity") as velocity, Unit() as line)):
+                pass
+            case _:
+                return None
+        self.worths.determine(velocity)
+        own = body_and_stage(self.scene, velocity)
+        frame = frame_after(self.scene, *own)
+        direction = self.scene.model.story.direction(line, self.scene.events)
+        for kind, axis in (("along", frame.n), ("across", frame.t)):
+            if tidy(direction.cross(axis)) == 0:
+                component = self.worths.component(kind, *own, frame)
+                value = component.value * tidy(direction.dot(axis))
+                return (own,), tree_of(value), value, component.whole
+        return None
+
+    def gap(self, link: Link) -> sp.Expr:
+        """Left minus right of an inequality of quantities, in letters; of sizes, their squares."""
+        for side in (link.left, link.right):
+            if has_quantity(side):
+                self.worths.determine(side)
+        left, right = (
+            sp.sympify(self.scene.put(self.scene.scalar(side))[0], strict=True)
+            for side in (link.left, link.right)
+        )
+        if left.atoms(sp.Pow) | right.atoms(sp.Pow) and any(
+            p.exp == sp.Rational(1, 2) and p.base.free_symbols
+            for p in left.atoms(sp.Pow) | right.atoms(sp.Pow)
+        ):
+            return expanded(left**2 - right**2)
+        return expanded(left - right)
+
+    def sources(self, link: Link) -> tuple[Ref, ...]:
+        """The lines of the components and the quantities in an inequality."""
+        refs: list[Ref] = []
+        for side in (link.left, link.right):
+            for node in walk(side):
+                match node:
+                    case Quantity("along" | "across" | "dot"):
+                        for velocity in node.arguments:
+                            refs += self._components_of(velocity)
+                            refs += self.axis_named(velocity)
+                        refs += self.worths.axes(node)
+                    case Quantity("velocity"):
+                        continue
+                    case Quantity(kind) if kind not in ("mass", "line_of_centres"):
+                        refs.append(self.worths.quantity(node))
+        return together(refs)
+
+    def axis_named(self, tree: Expression) -> tuple[Ref, ...]:
+        """The fact that gives the line of centres by which a component is named."""
+        match tree:
+            case Quantity("line_of_centres", (), int(event)):
+                return tuple(r for r in (f"axis {event}",) if self.worths.exists(r))
+        return ()
+
+    def _components_of(self, tree: Expression) -> list[Ref]:
+        refs: list[Ref] = []
+        for node in walk(tree):
+            match node:
+                case Quantity("velocity", (Name(),), int()):
+                    body, stage = body_and_stage(self.scene, node)
+                    frame = frame_after(self.scene, body, stage)
+                    for kind in ("along", "across"):
+                        refs += self._with_letter(kind, body, stage, frame)
+        return refs
+
+    def _with_letter(self, kind: str, body: str, stage: int, frame: Frame) -> list[Ref]:
+        desk = self.scene.desk
+        direct = desk.known(frame.component(kind, body, stage))
+        mark = self.worths.mark()
+        source = self.worths.component(kind, body, stage, frame)
+        if len(desk.lines) > mark.desk.lines and kind == "across":
+            self.worths.back(mark)
+            return []
+        return [*(direct.whole if direct else ()), *source.whole]
+
+    def _by_steps(
+        self,
+        link: Link,
+        fact: Ref,
+        pool: Sequence[Ref],
+        relation: Relation,
+        x: sp.Expr,
+        sign: Sign,
+    ) -> int | None:
+        """A condition with values put in: at once where it is short, else in two lines."""
+        put = (Move("put"),)
+        if not is_zero(link.right) or self._is_meeting(fact):
+            values = [
+                sp.sympify(self.scene.put(self.scene.scalar(side))[0], strict=True)
+                for side in (link.left, link.right)
+            ]
+            relation_sign = link.sign
+            if values[1] == 0 and self._stands_turned(pool, values[0]):
+                # As it stands above: the sense turns, and not the terms.
+                relation_sign, values[0] = FLIPPED[relation_sign], tidy(-values[0])
+            trees = [tree_of(value) for value in values]
+            first = Relation(((Link(trees[0], relation_sign, trees[1]),),))
+            if first != relation:
+                line = self._by_the_quotient(link, pool, first)
+                line = self.judge.write(put, pool, first) if line is None else line
+                if line is not None:
+                    known = self.worths.known_in(x)
+                    squared = square_and_solve(self.worths, line, sign, x, known)
+                    if squared is not None:
+                        return squared
+                    solved = solve_linear(self.scene, sign, x)
+                    if x.has(sp.sin) and x.has(sp.cos):
+                        line = self._square_of_ratio(line)
+                    line = in_factors(self.worths, line, known)
+                    for each in (solved, relation.only[0]):
+                        if each is None:
+                            continue
+                        known = self.worths.known_in(x)
+                        after = self.judge.write(
+                            (
+                                Move("rearrange"),
+                                Move("cancel"),
+                                Move("identity", "pythagoras"),
+                                Move("compare"),
+                            ),
+                            [line, *known],
+                            Relation(((each,),)),
+                        )
+                        if after is not None:
+                            return after
+        line = self.judge.write(put, pool, relation)
+        if line is not None:
+            return line
+        return self.judge.write((Move("compare"),), pool, relation)
+
+    def _by_the_quotient(self, link: Link, pool: Sequence[Ref], first: Relation) -> int | None:
+        """A bound of the ratio of two quantities: both stand in it before it is simplified."""
+        match link.left:
+            case Binary("/", Quantity() as above, Quantity() as below):
+                known = [self.scene.desk.known(each) for each in (above, below)]
+            case _:
+                return None
+        sides = [tree_of(self.scene.put(each.value)[0]) for each in known if each is not None]
+        if len(sides) < 2:
+            return None
+        (own,) = first.only
+        whole = Link(swept(Binary("/", *sides)), own.sign, own.right)
+        mark = self.worths.mark()
+        line = self.judge.write((Move("put"),), pool, Relation(((whole,),)))
+        if line is None or whole == own:
+            return line
+        after = self.judge.write((Move("rearrange"),), [line], first)
+        if after is None:
+            self.worths.back(mark)
+        return after
+
+    def _square_of_ratio(self, line: int) -> int:
+        """A condition on the square of a sine or of a cosine alone, solved for it first."""
+        link = self.scene.desk.last_link(line)
+        gap = expanded(self.worths.value(link.left) - self.worths.value(link.right))
+        own = without_signs(self.scene, gap, link.sign)
+        if own is None or (own[1].has(sp.sin) and own[1].has(sp.cos)):
+            return line
+        solved = solve_linear(self.scene, *own)
+        if solved is None:
+            return line
+        known = self.worths.known_in(gap)
+        moves = (Move("rearrange"), Move("cancel"))
+        after = self.judge.write(moves, [line, *known], Relation(((solved,),)))
+        return line if after is None else after
+
+    def _stands_turned(self, pool: Sequence[Ref], value: sp.Expr) -> bool:
+        """Whether a line above says what a letter for a component is, in the opposite sense."""
+        desk = self.scene.desk
+        for ref in pool:
+            if not isinstance(ref, int) or not isinstance(desk.line(ref).relation, Relation):
+                continue
+            own = desk.relation(ref)
+            if len(own.options) == 1 and isinstance(own.only[0].left, Letter):
+                x = self.worths.value(own.only[-1].right)
+                if self.scene.model.identically_zero(x + value):
+                    return True
+        return False
+
+    def _is_meeting(self, ref: Ref) -> bool:
+        """Whether a given fact is that two bodies meet, or do not: it is told in words."""
+        fact = self.scene.facts.get(str(ref))
+        return fact is not None and any(
+            isinstance(step, Given)
+            and step.place == fact.place
+            and any(isinstance(relation, Meets) for relation in step.relations)
+            for _, step in self.scene.problem.steps()
+        )
+
+    def finished(self, line: int, sign: Sign, x: sp.Expr, wanted: Expression | None) -> int:
+        """A condition solved for its letter by one more line, where it is linear in it."""
+        solved = solve_linear(self.scene, sign, x, wanted)
+        if solved is None:
+            known = self.worths.known_in(x)
+            if wanted is not None and len(x.free_symbols) > 1:
+                last = solve_in_squares(self.worths, line, sign, x, wanted, known)
+            else:
+                last = solve_quadratic(self.worths, line, sign, x, known)
+            return last if last != line else as_quadratic(self.worths, last, sign, x, wanted, known)
+        relation = Relation(((solved,),))
+        if relation == self.scene.desk.relation(line):
+            return line
+        line = collected(self.worths, line, sign, x, solved)
+        after = self.judge.write((Move("rearrange"),), [line, *self.worths.known_in(x)], relation)
+        return line if after is None else after
+
+
+def _velocities_of(angle: Quantity) -> tuple[tuple[str, int], tuple[str, int]] | None:
+    """The two velocities between which an angle is: of each the body and the event."""
+    match angle:
+        case Quantity("deflection", (Name(body),), int(stage)):
+            return (body, stage - 1), (body, stage)
+        case Quantity(
+            "angle",
+            (
+                Quantity("velocity", (Name(one),), int(first)),
+                Quantity("velocity", (Name(other),), int(second)),
+            ),
+        ):
+            return (one, first), (other, second)
+    return None
+
+
+def _is_a_sense(fact: Fact) -> bool:
+    """Whether a fact gives the direction of a sphere."""
+    if fact.kind != "given" or len(fact.relation.options) > 1:
+        return False
+    match fact.relation.only:
+        case (Link(Quantity("direction", (Name(),), int()), "=", Degrees()),):
+            return True
+    return False
+
+
+def has_quantity_in(relation: Relation) -> bool:
+    """Whether a relation speaks of a quantity of the motion."""
+    return any(map(has_quantity, trees_of(relation)))

@@ -1,0 +1,610 @@
+"""Greatest and least values: a bound, and where it is reached."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from restitution.components.verdicts import proved_sign
+from restitution.exact import tidy
+from restitution.explaining.derivation import FLIPPED, Line, Link, Move, Ref, Relation, Sign
+from restitution.expression.quantities import ANGLES
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Quantity,
+    letters,
+)
+from restitution.planning.formulas.turns import velocities_of
+from restitution.planning.inequalities.angle_pairs import (
+    extents,
+    is_of_two_angles,
+    letters_under,
+    made_of_two,
+    tangent_of_two,
+)
+from restitution.planning.inequalities.angles_at_ends import AngleAtEnds, is_angle_of_motion
+from restitution.planning.inequalities.claims import Claims
+from restitution.planning.inequalities.gaps import is_left, is_plain, write_difference
+from restitution.planning.inequalities.letter_ranges import ranges_of
+from restitution.planning.inequalities.quotients import by_tangent, write_quotient
+from restitution.planning.inequalities.wide_angles import compared_by_cosine, cosine_of
+from restitution.planning.inequalities.worths import NAMED
+from restitution.planning.routes.order import Solver, Standing
+from restitution.planning.writing.desk import NotPlannedError
+from restitution.planning.writing.forms import ONE, ZERO, product, square, total, tree_of
+from restitution.planning.writing.polynomials import cancelled, expanded, factored, one_fraction
+from restitution.planning.writing.scene import Scene
+from restitution.solving.letters import roles
+from restitution.solving.solution import Answer, ItemResult
+
+_TO_FORM = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
+
+
+def only_answer(result: ItemResult, *, always: bool = False) -> Answer:
+    """The one answer of an item, which is one ``always``, for all letters, if so wanted.
+
+    Raises NotPlannedError where there is none.
+    """
+    if len(result.distinct) != 1 or (always and result.distinct[0].condition):
+        raise NotPlannedError("an answer in cases")
+    return result.distinct[0]
+
+
+def write_extremum(
+    scene: Scene,
+    solver: Solver,
+    kind: str,
+    asked: Expression,
+    over: Expression,
+    answer: Answer | None,
+    value: Any,
+    name: str,
+    shown: bool = False,
+) -> None:
+    """Writes the lines of a greatest or least value, of which the last says it as a bound."""
+    reached = answer is None or answer.reached
+    if not isinstance(over, Letter):
+        raise NotPlannedError("an extremum over what is no letter")
+    bound = sp.sympify(value, strict=True)
+    with Claims(scene, solver) as claims:
+        mark = claims.worths.mark()
+        try:
+            own = _Extremum(claims, kind, asked, over.name, bound, reached)
+            line = own.write()
+        except NotPlannedError:
+            if answer is not None:
+                raise
+            # What is to be shown does not say whether it is reached.
+            claims.worths.back(mark)
+            own = _Extremum(claims, kind, asked, over.name, bound, reached=False)
+            line = own.write()
+    scene.desk.end(name, line, Relation(((own.end,),)), shown=shown)
+
+
+class _Extremum:
+    """An expression whose greatest or least value over a letter is sought."""
+
+    def __init__(
+        self,
+        claims: Claims,
+        kind: str,
+        asked: Expression,
+        over: str,
+        value: sp.Expr,
+        reached: bool = True,
+    ) -> None:
+        self.claims = claims
+        self.scene = claims.scene
+        self.judge = claims.judge
+        self.symbol = roles(self.scene.problem)[over].symbol(over)
+        self.angle = roles(self.scene.problem)[over].kind == "angle"
+        self.least = kind == "minimum"
+        self.asked = claims.worths.opened(asked)
+        self.value = value
+        self.support: tuple[Ref, ...] = ()
+        self.lets: list[Ref] = []
+        self.place: Link | None = None
+        self.attained = reached
+        sign: Sign = ">" if self.least else "<"
+        if reached:
+            sign = ">=" if self.least else "<="
+        self.move = Move("answer", "least" if self.least else "greatest")
+        if not reached:
+            self.move = Move("answer", "approached")
+        angle = _is_angle(self.asked)
+        self.end = Link(self.asked, sign, tree_of(value, angle=angle, as_it_is=angle))
+
+    def write(self) -> int:
+        """Writes the lines, and returns the number of the last."""
+        if _is_angle(self.asked) or is_of_two_angles(self.asked):
+            start, end, value = self.claims.worths.mark(), self.end, self.value
+            try:
+                return self._of_angle()
+            except NotPlannedError:
+                self.claims.worths.back(start)
+                self.end, self.value = end, value
+                return self._at_an_end()
+        if (
+            isinstance(self.asked, Letter)
+            and (tied := self._of_tied_letter(self.asked)) is not None
+        ):
+            return tied
+        start = self.claims.worths.mark()
+        line = self._lettered() or self._line()
+        end = self.end
+        defined = self._as_defined(start, line)
+        ways = [self._monotone, self._quotient, self._square, self._double]
+        ways += [self._gap, self._plain]
+        if defined is not None:
+            line = defined
+            ways.insert(0, self._plain)
+        for method in ways:
+            mark = self.claims.worths.mark()
+            self.support, self.place = (), None
+            bound = method(line)
+            if bound is not None:
+                last = self._reached(line, bound)
+                if last is not None:
+                    return last
+            self.claims.worths.back(mark)
+            self.end = end
+        raise NotPlannedError("a greatest or least value")
+
+    def _of_angle(self) -> int:
+        """An angle by its tangent."""
+        asked, whole, value = self.asked, self.end, self.value
+        tangent = tidy(sp.tan(value))
+        if not sp.deg(value).is_Rational:
+            whole = replace(whole, right=Apply("arctan", tree_of(tangent)))
+        if tangent.has(sp.zoo) or self.scene.model.sign(tangent) <= 0:
+            return self._of_wide_angle(asked)
+        start = self.claims.worths.mark()
+        line, letter, extent = self._tangent(asked)
+        line = self._put(line)
+        if self._may_be_obtuse(asked, line):
+            standing = self.end, self.value
+            try:
+                self.claims.worths.back(start)
+                return self._of_cosine(asked)
+            except NotPlannedError:
+                self.claims.worths.back(start)
+                self.end, self.value = standing
+                line, letter, extent = self._tangent(asked)
+                line = self._put(line)
+        if is_of_two_angles(asked) or self.claims.worths.is_of_statement(letter):
+            asked, whole = letter, replace(whole, left=letter)
+        self.value = tangent
+        self.end = Link(Apply("tan", letter), whole.sign, tree_of(tangent))
+        for method in (self._monotone, self._quotient, self._gap, self._plain):
+            mark = self.claims.worths.mark()
+            self.support, self.place = (), None
+            bound = method(line)
+            if bound is not None:
+                own = Relation(((whole,),))
+                last = self.claims.angle_of(bound, line, extent, own, (), self.support)
+                there = None if last is None else self._place(line, Apply("tan", asked), extent)
+                if (
+                    last is not None
+                    and there is not None
+                    and self.judge.follows(self.move, [last, there], own)
+                ):
+                    self.end = whole
+                    return self.scene.desk.write(self.move, [last, there], own)
+            self.claims.worths.back(mark)
+        raise NotPlannedError("the greatest or least angle")
+
+    def _at_an_end(self) -> int:
+        """An angle that a line gives by inverse tangents, at an end of the letter."""
+        if not is_angle_of_motion(self.asked):
+            raise NotPlannedError("the greatest or least angle")
+        assert isinstance(self.asked, Quantity)
+        own = AngleAtEnds(self.claims, self.claims.solver, self.asked)
+        name = self.symbol.name
+        for end, bounds in own.ends_of(name):
+            self.place = Link(Letter(name), "=", tree_of(end, angle=self.angle))
+            self.end = replace(self.end, right=own.at(name, end))
+            bound = own.bounded(self._relation, bounds)
+            if bound is not None:
+                last = self._reached(own.line, bound)
+                if last is not None:
+                    return last
+        raise NotPlannedError("the greatest or least angle")
+
+    def _tangent(self, asked: Expression) -> tuple[int, Expression, tuple[Ref, ...]]:
+        """The line of the tangent of an angle by a letter, with the letter and its range."""
+        if is_of_two_angles(asked):
+            written = tangent_of_two(self.scene, self.claims.worths, asked)
+            if written is None:
+                raise NotPlannedError("a sum or a difference of angles")
+            return written
+        assert isinstance(asked, Quantity)
+        first = self.claims.worths.angle(asked)
+        tangent = self.scene.desk.last_link(first).left
+        called = tangent.argument if isinstance(tangent, Apply) else asked
+        return self.claims.worths.lettered(first, called)
+
+    def _of_wide_angle(self, asked: Expression) -> int:
+        """An angle that is not bounded by an acute one, by those of which it is made."""
+        if not isinstance(asked, Quantity):
+            raise NotPlannedError("an angle that is not acute")
+        self.claims.worths.determine_angle(asked)
+        parts = made_of_two(self.scene, asked)
+        if parts is None:
+            return self._of_cosine(asked)
+        line, support = parts
+        self.end = replace(self.end, left=self.scene.desk.last_link(line).left)
+        inside = {name for ref in (line, *support) for name in letters_under(self.scene, ref)}
+        known = [*self._known(*sorted(inside)), *extents(self.scene, inside)]
+        moves = (Move("compare"),)
+        bound = self.judge.write(moves, [line, *support, *known], self._relation)
+        if bound is not None:
+            there = self._place(line, self.end.left, support)
+            if there is not None and self.judge.follows(self.move, [bound, there], self._relation):
+                return self.scene.desk.write(self.move, [bound, there], self._relation)
+        raise NotPlannedError("an angle that is not acute")
+
+    def _may_be_obtuse(self, asked: Expression, line: int) -> bool:
+        """Whether the tangent of an angle between velocities does not grow with it throughout."""
+        if not isinstance(asked, Quantity) or velocities_of(self.scene, asked) is None:
+            return False
+        return not proved_sign(self.scene.model.ground, self._value(line))
+
+    def _of_cosine(self, asked: Expression) -> int:
+        """An angle between two velocities by its cosine, which falls as the angle grows."""
+        own = cosine_of(self.claims, asked) if isinstance(asked, Quantity) else None
+        if own is None:
+            raise NotPlannedError("an angle that is not acute")
+        whole, self.value = self._relation, tidy(sp.cos(self.value))
+        sign = FLIPPED[whole.only[0].sign]
+        bound = Relation(((Link(own.tree, sign, tree_of(self.value)),),))
+        ends = self.claims.monotone(own.line, bound)
+        if ends is not None:
+            last = compared_by_cosine(self.claims, own, ends, whole)
+            whole = whole if last is None else self.scene.desk.relation(last)
+            there = self._place(own.line, Apply("cos", asked), own.known)
+            if (
+                last is not None
+                and there is not None
+                and self.judge.follows(self.move, [last, there], whole)
+            ):
+                (self.end,) = whole.only
+                return self.scene.desk.write(self.move, [last, there], whole)
+        raise NotPlannedError("an angle that is not acute")
+
+    def _of_tied_letter(self, asked: Letter) -> int | None:
+        """A letter that no line gives by others: by the equation that ties it to them."""
+        lines = self.claims.ties.lines()
+        if any(self.claims.ties.subject(each, asked.name) is not None for each in lines):
+            return None
+        bound = self.claims.write(self._relation)
+        role = roles(self.scene.problem)[asked.name]
+        subject: Expression = Apply("tan", asked) if role.kind == "angle" else asked
+        value = tidy(sp.tan(self.value)) if role.kind == "angle" else self.value
+        other = roles(self.scene.problem)[self.symbol.name]
+        for line in lines:
+            for end in (other.low, other.high):
+                if end is None:
+                    continue
+                unless = Link(Letter(self.symbol.name), "!=", tree_of(end))
+                relation = Relation(((unless,), (Link(subject, "=", tree_of(value)),)))
+                pool = [line, *self._known(asked.name, self.symbol.name)]
+                there = self.judge.write((Move("put"),), pool, relation, shown="silent")
+                if there is not None and self.judge.follows(
+                    self.move, [bound, there], self._relation
+                ):
+                    return self.scene.desk.write(self.move, [bound, there], self._relation)
+        raise NotPlannedError("a greatest or least value of a letter")
+
+    def _line(self) -> int:
+        match self.asked:
+            case Letter(letter):
+                for each in self.claims.ties.lines():
+                    line = self.claims.ties.subject(each, letter)
+                    if line is not None:
+                        return line
+                raise NotPlannedError(f"{letter} by other letters")
+        line = self.claims.worths.worth(self.asked)
+        if line is None:
+            raise NotPlannedError("an expression of several quantities")
+        return line
+
+    def _lettered(self) -> int | None:
+        """The line of a tangent by the letter for its angle, where one stands already."""
+        match self.asked:
+            case Apply("tan", Quantity() as angle) if self.claims.worths.is_lettered(angle):
+                name, let = self.claims.worths.letter_for(angle)
+            case _:
+                return None
+        subject, known = Apply("tan", Letter(name)), set(roles(self.scene.problem))
+        for each in self.scene.desk.lines:
+            match each.relation:
+                case Relation(((Link(left, "="), *_),)) if left in (subject, self.asked):
+                    own = self.scene.desk.last_link(each.number).right
+                    if self.scene.desk.holds(each.number) and letters(own) <= known:
+                        line, _, _ = self.claims.worths.lettered(each.number, angle)
+                        self.end, self.lets = replace(self.end, left=subject), [let]
+                        return self._put(line)
+        return None
+
+    def _put(self, line: int) -> int:
+        """A line with the values of this part put in."""
+        link = self.scene.desk.last_link(line)
+        final = self.scene.model.final
+        known = sorted(self._value(line).free_symbols & final.keys(), key=str)
+        self.claims.solver.determine(known)
+        value, refs = self.scene.put(self._value(line))
+        if value == self._value(line):
+            return line
+        relation = Relation(((replace(link, right=tree_of(tidy(value))),),))
+        return self.judge.write((Move("put"),), [line, *refs], relation) or line
+
+    @property
+    def _relation(self) -> Relation:
+        return Relation(((self.end,),))
+
+    def _known(self, *names: str) -> tuple[Ref, ...]:
+        return self.judge.known(names)
+
+    def _names(self, x: sp.Expr) -> list[str]:
+        known = roles(self.scene.problem)
+        return sorted(s.name for s in x.free_symbols if s.name in known)
+
+    # --- where it is reached --------------------------------------------------------------------
+
+    def _reached(self, line: int, bound: int) -> int | None:
+        """The value at the place where it is greatest or least, and the answer."""
+        if self.end.left != self.asked:
+            # The answer is printed with the letter.
+            self.end = replace(self.end, left=self.asked)
+            named = self.judge.write(NAMED, [bound, *self.lets], self._relation, shown="silent")
+            if named is None:
+                return None
+            bound = named
+        there = self._place(line, self.end.left, self.lets)
+        if there is None or not self.judge.follows(self.move, [bound, there], self._relation):
+            return None
+        others = self._other_places(line, there)
+        return self.scene.desk.write(self.move, [bound, there, *others], self._relation)
+
+    def _other_places(self, line: int, there: int) -> list[int]:
+        """The lines of the other places at which the value is reached, those of numbers."""
+        if self.angle or not self.attained:
+            return []
+        own = self.scene.desk.relation(there).options[0][0]
+        others: list[int] = []
+        for place in self._places(line):
+            if place.left != own.left or place.right == own.right or letters(place.right):
+                continue
+            more = self._place(line, self.end.left, self.lets, place)
+            if more is not None and more not in (there, *others):
+                others.append(more)
+        return others
+
+    def _place(
+        self, line: int, subject: Expression, named: Sequence[Ref] = (), only: Link | None = None
+    ) -> int | None:
+        """The line that says what the value is at the place where it is greatest or least."""
+        for place in self._places(line) if only is None else (only,):
+            form = self.end.right if self.end.left == subject else tree_of(self.value)
+            value = Link(subject, "=", form)
+            unless = Link(place.left, "!=", place.right)
+            relation = Relation(((unless,), (value,)))
+            known = self._known(*self._names(self._value(line)))
+            # The answer says it once more, with the place.
+            for more in ((), self._times()):
+                # No time is before the clock starts: that tells the sign of a length.
+                there = self.judge.standing(relation)
+                if there is not None:
+                    return there
+                # What introduces the letter is tried first: nothing else may be needed.
+                lines = [ref for ref in named if isinstance(ref, int)]
+                for pool in ([line, *lines], [line, *named, *known, *more]):
+                    refs = self.judge.needed(Move("put"), pool, relation)
+                    if refs is not None:
+                        return self.scene.desk.write(Move("put"), refs, relation, "silent")
+        return None
+
+    def _times(self) -> list[int]:
+        """The lines that say when something happens."""
+        lines = (e.number for e in self.scene.desk.lines if isinstance(e.relation, Relation))
+        return [
+            n
+            for n in lines
+            if len(self.scene.desk.relation(n).options) == 1
+            and _is_time(self.scene.desk.last_link(n).left)
+        ]
+
+    def _places(self, line: int) -> Iterator[Link]:
+        """The value of the letter, or of its tangent, at which the bound is reached."""
+        if not self.attained:
+            yield from self._ends()
+            return
+        if self.place is not None:
+            yield self.place
+        gap = sp.fraction(one_fraction(self._value(line) - self.value))[0]
+        letter = Letter(self.symbol.name)
+        if not self.angle:
+            x, subject, generator = expanded(gap), letter, self.symbol
+        else:
+            t = sp.Dummy("t", positive=True)
+            x = sp.fraction(one_fraction(expanded(by_tangent(gap, self.symbol, t) ** 1)))[0]
+            subject, generator = Apply("tan", letter), t  # type: ignore[assignment]
+        if any(p.exp == sp.Rational(1, 2) and generator in p.free_symbols for p in x.atoms(sp.Pow)):
+            gap = self._value(line) ** 2 - self.value**2
+            if self.angle:
+                gap = by_tangent(gap, self.symbol, generator)
+            x = expanded(sp.fraction(one_fraction(gap))[0])
+        try:
+            roots = sp.roots(sp.Poly(x, generator))
+        except sp.PolynomialError:
+            return
+        role = roles(self.scene.problem)[self.symbol.name]
+        for root in sorted(roots, key=sp.default_sort_key):
+            own = tidy(root)
+            if own.is_real is False or (self.angle and own.is_positive is False):
+                continue
+            if not self.angle and role.low is not None and (own - role.low).is_negative:
+                continue
+            if not self.angle and role.high is not None and (own - role.high).is_positive:
+                continue
+            if self.angle and own.is_number:
+                # An angle in whole degrees is named, and so is one of which no line needs a ratio.
+                angle = sp.atan(own)
+                degrees = sp.deg(angle)
+                if degrees.is_Integer and degrees not in (30, 60):
+                    yield Link(letter, "=", tree_of(angle, angle=True, as_it_is=True))
+            yield Link(subject, "=", tree_of(own))
+
+    def _ends(self) -> Iterator[Link]:
+        """The ends of the range of the letter that do not belong to it."""
+        role = roles(self.scene.problem)[self.symbol.name]
+        for end, closed in ((role.low, role.closed[0]), (role.high, role.closed[1])):
+            if end is not None and not closed:
+                tree = tree_of(end, angle=self.angle, as_it_is=self.angle)
+                yield Link(Letter(self.symbol.name), "=", tree)
+        if role.high is None:
+            # As it grows without limit.
+            yield Link(Binary("/", ONE, Letter(self.symbol.name)), "=", ZERO)
+
+    def _value(self, line: int) -> sp.Expr:
+        return self.claims.worths.value(self.scene.desk.last_link(line).right)
+
+    # --- ways -----------------------------------------------------------------------------------
+
+    def _monotone(self, line: int) -> int | None:
+        """What only grows, or only falls, is greatest or least at an end."""
+        pool = [line, *self._known(*self._names(self._value(line)))]
+        bound = self.judge.write((Move("monotone"),), pool, self._relation)
+        if bound is not None:
+            return bound
+        for each in ranges_of(self.claims, self.symbol.name):
+            bound = self.judge.write((Move("monotone"),), [line, each, *pool[1:]], self._relation)
+            if bound is not None:
+                return bound
+        return None
+
+    def _quotient(self, line: int) -> int | None:
+        """``c t/(a + d t + b t²)``: divided by t, and a/t + b t as a square and what is left."""
+        own = write_quotient(self.claims, line, self.symbol, self.end)
+        if own is None:
+            return None
+        self.support, self.place = own.support, own.place
+        self.end = replace(self.end, right=own.right)
+        return own.line
+
+    def _square(self, line: int) -> int | None:
+        """A quadratic in the letter: its square completed."""
+        x = self._value(line)
+        if self.angle:
+            return None
+        for each in (x, x**2):
+            above, below = sp.fraction(factored(one_fraction(each)))
+            if self.symbol in below.free_symbols:
+                continue
+            try:
+                poly = sp.Poly(expanded(above), self.symbol)
+            except sp.PolynomialError:
+                continue
+            if poly.degree() != 2 or poly.nth(1) == 0:
+                continue
+            outside = sp.cancel(each / poly.as_expr())
+            if self.scene.model.sign(poly.LC() * outside) != (1 if self.least else -1):
+                continue
+            primitive = poly.primitive()[1]
+            a, b, c = (primitive.nth(n) for n in (2, 1, 0))
+            common, inner = sp.Poly(2 * a * self.symbol + b, self.symbol).primitive()
+            factor = tidy(sp.sympify(common, strict=True) ** 2 / (4 * a))
+            squared = product(tree_of(factor), square(tree_of(tidy(inner.as_expr()))))
+            own = total((squared, tree_of(tidy(c - b**2 / (4 * a)))))
+            outer = tidy(cancelled(each / primitive.as_expr()))
+            if each != x:
+                own, outer = Apply("sqrt", own), tidy(sp.sqrt(outer))
+            known = self._known(*self._names(x))
+            link = Link(self.scene.desk.last_link(line).left, "=", product(tree_of(outer), own))
+            moves = (Move("rearrange"),)
+            completed = self.judge.write(moves, [line, *known], Relation(((link,),)))
+            if completed is None:
+                continue
+            bound = self.judge.write((Move("sign"),), [completed, *known], self._relation)
+            if bound is not None:
+                return bound
+        return None
+
+    def _double(self, line: int) -> int | None:
+        """The product of a sine and a cosine of one angle, by the sine of the double."""
+        value = self._value(line)
+        factor = value / (sp.sin(self.symbol) * sp.cos(self.symbol))
+        if not self.angle or self.symbol in factor.free_symbols:
+            return None
+        twice = Apply("sin", product(tree_of(2), Letter(self.symbol.name)))
+        link = Link(self.end.left, "=", product(tree_of(tidy(factor / 2)), twice))
+        identity = (Move("identity", "double-angle"),)
+        doubled = self.judge.write(identity, [line], Relation(((link,),)))
+        if doubled is None:
+            return None
+        pool = [doubled, *self._known(*self._names(value))]
+        return self.judge.write((Move("sign"),), pool, self._relation)
+
+    def _as_defined(self, start: Standing, line: int) -> int | None:
+        """The line without its last form, where its first without a square is the least value."""
+        own = self.scene.desk.line(line)
+        links = self.scene.desk.relation(line).only
+        if (
+            not self.least
+            or len(links) != 2
+            or not is_left(self.claims.worths, links[0].right, self.value)
+        ):
+            return None
+        written = self.scene.desk.lines[start.desk.lines :]
+        if not written or written[-1] != own:
+            return None
+        self.scene.desk.lines.pop()
+        return self.scene.desk.write(own.move, own.premises, Relation((links[:1],)))
+
+    def _gap(self, line: int) -> int | None:
+        """A bound by the difference to it, in factors of certain signs."""
+        if is_plain(self.scene, line, self._relation):
+            return None
+        return write_difference(self.claims, line, self._relation)
+
+    def _plain(self, line: int) -> int | None:
+        """A bound that what a line says shows at once."""
+        pool = [line, *self._known(*self._names(self._value(line)))]
+        whole = self._shortened(line)
+        bound = self.judge.write((Move("sign"),), pool, self._relation)
+        if bound is None and whole is not None:
+            self.scene.desk.lines[line - 1] = whole
+            bound = self.judge.write((Move("sign"),), pool, self._relation)
+        return bound
+
+    def _shortened(self, line: int) -> Line | None:
+        """A line as it is defined alone, where what it comes to has not been used yet.
+
+        Squares show a bound, which what they come to does not. Returns the line as it was.
+        """
+        desk = self.scene.desk
+        own = desk.line(line)
+        links = desk.relation(line).only
+        used = any(line in each.premises for each in desk.lines)
+        if len(links) < 2 or used or own.move.record not in ("energy", "total"):
+            return None
+        first = Relation((links[:1],))
+        refs = self.judge.needed(own.move, own.premises, first)
+        if refs is None:
+            return None
+        desk.lines[line - 1] = replace(own, premises=refs, relation=first)
+        return own
+
+
+def _is_time(tree: Expression) -> bool:
+    return isinstance(tree, Quantity) and tree.kind == "time"
+
+
+def _is_angle(tree: Expression) -> bool:
+    return isinstance(tree, Quantity) and tree.kind in ANGLES

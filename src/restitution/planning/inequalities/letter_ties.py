@@ -1,0 +1,406 @@
+"""Equations that tie letters of the statement to each other, by what is given."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.components.verdicts import proved_sign
+from restitution.exact import tidy
+from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Number,
+    Quantity,
+    letters,
+    walk,
+)
+from restitution.planning.closing.collecting import multiplied_out
+from restitution.planning.closing.gathered_squares import one_square_a_side
+from restitution.planning.formulas.impacts import residual
+from restitution.planning.inequalities.conditions import has_quantity_in
+from restitution.planning.inequalities.worths import Worths
+from restitution.planning.routes.givens import write_given
+from restitution.planning.writing.desk import UNPLANNED
+from restitution.planning.writing.forms import ZERO, product, square, total, tree_of
+from restitution.planning.writing.inequalities import (
+    bounds,
+    certain,
+    isolated,
+    linear_in,
+    without_signs,
+)
+from restitution.planning.writing.polynomials import expanded, factored, one_fraction
+from restitution.planning.writing.scene import GivenEquation
+from restitution.solving.letters import roles
+
+
+class Ties:
+    """The equations between letters that a part gives."""
+
+    def __init__(self, worths: Worths) -> None:
+        self.worths = worths
+        self.scene = worths.scene
+        self.solver = worths.solver
+        self.judge = worths.judge
+        self._lines: list[int] | None = None
+
+    def clear(self) -> None:
+        """Forgets what has been taken away again."""
+        self._lines = None
+
+    def lines(self) -> list[int]:
+        """The equations between letters that the facts give, as lines."""
+        if self._lines is None:
+            self._lines = list(self._written_ties())
+        return self._lines
+
+    def _written_ties(self) -> Iterator[int]:
+        scene = self.scene
+        known = [scene.desk.known(Letter(each.name)) for each in self._linked()]
+        lines = [ref for own in known if own for ref in own.refs if isinstance(ref, int)]
+        if lines:
+            yield from dict.fromkeys(self._without_roots(each) for each in lines)
+            return
+        none = True
+        for each in scene.given:
+            line = self._trial(lambda each=each: self._tie(each))  # type: ignore[misc]
+            if line is not None:
+                none = False
+                yield line
+        if none:
+            for symbol in self._linked():
+                line = self._trial(lambda symbol=symbol: self._closed(symbol))  # type: ignore[misc]
+                if line is not None:
+                    yield line
+
+    def _without_roots(self, line: int) -> int:
+        """An equation, or the one above it of which it gives a root, or the angle."""
+        desk = self.scene.desk
+        number = line
+        while desk.line(number).move.id == "inverse" or _has_root(desk.relation(number)):
+            above = [
+                ref
+                for ref in desk.line(number).premises
+                if isinstance(ref, int) and isinstance(desk.line(ref).relation, Relation)
+            ]
+            if not above:
+                return line
+            number = above[0]
+        own = desk.relation(number)
+        names = {n for e in own.options[0] for side in (e.left, e.right) for n in letters(side)}
+        known = set(roles(self.scene.problem))
+        plain = len(own.options) == 1 and names <= known and not has_quantity_in(own)
+        if not plain or number == line:
+            return line
+        return self._neat(number)
+
+    def _linked(self) -> list[sp.Symbol]:
+        return sorted(self.scene.free, key=lambda each: each.name)
+
+    def _trial(self, attempt: Callable[[], int | None]) -> int | None:
+        """What an attempt writes; nothing stays of one that leads nowhere."""
+        mark = self.worths.mark()
+        try:
+            line = attempt()
+        except UNPLANNED:
+            line = None
+        if line is None:
+            self.worths.back(mark)
+        return line
+
+    def _tie(self, each: GivenEquation) -> int | None:
+        """A given fact as an equation between letters of the statement."""
+        scene = self.scene
+        components = {own.symbol for own in scene.model.components.values()}
+        inside = {s for x in each.residuals for s in sp.sympify(x, strict=True).free_symbols}
+        relation = scene.ties.get(each.fact.id)
+        written = None if relation is None else self.judge.standing(relation)
+        if written is not None:
+            return written
+        if each.fact.id in self.solver.equations.used:
+            return self._of_fact(each.fact.id)
+        self.solver.equations.used.add(each.fact.id)
+        self.solver.determine(sorted(inside & components, key=str))
+        self.solver.equations.used.discard(each.fact.id)
+        open_ = [scene.put(x)[0] for x in each.residuals]
+        if all(x == 0 for x in open_):
+            return self._of_fact(each.fact.id)
+        given = self._as_found(write_given(scene, _as_right_angle(each)))
+        line = self._without_roots(self._neat(given))
+        scene.ties[each.fact.id] = scene.desk.relation(line)
+        return line
+
+    def _as_found(self, line: int) -> int:
+        """An equation as a line below it has it that an item ends with; else as it is."""
+        desk = self.scene.desk
+        for each in desk.shown:
+            if desk.holds(each) and line in desk.under(each):
+                if not (own := residual(self.scene, line)):
+                    continue
+                share = tidy(residual(self.scene, each) / own)
+                if share.is_number and share.is_nonzero:
+                    return each
+        return line
+
+    def _of_fact(self, ref: Ref) -> int | None:
+        """The first equation between letters alone that stands below a given fact."""
+        desk = self.scene.desk
+        known = set(roles(self.scene.problem))
+        free = {each.name for each in self.scene.free}
+        below: set[Ref] = {ref}
+        for line in desk.lines:
+            own = line.relation
+            if not isinstance(own, Relation) or not below & set(line.premises):
+                continue
+            below.add(line.number)
+            if len(own.options) > 1 or len(own.only) > 1 or own.only[0].sign != "=":
+                continue
+            names = {n for side in (own.only[0].left, own.only[0].right) for n in letters(side)}
+            plain = names <= known and not has_quantity_in(own) and not _has_root(own)
+            if plain and names & free and desk.holds(line.number):
+                return self._neat(line.number)
+        return None
+
+    def _closed(self, symbol: sp.Symbol) -> int | None:
+        """The line that says what a letter is by others."""
+        scene = self.scene
+        scene.free.discard(symbol)
+        try:
+            self.solver.determine([symbol])
+        finally:
+            scene.free.add(symbol)
+        known = scene.desk.known(Letter(symbol.name))
+        lines = () if known is None else known.refs
+        return next((line for line in lines if isinstance(line, int)), None)
+
+    def _neat(self, line: int) -> int:
+        """The equation without common factors, where it stands as one that is zero."""
+        scene = self.scene
+        own = scene.desk.last_link(line)
+        if is_letter_or_square(own.left) and not letters(own.left) & letters(own.right):
+            return line
+        whole = factored(one_fraction(residual(scene, line)))
+        above = sp.fraction(whole)[0]
+        kept = sp.Mul(*(x for x in sp.Mul.make_args(above) if not certain(self.scene, x)))
+        symbols = [s for s in kept.free_symbols if s.name in roles(scene.problem)]
+        for symbol in sorted(symbols, key=self.rank):
+            form = isolated(self.scene, kept, symbol)
+            if form is None:
+                continue
+            generator, value = form
+            relation = Relation(((Link(generator, "=", tree_of(value)),),))
+            if scene.desk.relation(line) == relation:
+                return line
+            known = self.judge.known(s.name for s in whole.free_symbols)
+            moves = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
+            mark = self.worths.mark()
+            for between in (self._in_factors, self._gathered, lambda own, _: own):
+                start = between(line, symbol)
+                neat = None if start is None else self.judge.write(moves, [start, *known], relation)
+                if neat is not None:
+                    return neat
+                self.worths.back(mark)
+        return line
+
+    def _in_factors(self, line: int, symbol: sp.Symbol) -> int | None:
+        """A quadratic in a letter, multiplied out and as a product with a positive factor.
+
+        None of another equation.
+        """
+        start = multiplied_out(self.scene, line, symbol)
+        whole = sp.fraction(factored(one_fraction(residual(self.scene, start))))[0]
+        factors = [x for x in sp.Mul.make_args(whole) if symbol in x.free_symbols]
+        linear = [x.is_polynomial(symbol) and sp.degree(x, symbol) == 1 for x in factors]
+        signed = [certain(self.scene, x) is not None for x in factors]
+        if start == line or not all(linear) or sorted(signed) != [False, True]:
+            return None
+        polynomials = [sp.Poly(x, symbol) for x in factors]
+        trees = [
+            total((product(tree_of(x.nth(1)), Letter(symbol.name)), tree_of(expanded(x.nth(0)))))
+            for x in polynomials
+        ]
+        known = self.judge.known(s.name for s in whole.free_symbols)
+        moves = (Move("rearrange"), Move("cancel"))
+        standard = self.judge.write(moves, [start, *known], _standard_form(polynomials, symbol))
+        relation = Relation(((Link(product(*trees), "=", ZERO),),))
+        return self.judge.write(moves, [standard or start, *known], relation)
+
+    def _gathered(self, line: int, symbol: sp.Symbol) -> int:
+        """The equation with like terms put together: squares of ratios of an angle, or brackets."""
+        if roles(self.scene.problem)[symbol.name].kind == "angle":
+            return one_square_a_side(self.scene, line, symbol, self.judge.known([symbol.name]))
+        return multiplied_out(self.scene, line, symbol)
+
+    def rank(self, symbol: sp.Symbol) -> tuple[int, str]:
+        kind = roles(self.scene.problem)[symbol.name].kind
+        return ({"angle": 0, "positive": 1, "restitution": 2}.get(kind, 3), symbol.name)
+
+    def subject(self, line: int, letter: str) -> int | None:
+        """An equation with a letter as its subject; None where it is not linear in it."""
+        link = self.scene.desk.last_link(line)
+        if link.left == Letter(letter):
+            return line
+        x = sp.fraction(one_fraction(self.worths.value(link.left) - self.worths.value(link.right)))[
+            0
+        ]
+        symbol = roles(self.scene.problem)[letter].symbol(letter)
+        form = isolated(self.scene, expanded(x), symbol)
+        if form is None or form[0] != Letter(letter):
+            return None
+        relation = Relation(((Link(form[0], "=", tree_of(form[1])),),))
+        pool = [line, *self.worths.known_in(x)]
+        return self.judge.write((Move("rearrange"), Move("cancel")), pool, relation)
+
+    def _gap(self, link: Link) -> sp.Expr:
+        """Left minus right of an equation, without its denominators."""
+        left, right = (self.worths.value(side) for side in (link.left, link.right))
+        return sp.fraction(one_fraction(left - right))[0]
+
+    def derived(self, line: int, gone: sp.Symbol) -> list[tuple[Sign, sp.Expr, Sign]]:
+        """What the range of one letter says of the others in an equation: ``P sign 0``."""
+        link = self.scene.desk.last_link(line)
+        x = sp.fraction(one_fraction(self.worths.value(link.left) - self.worths.value(link.right)))[
+            0
+        ]
+        role = roles(self.scene.problem)[gone.name]
+        form = linear_in(expanded(x), gone, role.kind == "angle")
+        if form is None:
+            return []
+        _, generator, a, b = form
+        ties: list[tuple[Sign, sp.Expr, Sign]] = []
+        for sign, bound in bounds(role, generator, gone):
+            gap = factored(one_fraction(-b / a - bound))
+            own = without_signs(self.scene, gap, sign)
+            if own is not None and own[1].free_symbols:
+                ties.append((*own, sign))
+        return ties
+
+    def _slope(self, x: sp.Expr, symbol: sp.Symbol) -> int | None:
+        """Whether an expression grows with a letter, or falls; None where that is open."""
+        above, below = sp.fraction(factored(one_fraction(sp.diff(x, symbol))))
+        odd = [factor for factor in sp.Mul.make_args(below) if not factor.as_base_exp()[1].is_even]
+        # At an end of its range the slope may be zero, as that of a square is.
+        return proved_sign(self.scene.model.inside, above / sp.Mul(*odd)) or None
+
+    def put_in(self, line: int, gone: sp.Symbol, sign: Sign) -> Link | None:
+        """An equation of which one side is a letter, or a ratio of it, with its bound in place.
+
+        A bound of zero is told by the sign of the other side; that has a line of its own where it
+        is a quotient with letters below.
+        """
+        link = self.scene.desk.last_link(line)
+        role = roles(self.scene.problem)[gone.name]
+        for side, other in ((link.left, link.right), (link.right, link.left)):
+            generator = _ratio_of(side, gone)
+            form = linear_in(expanded(self.worths.value(side)), gone, role.kind == "angle")
+            if generator is None and form is not None and form[2] == 1 and form[3] == 0:
+                generator = form[1]
+            if generator is None or gone.name in letters(other):
+                continue
+            ends = [bound for own, bound in bounds(role, generator, gone) if own == sign]
+            if ends and letters(other) and (ends[0] != 0 or _has_letters_below(other)):
+                return Link(other, sign, tree_of(ends[0]))
+        return None
+
+    def bounded(self, line: int, gone: sp.Symbol, sign: Sign) -> Link | None:
+        """An equation of which one side only holds a letter, with its bound put in there."""
+        link = self.scene.desk.last_link(line)
+        sides = [(link.left, link.right), (link.right, link.left)]
+        for kept, other in sides:
+            x = self.worths.value(other)
+            if gone.name in letters(kept) or gone not in x.free_symbols or not letters(kept):
+                continue
+            role = roles(self.scene.problem)[gone.name]
+            above, below = sp.fraction(one_fraction(x))
+            form = None
+            if gone not in below.free_symbols:
+                form = linear_in(expanded(above), gone, role.kind == "angle")
+            if form is not None:
+                generator, slope = form[1], certain(self.scene, form[2] / below)
+            elif role.kind != "angle":
+                generator, slope = gone, self._slope(x, gone)
+            else:
+                return None
+            ends = [bound for own, bound in bounds(role, generator, gone) if own == sign]
+            if slope is None or not ends:
+                return None
+            t = sp.Dummy("t")
+            at_end = one_fraction(x).subs(generator, t).subs(t, ends[0])
+            if at_end.has(sp.zoo, sp.oo, sp.nan) or gone in at_end.free_symbols:
+                return None
+            value = tidy(factored(at_end))
+            if is_square(kept) and value.is_number and value.is_negative:
+                return None  # that holds of every square
+            return Link(kept, sign if slope > 0 else FLIPPED[sign], tree_of(value))
+        return None
+
+
+def _as_right_angle(each: GivenEquation) -> GivenEquation:
+    """A deflection of 90° as a right angle between the velocities before and after."""
+    match each.link:
+        case Link(Quantity("deflection", (Name(),) as body, int(stage)), "=", Degrees(value)):
+            if value == 90:
+                later, early = (Quantity("velocity", body, k) for k in (stage, stage - 1))
+                return replace(each, link=Link(early, "perpendicular to", later))
+    return each
+
+
+def is_square(tree: Expression) -> bool:
+    """Whether a side is the square of something."""
+    match tree:
+        case Binary("^", _, Number(Fraction(numerator=2, denominator=1))):
+            return True
+    return False
+
+
+def _ratio_of(tree: Expression, angle: sp.Symbol) -> sp.Expr | None:
+    """The tangent of an angle, or its square, which stands alone on a side; None of another one."""
+    match tree:
+        case Apply("tan", Letter(name)) if name == angle.name:
+            return sp.tan(angle)
+        case Binary("^", Apply("tan", Letter(name)), Number(power)) if name == angle.name:
+            return sp.tan(angle) ** power.numerator if power == 2 else None
+    return None
+
+
+def _has_letters_below(tree: Expression) -> bool:
+    """Whether a side is a quotient with letters in its denominator."""
+    match tree:
+        case Binary("/", _, below):
+            return bool(letters(below))
+    return False
+
+
+def is_letter_or_square(tree: Expression) -> bool:
+    """Whether a side is a letter, or the square of one."""
+    match tree:
+        case Letter() | Binary("^", Letter(), Number()):
+            return True
+    return False
+
+
+def _has_root(relation: Relation) -> bool:
+    return any(
+        isinstance(each, Apply) and each.function == "sqrt" and bool(letters(each))
+        for links in relation.options
+        for link in links
+        for side in (link.left, link.right)
+        for each in walk(side)
+    )
+
+
+def _standard_form(factors: Sequence[sp.Poly], symbol: sp.Symbol) -> Relation:
+    """``a k² + b k + c = 0`` of a product of two factors."""
+    a, b, c = (expanded(each) for each in (factors[0] * factors[1]).all_coeffs())
+    letter = Letter(symbol.name)
+    powers = (product(tree_of(a), square(letter)), product(tree_of(b), letter), tree_of(c))
+    return Relation(((Link(total(powers), "=", ZERO),),))

@@ -1,0 +1,348 @@
+"""The range of a letter or of a quantity, as one relation with its ends."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from restitution.explaining.derivation import FLIPPED, Link, Move, Relation, Sign
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Quantity,
+    has_quantity,
+    letters,
+)
+from restitution.planning.inequalities.angles_at_ends import (
+    AngleAtEnds,
+    is_angle_of_motion,
+    write_at_ends,
+)
+from restitution.planning.inequalities.claims import Claims
+from restitution.planning.routes.order import Solver
+from restitution.planning.writing.desk import NotPlannedError
+from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.inequalities import solve_linear, turned, without_signs
+from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.scene import Scene
+from restitution.solving.solution import Answer, ItemResult
+
+
+def write_range(
+    scene: Scene,
+    solver: Solver,
+    asked: Expression,
+    relation: Relation,
+    name: str,
+    shown: bool = False,
+) -> None:
+    """Writes the lines of a range, of which the last says all its ends."""
+    with Claims(scene, solver) as claims:
+        standing = None if shown else claims.standing_of_letter(relation)
+        if standing is not None:
+            line, _ = standing
+            relation = scene.desk.relation(line)
+        elif (earlier := _by_an_earlier_one(scene, solver, relation)) is not None:
+            line = earlier
+        elif not shown and (bounded := _by_a_bound_above(claims, relation)) is not None:
+            line = bounded
+        elif not shown and (solved := _by_an_earlier_bound(claims, relation)) is not None:
+            line = solved
+        elif len(relation.options) > 1:
+            line = claims.write_parts(asked, relation)
+        else:
+            mark = claims.worths.mark()
+            try:
+                line = claims.join_the_rest(claims.write(relation), relation)
+                line = _with_what_holds(claims, line, relation)
+                if not shown:
+                    relation = _by_its_ratio(claims, asked, line, relation)
+            except NotPlannedError:
+                claims.worths.back(mark)
+                line, relation = _at_ends(claims, solver, asked, relation, shown)
+    scene.desk.end(name, line, relation, shown=shown)
+
+
+def _at_ends(
+    claims: Claims, solver: Solver, asked: Expression, relation: Relation, shown: bool
+) -> tuple[int, Relation]:
+    """The range of an angle, or a bound of one that is shown, by what it is at ends of a letter.
+
+    Raises NotPlannedError for what is no such angle.
+    """
+    if shown:
+        return write_at_ends(claims, solver, relation), relation
+    if not isinstance(asked, Quantity) or not is_angle_of_motion(asked):
+        raise NotPlannedError("an inequality")
+    own = AngleAtEnds(claims, solver, asked)
+    for whole, bounds in own.ranges():
+        line = own.bounded(whole, bounds)
+        if line is not None and same(claims, whole, relation):
+            return line, whole
+    raise NotPlannedError("a range of an angle")
+
+
+def same(claims: Claims, own: Relation, other: Relation) -> bool:
+    """Whether two relations have the same ends in other forms."""
+    pairs = list(zip(own.only, other.only, strict=False))
+    if len(own.only) != len(other.only) or any(a.sign != b.sign for a, b in pairs):
+        return False
+    sides = [(a.left, b.left) for a, b in pairs] + [(a.right, b.right) for a, b in pairs]
+    scene = claims.scene
+    return all(
+        a == b or scene.model.identically_zero(scene.scalar(a) - scene.scalar(b)) for a, b in sides
+    )
+
+
+def _by_an_earlier_one(scene: Scene, solver: Solver, relation: Relation) -> int | None:
+    """The line of a range that an item has in letters, with the values put in that they have now.
+
+    None where there is no such item, or it does not come to the range.
+    """
+    desk = scene.desk
+    if len(relation.options) != 1:
+        return None
+    for end in reversed(desk.ends):
+        own = desk.line(end.line).relation
+        if not isinstance(own, Relation) or not _is_range_like(own, relation):
+            continue
+        if own == relation or not desk.holds(end.line):
+            continue
+        standing = solver.mark()
+        line = _with_values(scene, solver, end.line, relation)
+        if line is not None:
+            return line
+        solver.back(standing)
+    return None
+
+
+def _by_a_bound_above(claims: Claims, relation: Relation) -> int | None:
+    """A range of which a line above says one end, and what may be known of letters the other.
+
+    None of another range, and where more is needed.
+    """
+    if len(relation.options) > 1 or len(relation.only) != 2:
+        return None
+    ends = {*relation.only, *map(turned, relation.only)}
+    for line in reversed(claims.scene.desk.lines):
+        own = line.relation
+        if not isinstance(own, Relation) or len(own.options) != 1 or len(own.only) != 1:
+            continue
+        if own.only[0] in ends and claims.scene.desk.holds(line.number):
+            sides = (Binary("-", end.left, end.right) for end in relation.only)
+            names = {name for each in sides for name in letters(each)}
+            pool = (line.number, *claims.judge.known(names))
+            written = claims.judge.write((Move("compare"),), pool, relation)
+            if written is not None:
+                return written
+    return None
+
+
+def _by_an_earlier_bound(claims: Claims, relation: Relation) -> int | None:
+    """A range by a bound of letters that leads to the answer of an item above.
+
+    What these letters have come to since is put into it, and it is solved for the letter that is
+    asked: ``e > 1/k`` with e = ⅖ gives k > 5/2. None where it does not come to the range.
+    """
+    scene, desk = claims.scene, claims.scene.desk
+    if len(relation.options) > 1 or any(each.sign not in FLIPPED for each in relation.only):
+        return None
+    ends = {*relation.only, *map(turned, relation.only)}
+    wanted = next((s for each in ends for s in (each.left, each.right) if letters(s)), None)
+    above = {ref for end in desk.ends if desk.holds(end.line) for ref in desk.under(end.line)}
+    for number in sorted((e for e in above if isinstance(e, int)), reverse=True):
+        own = desk.line(number).relation
+        if not isinstance(own, Relation) or len(own.options) != 1 or len(own.only) != 1:
+            continue
+        (bound,) = own.only
+        names = letters(bound.left) | letters(bound.right)
+        if not isinstance(wanted, Letter) or wanted.name not in names or len(names) < 2:
+            continue
+        if bound.sign not in ("<", "<=", ">", ">=") or has_quantity(bound.left):
+            continue
+        if has_quantity(bound.right) or not desk.holds(number):
+            continue
+        mark, values = claims.worths.mark(), [scene.scalar(e) for e in (bound.left, bound.right)]
+        with suppress(NotPlannedError):
+            claims.solver.determine(values)
+        sides = [scene.put(each) for each in values]
+        refs = [ref for _, own_refs in sides for ref in own_refs]
+        stripped = without_signs(scene, expanded(sides[0][0] - sides[1][0]), bound.sign)
+        solved = None if stripped is None else solve_linear(scene, *stripped, wanted)
+        if not refs or solved not in ends:
+            claims.worths.back(mark)
+            continue
+        put = Link(tree_of(sides[0][0]), bound.sign, tree_of(sides[1][0]))
+        line = claims.judge.write((Move("put"),), (number, *refs), Relation(((put,),)))
+        moves, known = (Move("rearrange"), Move("compare")), claims.judge.known(names)
+        for last in (Relation(((solved,),)), relation) if line is not None else ():
+            line = line and claims.judge.write(moves, (line, *known), last)
+        if line is not None:
+            return line
+        claims.worths.back(mark)
+    return None
+
+
+def _with_values(scene: Scene, solver: Solver, number: int, relation: Relation) -> int | None:
+    """A range as a line has it in letters, with the values of these put in."""
+    same = {side for link in relation.only for side in (link.left, link.right)}
+    ends = [
+        scene.scalar(side)
+        for link in scene.desk.relation(number).only
+        for side in (link.left, link.right)
+        if side not in same and not has_quantity(side)
+    ]
+    try:
+        solver.determine(ends)
+        refs = [ref for each in ends for ref in scene.put(each)[1]]
+    except NotPlannedError:
+        return None
+    return scene.judge.write((Move("put"),), (number, *refs), relation) if refs else None
+
+
+def _is_range_like(own: Relation, relation: Relation) -> bool:
+    """Whether two relations bound the same thing from the same sides."""
+    if len(own.options) != 1 or len(own.only) != len(relation.only):
+        return False
+    if any(each.sign == "=" for each in own.only):
+        return False
+    pairs = list(zip(own.only, relation.only, strict=True))
+    return all(a.sign == b.sign and (a.left == b.left or a.right == b.right) for a, b in pairs)
+
+
+def _with_what_holds(claims: Claims, line: int, relation: Relation) -> int:
+    """A range that is that of a letter anyway, below the given conditions: each always holds."""
+    desk = claims.scene.desk
+    own = desk.line(line)
+    if line != len(desk.lines) or not claims.is_own_range(own.premises):
+        return line
+    desk.lines.pop()
+    conditions = claims.conditions
+    lines = (conditions.holding(each) for each in conditions.inequalities())
+    held = [each for each in lines if each is not None]
+    move = Move("compare") if held else own.move
+    return desk.write(move, (*held, *own.premises), relation)
+
+
+def _by_its_ratio(claims: Claims, asked: Expression, line: int, relation: Relation) -> Relation:
+    """The range of an angle with its ends by the ratio that the line above bounds.
+
+    From ``cos θ ≥ 1/3`` comes ``θ ≤ arccos(1/3)``, and not an inverse tangent.
+    """
+    desk = claims.scene.desk
+    own = desk.line(line)
+    if own.relation != relation:
+        other = own.relation
+        return other if isinstance(other, Relation) and _but_for_arcs(other, relation) else relation
+    for ref in own.premises:
+        match desk.line(ref).relation if isinstance(ref, int) else None:
+            case Relation((links,)):
+                bounds = [each for each in links if each.left == Apply("cos", asked)]
+                bounds += [each for each in links if each.left == Apply("sin", asked)]
+            case _:
+                continue
+        for bound in bounds:
+            ratio = bound.left.function  # type: ignore[union-attr]
+            inverse = Apply(f"arc{ratio}", bound.right)
+            links = tuple(
+                Link(_as(claims, inverse, each.left), each.sign, _as(claims, inverse, each.right))
+                for each in relation.only
+            )
+            if links != relation.only:
+                range_of_ratio = Relation((links,))
+                desk.lines[line - 1] = replace(own, relation=range_of_ratio)
+                return range_of_ratio
+    return relation
+
+
+def _but_for_arcs(own: Relation, relation: Relation) -> bool:
+    """Whether a line says a range with its ends by other inverse ratios."""
+    if len(own.options) != 1 or len(own.only) != len(relation.only):
+        return False
+    pairs = list(zip(own.only, relation.only, strict=True))
+    sides = [pair for a, b in pairs for pair in ((a.left, b.left), (a.right, b.right))]
+    arcs = [(a, b) for a, b in sides if a != b]
+    return all(a.sign == b.sign for a, b in pairs) and all(
+        isinstance(a, Apply) and isinstance(b, Apply) and {a.function, b.function} <= _ARCS
+        for a, b in arcs
+    )
+
+
+_ARCS = {"arcsin", "arccos", "arctan"}
+
+
+def _as(claims: Claims, inverse: Apply, side: Expression) -> Expression:
+    """An end of a range that is an inverse tangent as the other inverse ratio that it is."""
+    if not isinstance(side, Apply) or side.function != "arctan":
+        return side
+    tangent, ratio = (claims.worths.value(each) for each in (side.argument, inverse.argument))
+    hypotenuse = sp.sqrt(1 + tangent**2)
+    own = (1 if inverse.function == "arccos" else tangent) / hypotenuse
+    return inverse if claims.scene.model.identically_zero(own - ratio) else side
+
+
+def relation_of(asked: Expression, result: ItemResult) -> Relation:
+    """The range as a relation: ``a < x <= b``, perhaps with alternatives.
+
+    Raises NotPlannedError for what is no interval, and no union of them.
+    """
+    answer = general_answer(result)
+    if answer is None:
+        raise NotPlannedError("a range in cases")
+    own = answer.value
+    assert not isinstance(own, tuple), "a range is a set"
+    parts = [
+        part
+        for each in (own.args if isinstance(own, sp.Union) else (own,))
+        for part in (map(sp.FiniteSet, each) if isinstance(each, sp.FiniteSet) else (each,))
+    ]
+    if not all(isinstance(part, sp.Interval | sp.FiniteSet) for part in parts):
+        raise NotPlannedError("a range that is no interval")
+    ends = [each.inf for each in parts]
+    if len(parts) > 1 and not all((a < b) in (sp.true, sp.false) for a in ends for b in ends):
+        raise NotPlannedError("a range in pieces whose order rests on letters")
+    ordered = sorted(parts, key=lambda each: each.inf) if len(parts) > 1 else parts
+    return Relation(tuple(_links_of(asked, each, answer.angle) for each in ordered))
+
+
+def general_answer(result: ItemResult) -> Answer | None:
+    """The range, or of several the one from which the others come.
+
+    Its ends have letters, or it is not for a single value of a letter of the data alone. None where
+    there are several such forms.
+    """
+    forms = result.distinct
+    lettered = [each for each in forms if getattr(each.value, "free_symbols", None)]
+    wide = [each for each in forms if any(set(text) & {"<", ">"} for text in each.condition)]
+    own = next((each for each in (forms, lettered, wide) if len(each) == 1), None)
+    return None if own is None else own[0]
+
+
+def _links_of(asked: Expression, own: sp.Interval | sp.FiniteSet, angle: bool) -> tuple[Link, ...]:
+    if isinstance(own, sp.FiniteSet):
+        (value,) = own
+        return (Link(asked, "=", tree_of(value, angle=angle, as_it_is=angle)),)
+    links: list[Link] = []
+    low, high = (_end(each, angle) for each in (own.start, own.end))
+    if low is not None and high is not None:
+        left: Sign = "<" if own.left_open else "<="
+        right: Sign = "<" if own.right_open else "<="
+        return Link(low, left, asked), Link(asked, right, high)
+    if low is not None:
+        links.append(Link(asked, ">" if own.left_open else ">=", low))
+    if high is not None:
+        links.append(Link(asked, "<" if own.right_open else "<=", high))
+    if not links:
+        raise NotPlannedError("a range without ends")
+    return tuple(links)
+
+
+def _end(value: Any, angle: bool) -> Expression | None:
+    if value in (sp.oo, -sp.oo):
+        return None
+    return tree_of(value, angle=angle, as_it_is=angle)

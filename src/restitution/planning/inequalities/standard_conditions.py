@@ -1,0 +1,119 @@
+"""Inequalities in the form that is solved: as a product of sums, or in powers of one letter."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from restitution.components.verdicts import proved_sign
+from restitution.exact import tidy
+from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
+from restitution.expression.tree import Expression, Letter
+from restitution.planning.inequalities.worths import Worths
+from restitution.planning.writing.forms import ZERO, product, square, total, tree_of
+from restitution.planning.writing.polynomials import expanded, factored, one_fraction
+
+_MOVES = (Move("rearrange"), Move("cancel"), Move("compare"))
+
+
+def in_factors(worths: Worths, line: int, known: Sequence[Ref]) -> int:
+    """``(1 − 2e)(2 − e) ≤ 0``: an inequality as a product of sums; the line itself of another.
+
+    What is positive in any case, and is no sum, is left out.
+    """
+    link = worths.scene.desk.last_link(line)
+    gap = factored(one_fraction(worths.value(link.left) - worths.value(link.right)))
+    above, _ = sp.fraction(gap)
+    sums = [each for each in sp.Mul.make_args(above) if each.as_base_exp()[0].is_Add]
+    if len(sums) < 2 or link.right == ZERO or len(expanded(sp.Mul(*sums)).args) == 2:
+        return line  # of the difference of two squares the root is taken
+    sums = [-each if each.is_Add and _begins_below_zero(each) else each for each in sums]
+    rest = proved_sign(worths.scene.model.inside, sp.cancel(gap / sp.Mul(*sums)))
+    if not rest:
+        return line
+    sign = link.sign if rest > 0 else FLIPPED[link.sign]
+    relation = Relation(((Link(product(*map(tree_of, sums)), sign, ZERO),),))
+    written = worths.judge.write(_MOVES, [line, *known], relation)
+    return line if written is None else written
+
+
+def _begins_below_zero(value: sp.Expr) -> bool:
+    number, _ = value.as_coeff_Add()
+    return bool(number.is_negative) if number else value.could_extract_minus_sign()
+
+
+def as_quadratic(
+    worths: Worths,
+    line: int,
+    sign: Sign,
+    x: sp.Expr,
+    wanted: Expression | None,
+    known: Sequence[Ref],
+) -> int:
+    """``x sign 0`` of the second degree: its terms in their order, or its square completed.
+
+    It is one of a letter, or of one ratio of an angle. The line itself where ``x`` is none.
+    """
+    own = _polynomial(expanded(x), wanted)
+    if own is None:
+        return line
+    generator, poly = own
+    stated = worths.scene.desk.last_link(line)
+    if tree_of(generator) in (stated.left, stated.right):
+        return line  # it is solved
+    if poly.degree() != 2 or 0 in poly.all_coeffs():
+        return line
+    sides = _in_order(generator, poly) if poly.LC().is_number else _as_square(generator, poly)
+    if sides is None:
+        return line
+    turned = poly.LC().could_extract_minus_sign()
+    link = Link(sides[0], FLIPPED[sign] if turned else sign, sides[1])
+    written = worths.judge.write(_MOVES, [line, *known], Relation(((link,),)))
+    return line if written is None else written
+
+
+def _polynomial(x: sp.Expr, wanted: Expression | None) -> tuple[sp.Expr, sp.Poly] | None:
+    """Of what ``x`` is a polynomial: of one letter, of the one that is wanted, or of one ratio."""
+    ratios = x.atoms(sp.sin, sp.cos, sp.tan)
+    angles = {each.args[0] for each in ratios}
+    letters = x.free_symbols - {symbol for each in angles for symbol in each.free_symbols}
+    try:
+        if not ratios and len(letters) > 1:
+            own = next((each for each in letters if wanted == Letter(each.name)), None)
+            return None if own is None else (own, sp.Poly(x, own))
+        if letters and not ratios:
+            return (own := letters.pop()), sp.Poly(x, own)
+        if len(ratios) == 1 and not letters:
+            return (own := ratios.pop()), sp.Poly(x, own)
+        if len(angles) != 1 or letters:
+            return None
+        angle = angles.pop()
+        mixed = sp.Poly(x, sp.sin(angle), sp.cos(angle))
+    except sp.PolynomialError:
+        return None
+    if {sum(powers) for powers in mixed.monoms()} != {2}:
+        return None
+    tangent = sp.tan(angle)
+    return tangent, sp.Poly({(n,): c for (n, _), c in mixed.terms()}, tangent)
+
+
+def _in_order(generator: sp.Expr, poly: sp.Poly) -> tuple[Expression, Expression]:
+    """``a t² + b t + c``, in whole numbers as far as there are no roots, and 0."""
+    shares = [tidy(each / poly.LC()) for each in poly.all_coeffs()]
+    below = sp.ilcm(*(each.as_coeff_Mul()[0].q for each in shares))
+    a, b, c = (tree_of(tidy(each * below)) for each in shares)
+    tree = tree_of(generator)
+    return total([product(a, square(tree)), product(b, tree), c]), ZERO
+
+
+def _as_square(generator: sp.Expr, poly: sp.Poly) -> tuple[Expression, Expression] | None:
+    """``e(k + 1)²`` and ``(1 + e)²``; None where what is added to the letter is no number."""
+    a, b, c = poly.all_coeffs()
+    shift = sp.cancel(b / (2 * a))
+    rest = factored(a * shift**2 - c)
+    if not shift.is_number:
+        return None
+    turn = -1 if a.could_extract_minus_sign() else 1
+    left = product(tree_of(turn * a), square(tree_of(generator + shift)))
+    return left, tree_of(factored(turn * rest))

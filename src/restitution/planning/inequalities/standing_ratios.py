@@ -1,0 +1,94 @@
+"""A bound of one quantity by a multiple of another, where their ratio stands in letters already.
+
+From ``loss at the first impact = tan² α × loss at the second`` an inequality between the two losses
+becomes one of tan² α: nothing is worked out again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import FLIPPED, Fact, Link, Move, Ref, Relation
+from restitution.expression.tree import Binary, Expression, Quantity, has_quantity, walk
+from restitution.planning.inequalities.worths import Worths
+from restitution.planning.routes.givens import product_without
+from restitution.planning.writing.forms import ZERO, tree_of
+
+
+def write_by_a_ratio(worths: Worths, fact: Fact, link: Link) -> int | None:
+    """The bound of a ratio that an item above has in letters; None without such an item."""
+    left, right = (_multiple(worths, each) for each in (link.left, link.right))
+    if left is None or right is None:
+        return None
+    (first, a), (second, b) = left, right
+    for line in _ratios(worths):
+        own = worths.scene.desk.last_link(line)
+        match own.left:
+            case Binary("/", Quantity() as above, Quantity() as below) if (
+                {above, below} == {first, second} != {above}
+            ):
+                turned = above == second
+            case _:
+                continue
+        bound = tree_of(tidy(a / b if turned else b / a))
+        sign = FLIPPED[link.sign] if turned else link.sign
+        mark = worths.mark()
+        more = _positive(worths, below)
+        if more is not None:
+            compared = Relation(((Link(own.right, sign, bound),),))
+            pool: tuple[Ref, ...] = (fact.id, line, more)
+            written = worths.judge.write((Move("compare"),), pool, compared)
+            if written is not None:
+                return written
+        worths.back(mark)
+    return None
+
+
+def _positive(worths: Worths, quantity: Quantity) -> int | None:
+    """The line that a quantity is positive, after that of the sums in it; None where it is open."""
+    known = worths.scene.desk.known(quantity)
+    if known is None or not all(isinstance(each, int) for each in known.refs):
+        return None
+    sums = [
+        each
+        for each in sp.Mul.make_args(sp.fraction(sp.sympify(known.value, strict=True))[0])
+        if each.is_Add
+    ]
+    names = {symbol.name for symbol in known.value.free_symbols}
+    pool: list[Ref] = [*known.refs, *worths.judge.known(names)]
+    relation = Relation(((Link(quantity, ">", ZERO),),))
+    line = worths.judge.write((Move("sign"),), pool, relation)
+    for each in sums if line is None else ():
+        own = Relation(((Link(tree_of(each), ">", ZERO),),))
+        letters_ = {symbol.name for symbol in each.free_symbols}
+        more = worths.judge.write((Move("sign"),), worths.judge.known(letters_), own)
+        pool[:0] = [] if more is None else [more]
+    return line or worths.judge.write((Move("compare"),), pool, relation)
+
+
+def _multiple(worths: Worths, side: Expression) -> tuple[Quantity, sp.Expr] | None:
+    """A positive number times one quantity of the motion; None of anything else."""
+    quantities = {node for node in walk(side) if isinstance(node, Quantity)}
+    own = next((each for each in quantities if each.kind in _KINDS), None)
+    factor = None if own is None else product_without(side, own)
+    if own is None or factor is None or has_quantity(factor):
+        return None
+    value = worths.scene.scalar(factor)
+    return (own, value) if value.is_positive and value.is_number else None
+
+
+_KINDS = ("energy_lost", "total_energy_lost", "energy", "speed", "impulse", "time", "distance")
+
+
+def _ratios(worths: Worths) -> Iterator[int]:
+    """The ends of items that give one quantity over another in letters."""
+    desk = worths.scene.desk
+    for end in reversed(desk.ends):
+        relation = desk.relation(end.line) if desk.holds(end.line) else None
+        if relation is not None and len(relation.options) == 1:
+            own = desk.last_link(end.line)
+            if own.sign == "=" and has_quantity(own.left) and not has_quantity(own.right):
+                yield end.line

@@ -1,0 +1,102 @@
+"""Bounds of an angle that may be obtuse: by those of its cosine, which falls as the angle grows."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity, walk
+from restitution.planning.angles.scalar_angles import write_cosine
+from restitution.planning.formulas.named_angles import letter_of
+from restitution.planning.inequalities.comparing import Comparing
+from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.inequalities import turned
+
+
+@dataclass(frozen=True)
+class Cosine:
+    """The line ``cos(β) = …`` of an angle, its letter, and what is known of that."""
+
+    line: int
+    letter: Letter
+    known: tuple[Ref, ...]
+
+    @property
+    def tree(self) -> Expression:
+        """The cosine of the letter."""
+        return Apply("cos", self.letter)
+
+
+def cosine_of(claims: Comparing, angle: Quantity) -> Cosine | None:
+    """The lines of the cosine of an angle between two velocities; None of another one."""
+    claims.worths.determine_angle(angle)
+    line = write_cosine(claims.scene, angle)
+    if line is None:
+        return None
+    letter, meaning = letter_of(claims.scene, angle)
+    return Cosine(line, Letter(letter), (meaning, f"0° <= {letter} <= 180°"))
+
+
+def write_by_cosine(
+    claims: Comparing, quantities: Sequence[Quantity], relation: Relation
+) -> int | None:
+    """The bounds of an angle between velocities, of which one is an obtuse angle.
+
+    The cosine only grows, or only falls, with a letter. None for another angle.
+    """
+    if len(quantities) != 1 or not any(_is_obtuse(claims, each) for each in relation.only):
+        return None
+    (angle,) = quantities
+    mark = claims.worths.mark()
+    own = cosine_of(claims, angle)
+    if own is not None:
+        links = [each if each.left == angle else turned(each) for each in relation.only]
+        ends = [Link(own.tree, FLIPPED[e.sign], _cosine(claims, e.right)) for e in links]
+        # The least angle has the greatest cosine: of two ends the second comes first.
+        ends = [turned(ends[1]), ends[0]] if len(ends) == 2 else ends
+        bounds = claims.monotone(own.line, Relation((tuple(ends),)))
+        if bounds is not None:
+            last = compared_by_cosine(claims, own, bounds, relation)
+            if last is not None:
+                return last
+    claims.worths.back(mark)
+    return None
+
+
+def compared_by_cosine(
+    claims: Comparing, own: Cosine, bounds: int, relation: Relation
+) -> int | None:
+    """Bounds of an angle by those of its cosine: an end that needs it is its inverse cosine."""
+    links = tuple(
+        Link(_plain(claims, link.left), link.sign, _plain(claims, link.right))
+        for link in relation.only
+    )
+    for each in (relation, Relation((links,))):
+        last = claims.judge.write((Move("compare"),), [bounds, *own.known], each)
+        if last is not None:
+            return last
+    return None
+
+
+def _plain(claims: Comparing, side: Expression) -> Expression:
+    """An obtuse angle that is no number of degrees as an inverse cosine; any other side itself."""
+    if isinstance(side, Binary) and any(isinstance(node, Apply) for node in walk(side)):
+        return Apply("arccos", _cosine(claims, side))
+    return side
+
+
+def _is_obtuse(claims: Comparing, link: Link) -> bool:
+    """Whether a bound is an angle of more than 90°."""
+    for side in (link.left, link.right):
+        if not any(isinstance(node, Quantity) for node in walk(side)):
+            value = sp.sympify(claims.scene.scalar(side), strict=True)
+            return bool(value.is_number and value > sp.pi / 2)
+    return False
+
+
+def _cosine(claims: Comparing, bound: Expression) -> Expression:
+    return tree_of(tidy(sp.cos(sp.sympify(claims.scene.scalar(bound), strict=True))))

@@ -1,0 +1,1 @@
+"""Places, times and distances: where a body is, and when."""

@@ -1,0 +1,283 @@
+"""How far two things are apart."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Move, Ref
+from restitution.expression.tree import Apply, AtTime, Expression, Name, Quantity, Unit
+from restitution.planning.formulas.impacts import in_direction
+from restitution.planning.formulas.separations import separation_known
+from restitution.planning.formulas.whereabouts import (
+    are_apart,
+    last_move,
+    standing,
+    tidied,
+    velocity,
+)
+from restitution.planning.journeys.instants import piece, place_then, time_since
+from restitution.planning.journeys.places import coordinate, leg, place, spot, time_of
+from restitution.planning.writing.angle_ratios import range_of
+from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
+from restitution.planning.writing.forms import difference, product, square, swept, total, tree_of
+from restitution.planning.writing.place_trees import (
+    AXES,
+    Axis,
+    coordinate_tree,
+    duration_tree,
+    time_tree,
+)
+from restitution.planning.writing.polynomials import expanded, factored
+from restitution.planning.writing.scene import Scene
+
+
+def distance(scene: Scene, asked: Quantity) -> Source:
+    """A distance by the coordinates of both ends, or by the velocities since they were together."""
+    known = standing(scene, asked)
+    if known is not None:
+        return known
+    if isinstance(asked.stage, AtTime):
+        together_ = _distance_since_contact(scene, asked)
+        if together_ is not None:
+            return together_
+    length = _as_a_path(scene, asked)
+    if length is not None:
+        return length
+    ends = [_end(scene, argument, asked.stage) for argument in asked.arguments]
+    refs = together(*(end.refs for end in ends))
+    (a, b) = (end.value for end in ends)
+    return _write_distance(scene, asked, None, refs, [tidy(x) for x in a], [tidy(x) for x in b])
+
+
+def _write_distance(
+    scene: Scene,
+    asked: Quantity,
+    event: int | None,
+    refs: Sequence[Ref],
+    a: Sequence[sp.Expr],
+    b: Sequence[sp.Expr],
+    times: tuple[Expression, sp.Expr] | None = None,
+) -> Source:
+    gaps = []
+    for x, y in zip(a, b, strict=True):
+        gap = tidy(x - y)
+        if gap == 0:
+            continue
+        if scene.model.sign(gap) < 0:
+            x, y = y, x
+        gaps.append((difference(tree_of(x), tree_of(y)), gap))
+    if not gaps:
+        raise NotPlannedError("a distance that is nothing")
+    if len(gaps) == 1:
+        ((tree, gap),) = gaps
+        value = gap if scene.model.sign(gap) >= 0 else -gap
+    else:
+        tree = Apply("sqrt", total(square(each) for each, _ in gaps))
+        value = sp.sqrt(tidy(expanded(sum(gap**2 for _, gap in gaps))))
+    if times is not None:
+        tree = product(times[0], tree)
+        value = value * times[1]
+    value = sized(scene, tidy(value))
+    move = Move("define", "distance", event)
+    again = times is not None and _at_another_time(scene, asked, event)
+    relation = chain(asked, (swept(tree), None), (tree_of(value), "rearrange"))
+    if again:
+        relation = chain(asked, (tree_of(value), None))
+    signs = together(*(_signs(scene, gap) for _, gap in gaps))
+    premises = scene.judge.enough(move, refs, relation, signs)
+    used = together(refs, signs) if premises is None else premises
+    number = scene.desk.write(move, used, relation, "silent" if again else "line")
+    return scene.desk.know(asked, value, (number,))
+
+
+def _at_another_time(scene: Scene, asked: Quantity, event: int | None) -> bool:
+    """Whether a distance since a contact stands for another time: that of this time is seen."""
+    stands = (
+        scene.desk.relation(line.number).only[0].left
+        for line in scene.desk.lines
+        if line.move == Move("define", "distance", event) and scene.desk.holds(line.number)
+    )
+    return any(
+        isinstance(own, Quantity)
+        and isinstance(own.stage, AtTime)
+        and own.arguments == asked.arguments
+        for own in stands
+    )
+
+
+def sized(scene: Scene, value: sp.Expr) -> sp.Expr:
+    """A value in which sizes are taken with the sign that they have."""
+    return tidy(
+        value.replace(sp.Abs, lambda inside: inside if scene.model.sign(inside) >= 0 else -inside)
+    )
+
+
+def _signs(scene: Scene, gap: sp.Expr) -> tuple[Ref, ...]:
+    """What tells the signs of the letters of a distance: ranges, and times that are positive."""
+    refs = [*ranges(scene, gap), *_orders(scene, gap)]
+    factors = sp.Mul.make_args(factored(gap))
+    for letter in gap.free_symbols.intersection(factors):
+        role = scene.model.unknowns.roles.get(letter.name)
+        if role is None or role.kind != "real":
+            continue
+        for number in range(1, scene.events + 1):
+            trees: tuple[Expression, ...] = (
+                time_tree(number),
+                *(duration_tree(number, n) for n in range(1, number)),
+            )
+            known = (scene.desk.known(tree) for tree in trees)
+            time = next((each for each in known if each is not None), None)
+            if time is not None and not time.value.is_Add and time.value.has(letter):
+                refs += time.refs
+                break
+    return tuple(refs)
+
+
+def _orders(scene: Scene, gap: sp.Expr) -> Iterator[Ref]:
+    """The facts that tell of a difference in a value which of the two is the greater."""
+    factors = [factor for factor in sp.Mul.make_args(factored(gap)) if factor.is_Add]
+    for fact in scene.desk.facts:
+        if fact.kind != "range" or not scene.desk.holds(fact.id) or len(fact.relation.options) > 1:
+            continue
+        for own in fact.relation.only:
+            difference_ = expanded(scene.scalar(own.left) - scene.scalar(own.right))
+            if any(expanded(factor**2 - difference_**2) == 0 for factor in factors):
+                yield fact.id
+
+
+def ranges(scene: Scene, value: sp.Expr) -> tuple[Ref, ...]:
+    """What may be known of the letters of a value that are not plainly positive."""
+    refs: list[Ref] = []
+    for letter in sorted(value.free_symbols, key=lambda each: each.name):
+        role = scene.model.unknowns.roles.get(letter.name)
+        if role is not None and role.kind == "restitution":
+            refs += [f"{letter.name} >= 0", f"{letter.name} <= 1"]
+        elif role is not None and role.kind == "angle":
+            refs.append(range_of(scene, letter.name))
+    return tuple(refs)
+
+
+def _end(scene: Scene, tree: Expression, stage: Any) -> Source:
+    """One end of a distance: a point, or where a body is."""
+    match tree:
+        case Name(name) if f"point {name}" in scene.facts:
+            value = tidied(scene, scene.value(tree))
+            return Source(value, (f"point {name}",))
+        case Name(name):
+            return _end(scene, Quantity("position", (tree,), stage), stage)
+        case Quantity("position", (Name(body),), int(number)):
+            worked_out = any(_is_worked_out(scene, body, number, axis) for axis in AXES)
+            if worked_out or tree in scene.asked_alone:
+                return place(scene, body, number)
+            return spot(scene, body, number)
+        case Quantity("position", (Name(body),), AtTime()):
+            return place_then(scene, tree, body)
+    raise NotPlannedError("the end of a distance")
+
+
+def _as_a_path(scene: Scene, asked: Quantity) -> Source | None:
+    """How far two meet from where one of them was at its last event: that is what it goes.
+
+    None where it does not move along an axis, or where no line follows from that.
+    """
+    for ends in (asked.arguments, asked.arguments[::-1]):
+        match ends:
+            case (
+                Quantity("position", (Name(body),), int(early)),
+                Quantity("position", (Name(other),), int(late)),
+            ) if 0 < early < late:
+                met = {body, other} == set(scene.bodies(late)) == set(scene.spheres(late))
+                if not met or are_apart(scene, late) or last_move(scene, body, late) != early:
+                    return None
+                mark = scene.desk.mark()
+                length = _write_path(scene, asked, (body, other), (early, late))
+                if length is None:
+                    scene.desk.back(mark)
+                return length
+    return None
+
+
+def _write_path(
+    scene: Scene, asked: Quantity, bodies: tuple[str, str], events: tuple[int, int]
+) -> Source | None:
+    """The line of a distance by the speed of the first body and the time between two events."""
+    (body, other), (early, late) = bodies, events
+    pace = {axis: velocity(scene, body, early, axis) for axis in AXES}
+    moving = [axis for axis in AXES if pace[axis].value != 0]
+    begin, time = leg(scene, late)
+    if len(moving) != 1 or begin != early:
+        return None
+    own = pace[moving[0]]
+    speed = own.value if scene.model.sign(own.value) > 0 else -own.value
+    tree = swept(product(tree_of(tidy(speed)), tree_of(time.value)))
+    value = sized(scene, tidy(speed * time.value))
+    relation = chain(asked, (tree, None), (tree_of(value), "rearrange"))
+    ends = ((body, early), (body, late), (other, late))
+    beside = [coordinate(scene, *end, axis) for end in ends for axis in AXES if axis not in moving]
+    move = Move("define", "straight-line", late, (body,))
+    open_ = [e.number for e in scene.desk.lines if e.move == move and scene.desk.holds(e.number)]
+    refs = together(
+        own.refs,
+        time.refs,
+        open_,
+        (f"contact {late}",),
+        spot(scene, body, early).refs,
+        *(each.refs for each in beside),
+        ranges(scene, value),
+    )
+    move = Move("define", "distance")
+    # A line that says the place is cited rather than the wall.
+    premises = scene.judge.needed(move, (*refs, f"contact {early}"), relation)
+    if premises is None:
+        return None
+    number = scene.desk.write(move, premises, relation)
+    return scene.desk.know(asked, value, (number,))
+
+
+def _is_worked_out(scene: Scene, body: str, number: int, axis: Axis) -> bool:
+    """Whether a coordinate stands in a letter that has a value by now."""
+    known = scene.desk.known(coordinate_tree(body, number, axis))
+    return known is not None and scene.put(known.value)[0] != known.value
+
+
+def _distance_since_contact(scene: Scene, asked: Quantity) -> Source | None:
+    """How far apart two bodies are that met last, by their relative velocity and the time since.
+
+    None where they met others in between.
+    """
+    assert isinstance(asked.stage, AtTime)
+    names = [argument.name for argument in asked.arguments if isinstance(argument, Name)]
+    pieces = {
+        piece(scene, name, asked.stage.time) for name in names if name in scene.model.story.spheres
+    }
+    if len(names) != 2 or len(pieces) != 1:
+        return None
+    (met,) = pieces
+    if not met or set(scene.bodies(met)) != set(names) or met not in scene.model.frames:
+        return None
+    if are_apart(scene, met):
+        return None
+    frame = scene.frame(met)
+    early = time_of(scene, met)
+    flight, length, more = time_since(scene, asked.stage.time, met, early)
+    names = list(scene.bodies(met))
+    apart = separation_known(scene, frame)
+    across = [in_direction(scene, "across", name, met, frame) for name in names]
+    if apart is None:
+        along = [in_direction(scene, "along", name, met, frame) for name in names]
+    else:
+        along = [Source(sp.Integer(0)), apart]
+    a, b = ([x, y] for x, y in zip(along, across, strict=True))
+    named = [frame.component(each, names[0], met).arguments[-1] for each in ("across", "along")]
+    used = together(
+        more,
+        (f"contact {met}",),
+        () if all(isinstance(each, Unit) for each in named) else frame.refs,
+        *(each.whole for each in (*a, *b)),
+    )
+    values = [[each.value for each in own] for own in (a, b)]
+    return _write_distance(scene, asked, met, used, values[0], values[1], (flight, length))

@@ -1,0 +1,53 @@
+"""Places that are given: at an event, or at a time that is none, as equations for what is open."""
+
+from __future__ import annotations
+
+from restitution.explaining.derivation import Link, Move
+from restitution.expression.tree import AtTime, Name, Quantity, Unit
+from restitution.planning.journeys.instants import place_then
+from restitution.planning.journeys.places import coordinate, coordinate_moved
+from restitution.planning.writing import place_trees
+from restitution.planning.writing.desk import NotPlannedError, chain
+from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.scene import GivenEquation, Scene
+from restitution.vector import Vector
+
+
+def write_given_place(scene: Scene, each: GivenEquation) -> int:
+    """A place that is given at an event, by the coordinate in which something is unknown."""
+    match each.link:
+        case Link(Quantity("position", (Name(body),), AtTime()) as there, "=", right):
+            return _place_then(scene, each, there, body, scene.vector(right))
+        case Link(Quantity("position", (Name(body),), int(stage)), "=", right):
+            place = scene.vector(right)
+        case _:
+            raise NotPlannedError("a relation with places")
+    for axis, given in zip(place_trees.AXES, place, strict=True):
+        own = coordinate(scene, body, stage, axis)
+        if not any(isinstance(ref, int) for ref in own.refs):
+            own = coordinate_moved(scene, body, stage, axis)
+        if not scene.unknown(own.value):
+            continue
+        relation = chain(tree_of(own.value), (tree_of(given), None))
+        premises = scene.judge.enough(Move("put"), (*own.refs, *each.refs), relation)
+        if premises is not None:
+            return scene.desk.write(Move("put"), premises, relation)
+    raise NotPlannedError("a place that is given at an event")
+
+
+def _place_then(
+    scene: Scene, each: GivenEquation, there: Quantity, body: str, place: Vector
+) -> int:
+    """A place that is given at a time that is no event, by the coordinate with least unknowns."""
+    own = place_then(scene, there, body)
+    coordinates = zip(place_trees.AXES, own.value, place, strict=True)
+    for axis, value, given in sorted(coordinates, key=lambda each: len(scene.unknown(each[1]))):
+        if not scene.unknown(value):
+            continue
+        coordinate_then = chain(Quantity("along", (there, Unit(axis))), (tree_of(value), None))
+        line = scene.desk.write(Move("rearrange"), own.refs, coordinate_then, "silent")
+        relation = chain(tree_of(value), (tree_of(given), None))
+        premises = scene.judge.enough(Move("put"), (line, *each.refs), relation)
+        if premises is not None:
+            return scene.desk.write(Move("put"), premises, relation)
+    raise NotPlannedError("a place that is given at a time")

@@ -1,0 +1,118 @@
+"""Times, places and distances that are asked: their last lines."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from restitution.explaining.derivation import Move
+from restitution.expression.tree import AtTime, Binary, Expression, Name, Quantity, Unit
+from restitution.planning.formulas.whereabouts import are_apart, last_move, standing, without_walls
+from restitution.planning.journeys.distances import distance, sized
+from restitution.planning.journeys.instants import piece, place_then
+from restitution.planning.journeys.places import (
+    coordinate,
+    coordinate_moved,
+    flight_time,
+    leg_line,
+    place,
+    time_of,
+)
+from restitution.planning.journeys.steady import time_at_one_pace
+from restitution.planning.writing.desk import NotPlannedError, Source, chain
+from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.scene import Scene
+from restitution.vector import Vector
+
+
+def goals(scene: Scene, asked: Expression) -> list[sp.Expr]:
+    """What has to be known for a time or a place.
+
+    What a wall does to a component follows from the component before it, and is written when the
+    working comes to that wall.
+    """
+    match asked:
+        case Quantity("distance", (Name(a), Name(b)), AtTime(time)) if (
+            {a, b} <= set(scene.model.story.spheres)
+            and (met := piece(scene, a, time)) == piece(scene, b, time)
+            and met
+            and are_apart(scene, met)
+        ):
+            both = [scene.velocity(each, met) for each in (a, b)]
+            return [without_walls(scene, sp.sympify(x, strict=True)) for v in both for x in v]
+    value = scene.value(asked)
+    parts = list(value) if isinstance(value, Vector) else [value]
+    match asked:
+        case Quantity("time", (), int(number)):
+            parts += _on_the_way(scene, number)
+    return [without_walls(scene, sp.sympify(part, strict=True)) for part in parts]
+
+
+def _on_the_way(scene: Scene, number: int) -> list[sp.Expr]:
+    """The velocities by which spheres come to an impact, where their centres are apart then.
+
+    The time of that is known by numbers, and says nothing of the letters that it comes of.
+    """
+    bodies = scene.bodies(number)
+    if not number or len(scene.spheres(number)) != len(bodies) or not are_apart(scene, number):
+        return []
+    own: list[sp.Expr] = []
+    for body in bodies:
+        since = last_move(scene, body, number)
+        own += [*scene.velocity(body, since), *_on_the_way(scene, since)]
+    return own
+
+
+def write(scene: Scene, asked: Expression) -> tuple[int, Any]:
+    """Writes what a time, a place or a distance is; returns the last line, and the value.
+
+    Raises NotPlannedError where there is no plan, and where the data say it already.
+    """
+    match asked:
+        case Quantity("time", (), int(number)):
+            source = time_at_one_pace(scene, number) or time_of(scene, number)
+        case Quantity("along", (Quantity("position", (Name(body),), int(stage)), Unit(axis))):
+            source = coordinate(scene, body, stage, axis)
+            if not any(isinstance(ref, int) for ref in source.refs):
+                source = coordinate_moved(scene, body, stage, axis)
+        case Quantity("position", (Name(body),), int(stage)):
+            source = place(scene, body, stage)
+        case Quantity("position", (Name(body),), AtTime()):
+            source = place_then(scene, asked, body)
+        case Quantity("distance", (_, _)):
+            source = distance(scene, asked)
+        case Binary("-", Quantity("time", (), int(late)), Quantity("time", (), int(early))):
+            source = _duration(scene, asked, late, early)
+        case _:
+            raise NotPlannedError("no plan for a place of that kind")
+    _check(scene, asked, source.value)
+    lines = [ref for ref in source.refs if isinstance(ref, int)]
+    if not lines:
+        raise NotPlannedError("what is asked is given")
+    if len(lines) > 1:
+        relation = chain(asked, (tree_of(source.value), None))
+        lines = [scene.desk.write(Move("put"), source.refs, relation)]
+        scene.desk.know(asked, source.value, lines)
+    return lines[0], source.value
+
+
+def _check(scene: Scene, asked: Expression, value: Any) -> None:
+    """The value has to be that of the story."""
+    own, in_data = scene.value(asked), scene.model.in_data
+    pairs = zip(own, value, strict=True) if isinstance(value, Vector) else [(own, value)]
+    gaps = [sized(scene, in_data(a)) - sized(scene, in_data(b)) for a, b in pairs]
+    if not all(scene.model.identically_zero(gap) for gap in gaps):
+        raise NotPlannedError("another piece of the path than the lines say")
+
+
+def _duration(scene: Scene, asked: Expression, late: int, early: int) -> Source:
+    """The time between two events: of one way, or of several, added up."""
+    tree, value, refs = flight_time(scene, early, late)
+    known = standing(scene, asked)
+    if known is not None:
+        return known
+    premises = tuple(dict.fromkeys((*leg_line(scene, late), *refs)))
+    relation = chain(asked, (tree, None), (tree_of(value), "rearrange"))
+    line = scene.desk.write(Move("put"), premises, relation)
+    return scene.desk.know(asked, value, (line,))

@@ -1,0 +1,759 @@
+"""Where a body is at an event, and when that is.
+
+Between two events a body moves in a straight line at constant speed. A time follows from a
+distance and the component of the velocity in that one direction; a place follows from a time.
+Everything is counted along **i** and **j**.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Polar,
+    Quantity,
+    walk,
+)
+from restitution.planning.closing.shapes import nonzero
+from restitution.planning.formulas.resolving import unit_of
+from restitution.planning.formulas.whereabouts import (
+    axis_for,
+    axis_of_approach,
+    contact_of,
+    hide_place_of_rest,
+    keeps_still,
+    last_move,
+    of_contact,
+    offset_at,
+    part_of,
+    partner_of,
+    rests,
+    source_of,
+    standing,
+    start,
+    tidied,
+    value_of_velocity,
+    velocity,
+)
+from restitution.planning.journeys.aims import striker, write_aim
+from restitution.planning.journeys.encounters import with_the_gap
+from restitution.planning.journeys.rims import Way, time_of_touching, time_on_a_chord
+from restitution.planning.writing.circles import chord_from, chord_to_a_point, circle_of
+from restitution.planning.writing.degrees import angles_in, share_by_degrees
+from restitution.planning.writing.desk import NotPlannedError, Source, chain, link, together
+from restitution.planning.writing.flights import added, divisor_refs, slope, time_quotient
+from restitution.planning.writing.forms import (
+    ONE,
+    difference,
+    product,
+    swept,
+    total,
+    tree_of,
+    vector,
+)
+from restitution.planning.writing.place_trees import (
+    AXES,
+    Axis,
+    coordinate_tree,
+    duration_tree,
+    place_tree,
+    time_tree,
+)
+from restitution.planning.writing.scene import Scene
+from restitution.planning.writing.straight_walls import equation_of_line
+from restitution.planning.writing.unit_vectors import whole_direction
+from restitution.problem import Arrival, Impact
+from restitution.vector import Vector
+
+
+def coordinate(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
+    """A coordinate of a body at an event; written down where it is worked out."""
+    given = coordinate_given(scene, body, stage, axis)
+    return coordinate_moved(scene, body, stage, axis) if given is None else given
+
+
+def coordinate_given(scene: Scene, body: str, stage: int, axis: Axis) -> Source | None:
+    """A coordinate that needs no working: of the data, of a line, or of the other body there."""
+    if stage == 0:
+        fact = scene.facts.get(f"position {body}")
+        if fact is None:
+            raise NotPlannedError(f"the place of {body} at the start is not given")
+        place = scene.value(fact.relation.only[0].right)
+        return source_of(scene, part_of(place, axis), (fact.id,))
+    known = standing(scene, coordinate_tree(body, stage, axis))
+    if known is not None:
+        return known
+    if last_move(scene, body, stage) == 0 and rests(scene, body, stage):
+        # Who rests stays where it is.
+        own = coordinate_given(scene, body, 0, axis)
+        return None if own is None else Source(own.value, together(own.refs, (f"velocity {body}",)))
+    if body not in scene.bodies(stage):
+        return None
+    if "origin" in scene.facts and stage == start(scene)[0]:
+        if body == scene.bodies(stage)[0]:
+            return Source(sp.Integer(0), ("origin",))
+        offset = offset_at(scene, body, stage, axis)
+        return source_of(scene, offset, (f"contact {stage}", "origin"))
+    given = of_contact(scene, body, stage, axis)
+    if given is not None:
+        return given
+    other = partner_of(scene, body, stage)
+    if circle_of(scene, stage) is not None:
+        return None  # how far apart they are does not tell in which direction
+    if other is None or not any(True for _ in contact_of(scene, stage)):
+        return None
+    theirs = standing(scene, coordinate_tree(other, stage, axis))
+    if theirs is None and rests(scene, other, stage):
+        theirs = coordinate_moved(scene, other, stage, axis)
+    if theirs is None:
+        return None
+    gap, refs = scene.put(offset_at(scene, body, stage, axis))
+    return Source(tidy(theirs.value + gap), together((f"contact {stage}",), theirs.refs, refs))
+
+
+def coordinate_moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
+    """A coordinate by the time since the last event of a body."""
+    if rests(scene, body, stage) or _open_line(scene, body, stage) is not None:
+        place = place_moved(scene, body, stage)
+        return Source(part_of(place.value, axis), place.refs)
+    since = last_move(scene, body, stage)
+    if not keeps_still(scene, body, since, axis):
+        known = _by_the_other(scene, body, stage, axis)
+        if known is not None:
+            return known
+        leg(scene, stage)
+    near = _nearest(scene, body, since, stage, axis)
+    pace = velocity(scene, body, since, axis)
+    earlier: tuple[Ref, ...] = ()
+    if near == since:
+        near, earlier = _steady_since(scene, body, since, axis)
+    first = coordinate(scene, body, near, axis)
+    refs = [*first.refs, *pace.refs, *earlier]
+    tree: Expression = tree_of(first.value)
+    value = first.value
+    if pace.value != 0:
+        flight, length, used = flight_time(scene, near, stage)
+        refs += used
+        distance = swept(product(tree_of(pace.value), flight))
+        if first.value == 0 and sp.Integer(1) in (pace.value, length) and length.is_number:
+            # Of speed and time a reader looks for both, also where one of them is 1.
+            distance = Binary("*", tree_of(pace.value), tree_of(length))
+        tree = distance if first.value == 0 else swept(total((tree, distance)))
+        value = tidy(first.value + pace.value * length)
+    quantity = coordinate_tree(body, stage, axis)
+    number = scene.desk.write(
+        Move("define", "straight-line", stage, (body,)),
+        refs,
+        chain(quantity, (tree, None), (tree_of(value), "rearrange")),
+    )
+    return scene.desk.know(quantity, value, (number,))
+
+
+def _steady_since(scene: Scene, body: str, since: int, axis: Axis) -> tuple[int, tuple[Ref, ...]]:
+    """The event at which a body was in a known place, and since which a component is the same.
+
+    With it what tells of the component from then on. It is ``since`` itself where something
+    changed the component after that event.
+    """
+    pace = velocity(scene, body, since, axis).value
+    stage = since
+    refs: list[Ref] = []
+    while stage and pace != 0 and coordinate_given(scene, body, stage, axis) is None:
+        stage = last_move(scene, body, stage)
+        own = velocity(scene, body, stage, axis)
+        if circle_of(scene, stage) is not None or own.value != pace:
+            return since, ()
+        refs += own.refs
+    return stage, tuple(refs)
+
+
+def _by_the_other(scene: Scene, body: str, stage: int, axis: Axis) -> Source | None:
+    """A coordinate by how far a body goes in the other direction, without the time.
+
+    None where the time stands, or is wanted and can be told.
+    """
+    since = last_move(scene, body, stage)
+    other: Axis = "j" if axis == "i" else "i"
+    if len(scene.spheres(stage)) > 1 or body not in scene.bodies(stage) or stage == since:
+        return None
+    if circle_of(scene, stage) is not None or axis_for(scene, body, stage) != other:
+        return None
+    if since and circle_of(scene, since) is not None:
+        return None
+    stands: list[Expression] = [duration_tree(stage, each) for each in range(stage)]
+    if any(scene.desk.known(each) is not None for each in (*stands, time_tree(stage))):
+        return None
+    beside = value_of_velocity(scene, body, since, other)
+    if scene.speaks_of_times and not scene.unknown(beside):
+        return None
+    start_, end = (coordinate(scene, body, each, other) for each in (since, stage))
+    first = coordinate(scene, body, since, axis)
+    pace, over = velocity(scene, body, since, axis), velocity(scene, body, since, other)
+    distance = tidy(end.value - start_.value)
+    value = tidy(first.value + distance * pace.value / over.value)
+    one, two = (_by_degrees(scene, body, since, each) for each in (axis, other))
+    shares = None if one is None or two is None else (one, two)
+    slope_ = slope(scene, end.value, start_.value, pace.value, over.value, shares)
+    quantity = coordinate_tree(body, stage, axis)
+    number = scene.desk.write(
+        Move("define", "straight-line", stage, (body,)),
+        together(
+            *(each.refs for each in (start_, end, first, pace, over)),
+            divisor_refs(scene, distance, over.value),
+        ),
+        chain(
+            quantity,
+            (swept(total((tree_of(first.value), slope_))), None),
+            (tree_of(value), "rearrange"),
+        ),
+    )
+    return scene.desk.know(quantity, value, (number,))
+
+
+def place_moved(scene: Scene, body: str, stage: int) -> Source:
+    """A place by the velocity since the last event of a body, as a vector."""
+    quantity = place_tree(body, stage)
+    known = standing(scene, quantity)
+    if known is not None:
+        return known
+    since = last_move(scene, body, stage)
+    if not rests(scene, body, stage):
+        leg(scene, stage)
+    open_ = _open_line(scene, body, stage)
+    if open_ is not None:
+        _, time = leg(scene, stage)
+        value = tidied(scene, scene.value(quantity))
+        number = scene.desk.write(
+            Move("put"), (open_, *time.refs), chain(quantity, (tree_of(value), None))
+        )
+        return _know_place(scene, body, stage, value, number)
+    near = _nearest(scene, body, since, stage)
+    first, pace = spot(scene, body, near), velocity_then(scene, body, since)
+    refs = together(first.refs, pace.refs)
+    tree: Expression = tree_of(first.value)
+    value = first.value
+    if tuple(pace.value) != (0, 0):
+        flight, length, used = flight_time(scene, near, stage)
+        refs = together(refs, used)
+        tree = added(first.value, flight, pace.value)
+        value = Vector(
+            *(tidy(a + b * length) for a, b in zip(first.value, pace.value, strict=True))
+        )
+    number = write_place(
+        scene, Move("define", "straight-line", stage, (body,)), quantity, refs, tree, value
+    )
+    hide_place_of_rest(scene, body, since, number)
+    return _know_place(scene, body, stage, value, number)
+
+
+def write_place(
+    scene: Scene,
+    move: Move,
+    quantity: Expression,
+    refs: Sequence[Ref],
+    tree: Expression,
+    value: Vector,
+) -> int:
+    """Writes a place, and what it comes to in a line below; returns the number of the last."""
+    own = tree_of(value)
+    number = scene.desk.write(move, refs, chain(quantity, (tree, None)))
+    if own != tree:
+        number = scene.desk.write(Move("rearrange"), (number,), chain(quantity, (own, None)))
+    return number
+
+
+def _know_place(scene: Scene, body: str, stage: int, value: Vector, number: int) -> Source:
+    for axis, each in zip(AXES, value, strict=True):
+        scene.desk.know(coordinate_tree(body, stage, axis), each, (number,))
+    return scene.desk.know(place_tree(body, stage), value, (number,))
+
+
+def write_touch(scene: Scene, body: str, number: int) -> None:
+    """Where a body is when it touches another one that rests, where their centres are apart."""
+    other = partner_of(scene, body, number)
+    own = next(contact_of(scene, number), None)
+    if other is None or own is None or scene.desk.known(place_tree(body, number)) is not None:
+        return
+    gap = Vector(*(offset_at(scene, body, number, axis) for axis in AXES))
+    if not any(gap) or own.left != place_tree(body, number):
+        return
+    theirs = spot(scene, other, number)
+    assert isinstance(own.right, Binary)
+    apart, refs = scene.put(gap)
+    between = _both_radii(scene, own.right.right, apart)
+    value = tidied(scene, theirs.value + apart)
+    line = scene.desk.write(
+        Move("fact"),
+        together((f"contact {number}",), theirs.refs, refs),
+        chain(
+            place_tree(body, number),
+            (swept(Binary(own.right.op, tree_of(theirs.value), between)), None),
+            (tree_of(value), "rearrange"),
+        ),
+    )
+    _know_place(scene, body, number, value, line)
+
+
+def _both_radii(scene: Scene, between: Expression, apart: Vector) -> Expression:
+    """The way from one centre to another that it touches: two radii times a unit vector."""
+    match between:
+        case Binary("*", both, unit):
+            size, _ = scene.put(scene.scalar(both))
+            direction = scene.vector(unit)
+            whole, length = whole_direction(direction)
+            tree = vector(*map(tree_of, whole))
+            return product(
+                tree_of(size), tree if length == 1 else Binary("/", tree, tree_of(length))
+            )
+    return tree_of(apart)
+
+
+def spot(scene: Scene, body: str, stage: int) -> Source:
+    """A place by its coordinates, without a line of its own."""
+    known = standing(scene, place_tree(body, stage))
+    if known is not None:
+        return known
+    if stage and all(coordinate_given(scene, body, stage, axis) is None for axis in AXES):
+        return place_moved(scene, body, stage)
+    x, y = (coordinate(scene, body, stage, axis) for axis in AXES)
+    return Source(Vector(x.value, y.value), together(x.refs, y.refs))
+
+
+def place(scene: Scene, body: str, stage: int) -> Source:
+    """A place by its coordinates, where one of them is given; else by a vector."""
+    quantity = place_tree(body, stage)
+    known = standing(scene, quantity)
+    if known is not None:
+        return known
+    if all(coordinate_given(scene, body, stage, axis) is None for axis in AXES):
+        if not rests(scene, body, stage):
+            leg(scene, stage)
+        along, beside = (_with_its_time(scene, body, stage, axis) for axis in AXES)
+        if not (along or beside):
+            return place_moved(scene, body, stage)
+    parts = [_worked_out(scene, body, stage, axis) for axis in AXES]
+    value = Vector(*(part.value for part in parts))
+    number = scene.desk.write(
+        Move("define", "assemble", stage or None, (body,)),
+        together(*(part.refs for part in parts)),
+        chain(quantity, (tree_of(value), None)),
+    )
+    return scene.desk.know(quantity, value, (number,))
+
+
+def _worked_out(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
+    """A coordinate; if letters in its line have been found since, by a line with these put in."""
+    own = coordinate(scene, body, stage, axis)
+    tree = coordinate_tree(body, stage, axis)
+    known = scene.desk.known(tree)
+    if known is None or own.value == known.value or known.value.is_Symbol:
+        return own
+    relation = chain(tree, (tree_of(own.value), None))
+    line = scene.judge.write((Move("put"),), (*known.refs, *own.refs), relation)
+    return own if line is None else scene.desk.know(tree, own.value, (line,))
+
+
+def velocity_then(scene: Scene, body: str, stage: int) -> Source:
+    """A velocity as a vector, by its components along **i** and **j**."""
+    x, y = (velocity(scene, body, stage, axis) for axis in AXES)
+    return Source(Vector(x.value, y.value), together(x.refs, y.refs))
+
+
+def _open_line(scene: Scene, body: str, stage: int) -> int | None:
+    """The line that says where a body is by a time that is not yet known."""
+    for line in scene.desk.lines:
+        if line.move == Move("define", "straight-line", stage, (body,)) and scene.desk.holds(
+            line.number
+        ):
+            (own, *_) = scene.desk.relation(line.number).only
+            if own.left == place_tree(body, stage) and time_tree(stage) in set(walk(own.right)):
+                return line.number
+    return None
+
+
+def _with_its_time(scene: Scene, body: str, stage: int, axis: Axis) -> bool:
+    """Puts its time into a coordinate that a line has by that, which was open; whether one has."""
+    quantity = coordinate_tree(body, stage, axis)
+    move = Move("define", "straight-line", stage, (body,))
+    open_ = [
+        line.number
+        for line in scene.desk.lines
+        if line.move == move
+        and scene.desk.holds(line.number)
+        and scene.desk.relation(line.number).only[0].left == quantity
+    ]
+    if not open_:
+        return False
+    begin, time = leg(scene, stage)
+    flight, length = _since(scene, stage, begin), tree_of(time.value)
+    right = scene.desk.relation(open_[0]).only[0].right
+    put = swept(rebuilt(right, lambda each: length if each == flight else each))
+    value = part_of(tidied(scene, scene.value(place_tree(body, stage))), axis)
+    relation = chain(quantity, (put, None), (tree_of(value), "rearrange"))
+    number = scene.judge.write((Move("put"),), (open_[0], *time.refs), relation)
+    if number is not None:
+        scene.desk.know(quantity, value, (number,))
+    return number is not None
+
+
+def _nearest(scene: Scene, body: str, since: int, stage: int, axis: Axis | None = None) -> int:
+    """The last event before another at which a line says where a body is; else its own last one."""
+    near = stage - 1
+    tree = place_tree(body, near) if axis is None else coordinate_tree(body, near, axis)
+    return near if near > since and scene.desk.known(tree) is not None else since
+
+
+# --- times -----------------------------------------------------------------------------------
+
+
+def time_of(scene: Scene, number: int) -> Source:
+    """The time of an event; written down where it is worked out, as a sum of the ways to it."""
+    first, refs = start(scene)
+    if number == first:
+        return Source(sp.Integer(0), refs)
+    known = standing(scene, time_tree(number))
+    if known is not None:
+        return known
+    legs = _legs(scene, number)
+    if len(legs) == 1:
+        return legs[number]
+    for each in sorted(legs)[-2:0:-1]:
+        # A time that stands is not added up once more.
+        early = standing(scene, time_tree(each))
+        if early is not None:
+            legs = {each: early} | {end: own for end, own in legs.items() if end > each}
+            break
+    value = tidy(sum(each.value for each in legs.values()))
+    terms = [tree_of(legs[each].value) for each in sorted(legs)]
+    line = scene.desk.write(
+        Move("put"),
+        (*leg_line(scene, number), *(ref for each in legs.values() for ref in each.refs)),
+        chain(time_tree(number), (swept(total(terms)), None), (tree_of(value), "rearrange")),
+    )
+    return scene.desk.know(time_tree(number), value, (line,))
+
+
+def flight_time(
+    scene: Scene, since: int, stage: int
+) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
+    """The time between two events by the ways in between: a tree, its value, what it rests on."""
+    first, begin = start(scene)
+    if since != first:
+        before, own = leg(scene, stage)
+        if before == since:
+            return tree_of(own.value), own.value, own.refs
+    known = standing(scene, time_tree(stage)) if since == first else None
+    if known is not None:
+        return tree_of(known.value), known.value, together(begin, known.refs)
+    late, early = _legs(scene, stage), _legs(scene, since)
+    more = [late[each] for each in sorted(late.keys() - early.keys())]
+    less = [early[each] for each in sorted(early.keys() - late.keys())]
+    tree = difference(
+        total(tree_of(each.value) for each in more), total(tree_of(each.value) for each in less)
+    )
+    value = tidy(sum(each.value for each in more) - sum(each.value for each in less))
+    refs = begin if since == first else ()
+    return tree, value, together(refs, *(each.refs for each in (*more, *less)))
+
+
+def _legs(scene: Scene, number: int) -> dict[int, Source]:
+    """The ways on which the time to an event goes by, each by the event at its end."""
+    first, _ = start(scene)
+    sources: dict[int, Source] = {}
+    if number > first:
+        # The ways are written in the order of the story.
+        since = last_move(scene, scene.bodies(number)[0], number)
+        if since > first:
+            _legs(scene, since)
+    while number != first:
+        begin, own = leg(scene, number)
+        sources[number] = own
+        number = begin
+    return sources
+
+
+def leg(scene: Scene, number: int) -> tuple[int, Source]:
+    """The event at which the last way to an event begins, and how long that takes.
+
+    It is written down where it is worked out.
+    """
+    first, refs = start(scene)
+    if number == first:
+        return first, Source(sp.Integer(0), refs)
+    for begin in range(number - 1, first, -1):
+        known = standing(scene, duration_tree(number, begin))
+        if known is not None:
+            return begin, known
+    known = standing(scene, time_tree(number))
+    if known is not None:
+        return first, known
+    if number < first:
+        raise NotPlannedError("a time before the clock starts")
+    if number == 0:
+        raise NotPlannedError("the start has no time")
+    step = scene.model.happening(number).step
+    if isinstance(step, Impact) and step.second in scene.model.story.spheres:
+        return _leg_of_meeting(scene, number, step)
+    if not isinstance(step, Impact | Arrival):
+        raise NotPlannedError("the time of a blow")
+    body = scene.bodies(number)[0]
+    axis = axis_for(scene, body, number)
+    if circle_of(scene, number) is not None:
+        return _leg_to_circle(scene, body, number)
+    if chord_to_a_point(scene, body, number) is not None:
+        since = last_move(scene, body, number)
+        return since, time_on_a_chord(scene, body, number, since, _since(scene, number, since))
+    if axis is None:
+        return _leg_to_slanted(scene, body, number)
+    return leg_along(scene, body, number, axis)
+
+
+def leg_line(scene: Scene, number: int) -> tuple[Ref, ...]:
+    """The line of the last way to an event, from which a sum of times starts."""
+    begin, _ = leg(scene, number)
+    known = scene.desk.known(_since(scene, number, begin))
+    return () if known is None else known.refs
+
+
+def _since(scene: Scene, number: int, begin: int) -> Expression:
+    """The time from one event to another, as lines write it: from the start, the time itself."""
+    first, _ = start(scene)
+    return time_tree(number) if begin == first else duration_tree(number, begin)
+
+
+def _begin(scene: Scene, begin: int) -> tuple[Ref, ...]:
+    """What tells when a way begins, where that is the start."""
+    first, refs = start(scene)
+    if begin < first:
+        raise NotPlannedError("a time before the clock starts")
+    return refs if begin == first else ()
+
+
+def leg_along(scene: Scene, body: str, number: int, axis: Axis) -> tuple[int, Source]:
+    """The time of a way by a distance and a speed in one direction."""
+    since = last_move(scene, body, number)
+    refs = _begin(scene, since)
+    first, last = coordinate(scene, body, since, axis), coordinate(scene, body, number, axis)
+    return since, _flight(scene, number, body, (first, last), since, axis, refs)
+
+
+def _flight(
+    scene: Scene,
+    number: int,
+    body: str,
+    ends: tuple[Source, Source],
+    since: int,
+    axis: Axis,
+    begin: tuple[Ref, ...],
+    end: Expression | None = None,
+) -> Source:
+    first, last = ends
+    pace = velocity(scene, body, since, axis)
+    tree = time_quotient(
+        scene, last.value, first.value, pace.value, _by_degrees(scene, body, since, axis), end
+    )
+    value = tidy((last.value - first.value) / pace.value)
+    refs = together(
+        first.refs,
+        last.refs,
+        pace.refs,
+        begin,
+        divisor_refs(scene, tidy(last.value - first.value), pace.value),
+    )
+    quantity = _since(scene, number, since)
+    relation = chain(quantity, (swept(tree), None), (tree_of(value), "rearrange"))
+    if value.is_number and abs(pace.value) == 1:
+        # What is divided by 1 is still seen to be divided.
+        tree = Binary("/", swept(tree), ONE)
+        relation = Relation(((link(quantity, tree), link(tree, tree_of(value), by="rearrange")),))
+    line = scene.desk.write(Move("define", "straight-line", number, (body,)), refs, relation)
+    return scene.desk.know(quantity, value, (line,))
+
+
+def _by_degrees(scene: Scene, body: str, since: int, axis: Axis) -> Expression | None:
+    """The size of a component at the start by an angle in degrees; None without one."""
+    velocity_ = scene.facts.get(f"velocity {body}")
+    if since or velocity_ is None:
+        return None
+    right = velocity_.relation.only[0].right
+    if not isinstance(right, Polar):
+        return None
+    size = scene.scalar(right.size)
+    ratio = tidy(scene.initial(body).value.dot(unit_of(axis)) / size)
+    for function in ("cos", "sin") if axis == "i" else ("sin", "cos"):
+        share = share_by_degrees(ratio, function)
+        if share is not None and set(walk(share)) & angles_in(right):
+            return product(tree_of(size), share)
+    return None
+
+
+def _leg_to_circle(scene: Scene, body: str, number: int) -> tuple[int, Source]:
+    """The time to a circular wall, from another point of it or from beside it."""
+    since = last_move(scene, body, number)
+    refs = _begin(scene, since)
+    if chord_from(scene, body, number) is not None:
+        return since, time_on_a_chord(scene, body, number, since, _since(scene, number, since))
+    early = time_of(scene, since) if since != start(scene)[0] else Source(sp.Integer(0), refs)
+    first, pace = spot(scene, body, since), velocity_then(scene, body, since)
+    return start(scene)[0], time_of_touching(scene, number, [Way(body, first, pace, early)])
+
+
+def _leg_to_slanted(scene: Scene, body: str, number: int) -> tuple[int, Source]:
+    """The time to a wall that is not along an axis: the coordinates by the time, on its line."""
+    match next(contact_of(scene, number), None):
+        case Link(Quantity("dot", (Binary("-", _, through), normal)), "=", _):
+            place, axis = tidied(scene, scene.value(through)), tidied(scene, scene.value(normal))
+        case _:
+            raise NotPlannedError("the time to a wall whose place is not given")
+    since = last_move(scene, body, number)
+    begin = _begin(scene, since)
+    first, pace = spot(scene, body, since), velocity_then(scene, body, since)
+    flight = _since(scene, number, since)
+    open_ = scene.desk.write(
+        Move("define", "straight-line", number, (body,)),
+        together(first.refs, pace.refs, begin),
+        chain(place_tree(body, number), (added(first.value, flight, pace.value), None)),
+    )
+    there = [
+        total((tree_of(a), product(tree_of(v), flight)))
+        for a, v in zip(first.value, pace.value, strict=True)
+    ]
+    fact = scene.desk.write(
+        Move("fact"),
+        (f"contact {number}", open_),
+        Relation(((equation_of_line(axis, place, there),),)),
+    )
+    closing = tidy(pace.value.dot(axis))
+    value = tidy((place - first.value).dot(axis) / closing)
+    line = scene.desk.write(
+        Move("rearrange"), (fact, *nonzero(scene, closing)), chain(flight, (tree_of(value), None))
+    )
+    return since, scene.desk.know(flight, value, (line,))
+
+
+def _leg_of_meeting(scene: Scene, number: int, step: Impact) -> tuple[int, Source]:
+    """The time to where two spheres meet, from the one direction in which they approach."""
+    if not any(True for _ in contact_of(scene, number)):
+        raise NotPlannedError("where spheres with radii touch")
+    aimed = striker(scene, number)
+    if aimed is not None:
+        write_aim(scene, number)
+        pace = scene.velocity(aimed, last_move(scene, aimed, number))
+        return leg_along(scene, aimed, number, "i" if pace.x != 0 else "j")
+    if circle_of(scene, number) is not None:
+        ways = [_way(scene, each, number) for each in scene.bodies(number)]
+        return start(scene)[0], time_of_touching(scene, number, ways)
+    for body, other in ((step.first, step.second), (step.second, step.first)):
+        if rests(scene, other, number):
+            return _leg_to_resting(scene, number, body, other)
+    return _leg_of_two(scene, number, step.first, step.second)
+
+
+def _way(scene: Scene, body: str, number: int) -> Way:
+    """How a body comes to an event."""
+    since = last_move(scene, body, number)
+    first, pace = spot(scene, body, since), velocity_then(scene, body, since)
+    early = None if rests(scene, body, number) else time_of(scene, since)
+    return Way(body, first, pace, early)
+
+
+def _leg_to_resting(scene: Scene, number: int, body: str, other: str) -> tuple[int, Source]:
+    since = last_move(scene, body, number)
+    begin = _begin(scene, since)
+    axis = axis_of_approach(scene, number, body, other)
+    first, last = coordinate(scene, body, since, axis), coordinate(scene, body, number, axis)
+    theirs = tree_of(tidy(last.value - offset_at(scene, body, number, axis)))
+    end = with_the_gap(scene, body, number, axis, theirs)
+    return since, _flight(scene, number, body, (first, last), since, axis, begin, end)
+
+
+def _leg_of_two(scene: Scene, number: int, body: str, other: str) -> tuple[int, Source]:
+    """The one's coordinate with the time as unknown; the other comes to the same place then.
+
+    The time is counted from the later of their last events, at which the other one has a place
+    too; where others met in between, from the start.
+    """
+    axis = axis_of_approach(scene, number, body, other)
+    first, _ = start(scene)
+    last = {each: last_move(scene, each, number) for each in (body, other)}
+    begin = max(last.values())
+    if begin != number - 1 and set(last.values()) != {begin}:
+        begin = first
+    begins = _begin(scene, begin)
+    flight = _since(scene, number, begin)
+
+    def there(each: str) -> tuple[Expression, sp.Expr, Source, tuple[Ref, ...]]:
+        """A coordinate in the time as unknown, its part without that, the speed, what it needs."""
+        pace = velocity(scene, each, last[each], axis)
+        near = begin if begin >= last[each] else last[each]
+        if near > last[each]:
+            spot(scene, each, near)
+        place = coordinate(scene, each, near, axis)
+        if near == begin:
+            duration, constant, refs = flight, place.value, begins
+        else:
+            early = time_of(scene, near)
+            duration = difference(flight, tree_of(early.value))
+            constant, refs = place.value - pace.value * early.value, early.refs
+        tree = swept(total((tree_of(place.value), product(tree_of(pace.value), duration))))
+        return tree, constant, pace, together(place.refs, pace.refs, refs)
+
+    own, own_start, pace, refs = there(body)
+    line = scene.desk.write(
+        Move("define", "straight-line", number, (body,)),
+        refs,
+        chain(coordinate_tree(body, number, axis), (own, None)),
+    )
+    if velocity(scene, other, last[other], axis).value == 0:
+        end = coordinate_moved(scene, other, number, axis)
+        theirs, their_start, their_pace, used = (
+            tree_of(end.value),
+            end.value,
+            sp.Integer(0),
+            end.refs,
+        )
+    else:
+        theirs, their_start, moving, refs = there(other)
+        their_pace = moving.value
+        open_ = scene.desk.write(
+            Move("define", "straight-line", number, (other,)),
+            refs,
+            chain(coordinate_tree(other, number, axis), (theirs, None)),
+        )
+        used = (open_,)
+    gap = tidy(offset_at(scene, body, number, axis))
+    theirs, their_start = with_the_gap(scene, body, number, axis, theirs), their_start + gap
+    left, right = (theirs, own) if own == flight else (own, theirs)
+    met = scene.desk.write(
+        Move("fact"), together((f"contact {number}", line), used), chain(left, (right, None))
+    )
+    closing = tidy(pace.value - their_pace)
+    apart = tidy(their_start - own_start)
+    value = tidy(apart / closing)
+    if their_pace != 0:
+        met = _collected(scene, met, closing, flight, apart)
+    line = scene.desk.write(
+        Move("rearrange"),
+        (met, *nonzero(scene, closing)),
+        chain(flight, (tree_of(value), None)),
+    )
+    return begin, scene.desk.know(flight, value, (line,))
+
+
+def _collected(scene: Scene, met: int, closing: sp.Expr, flight: Expression, apart: sp.Expr) -> int:
+    """When two meet, with the terms of the time on one side, where its factor is a sum."""
+    above = sp.fraction(sp.factor(closing))[0]
+    if not any(each.is_Add and each.free_symbols for each in sp.Mul.make_args(above)):
+        return met
+    if scene.model.sign(closing) < 0:
+        closing, apart = tidy(-closing), tidy(-apart)
+    left = product(tree_of(tidy(sp.factor(closing))), flight)
+    relation = chain(left, (tree_of(apart), None))
+    return scene.judge.write((Move("rearrange"),), [met], relation) or met

@@ -1,0 +1,230 @@
+"""When a body touches a circular wall, or another body: along a chord, or from beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.expression.tree import Apply, Binary, Expression, Name, Negate, Polar, Quantity
+from restitution.planning.formulas.impacts import after, in_direction
+from restitution.planning.writing.circles import chord_from, circle_of, from_centre
+from restitution.planning.writing.desk import NotPlannedError, Source, chain, link, together
+from restitution.planning.writing.flights import added
+from restitution.planning.writing.forms import difference, product, square, swept, total, tree_of
+from restitution.planning.writing.place_trees import place_tree, time_tree
+from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import Scene
+from restitution.vector import Vector
+
+
+def time_on_a_chord(scene: Scene, body: str, number: int, since: int, flight: Expression) -> Source:
+    """The time from one point of a circular wall to the next: the chord over the speed.
+
+    It is written as the value of ``flight``.
+    """
+    again = _as_before(scene, body, number, since, flight) if since else None
+    if again is not None:
+        return again
+    begin: tuple[Ref, ...] = () if since else ("start",)
+    speed = _speed_on_a_chord(scene, body, since)
+    length = _chord(scene, body, number, since, speed)
+    value = tidy(length.value / speed.value)
+    line = scene.desk.write(
+        Move("define", "chord", number, (body,)),
+        together(length.refs, speed.refs, begin),
+        chain(
+            flight,
+            (swept(Binary("/", tree_of(length.value), tree_of(speed.value))), None),
+            (tree_of(value), "rearrange"),
+        ),
+    )
+    return scene.desk.know(flight, value, (line,))
+
+
+def _as_before(
+    scene: Scene, body: str, number: int, since: int, flight: Expression
+) -> Source | None:
+    """The time on a chord as that on the one before, where both components keep their sizes.
+
+    None where they do not, or no line gives that time.
+    """
+    before = chord_from(scene, body, since)
+    earlier: Expression = time_tree(since)
+    if before:
+        earlier = difference(earlier, time_tree(before))
+    known = scene.desk.known(earlier)
+    if before is None or known is None:
+        return None
+    frame = scene.frame(since)
+    sources: list[Source] = []
+    for kind in ("along", "across"):
+        component = scene.desk.known(frame.component(kind, body, before))
+        late = after(scene, kind, body, frame)
+        if component is None or tidy(_put(scene, component) ** 2 - _put(scene, late) ** 2) != 0:
+            return None
+        sources += [component, late]
+    relation = chain(flight, (earlier, None), (tree_of(known.value), "put"))
+    pool = together(
+        ("start", f"position {body}", f"contact {since}", f"contact {number}"),
+        (f"contact {before}",) if before else (),
+        *(together(each.whole, scene.put(each.value)[1]) for each in sources),
+        background(scene, {s.name for each in sources for s in each.value.free_symbols}),
+        known.refs,
+    )
+    move = Move("define", "chord", number, (body,))
+    refs = scene.judge.needed(move, pool, relation, known.refs)
+    if refs is None:
+        return None
+    return scene.desk.know(flight, known.value, (scene.desk.write(move, refs, relation),))
+
+
+def _put(scene: Scene, source: Source) -> sp.Expr:
+    return sp.sympify(scene.put(source.value)[0], strict=True)
+
+
+def _chord(scene: Scene, body: str, number: int, since: int, speed: Source) -> Source:
+    """The length of a chord: 2r cos φ, where φ is the angle with the radius.
+
+    cos φ is the component towards the wall over the speed.
+    """
+    quantity = Quantity("distance", (place_tree(body, since), place_tree(body, number)))
+    circle = circle_of(scene, number) or circle_of(scene, since)
+    assert circle is not None
+    radius, more = scene.put(scene.scalar(circle[1]))
+    refs: list[Ref] = [f"contact {number}", *more]
+    if since:
+        source = after(scene, "along", body, scene.frame(since))
+        towards, used = scene.put(-source.value)
+        refs += [f"contact {since}", *source.whole, *used]
+    else:
+        source = in_direction(scene, "along", body, 0, scene.frame(number))
+        towards, used = scene.put(source.value)
+        refs += [*source.whole, *used]
+    tree = product(tree_of(sp.Integer(2)), tree_of(radius))
+    if towards != speed.value:
+        tree = product(tree, Binary("/", tree_of(towards), tree_of(speed.value)))
+    value = tidy(2 * radius * towards / speed.value)
+    line = scene.desk.write(
+        Move("define", "chord", number, (body,)),
+        together(refs, speed.refs),
+        chain(quantity, (swept(tree), None), (tree_of(value), "rearrange")),
+    )
+    return scene.desk.know(quantity, value, (line,))
+
+
+def _speed_on_a_chord(scene: Scene, body: str, since: int) -> Source:
+    """How fast a body goes after an impact with a circular wall; at the start, as is given."""
+    quantity = Quantity("speed", (Name(body),), since)
+    if not since:
+        initial = scene.initial(body)
+        right = scene.facts[f"velocity {body}"].relation.only[0].right
+        given = scene.scalar(right.size) if isinstance(right, Polar) else None
+        size, used = scene.put(scene.model.story.size(initial.value) if given is None else given)
+        return Source(size, together(initial.refs, used))
+    known = scene.desk.known(quantity)
+    if known is not None:
+        own, used = scene.put(known.value)
+        return Source(own, together(known.refs, used))
+    parts = [after(scene, kind, body, scene.frame(since)) for kind in ("along", "across")]
+    values, refs = [], []
+    for part in parts:
+        value, used = scene.put(part.value)
+        values.append(value)
+        refs += [*part.whole, *used]
+    if values[1] == 0:
+        return Source(-values[0], together(refs))
+    squares = total(square(tree_of(each)) for each in values)
+    size = tidy(sp.sqrt(tidy(expanded(sum(each**2 for each in values)))))
+    line = scene.desk.write(
+        Move("define", "speed", since, (body,)),
+        together(refs),
+        chain(quantity, (Apply("sqrt", squares), None), (tree_of(size), "rearrange")),
+    )
+    return scene.desk.know(quantity, size, (line,))
+
+
+@dataclass(frozen=True)
+class Way:
+    """How a body comes to an event: from where, how fast, and since when; at rest without that."""
+
+    body: str
+    first: Source
+    pace: Source
+    early: Source | None
+
+
+def time_of_touching(scene: Scene, number: int, ways: Sequence[Way]) -> Source:
+    """The time at which a body is so far from a centre, or from that of another body.
+
+    Of the two times of the equation one is before the last event, or that at which they would
+    part again.
+    """
+    circle = circle_of(scene, number)
+    if circle is None:
+        raise NotPlannedError("the time of a contact whose place is not given")
+    t = time_tree(number)
+    refs: list[Ref] = [f"contact {number}"]
+    begins = [each.early for each in ways if each.early is not None]
+    begin = begins[0]
+    flight = difference(t, tree_of(begin.value))
+    lines: list[Ref] = []
+    at, pace = Vector(sp.Integer(0), sp.Integer(0)), Vector(sp.Integer(0), sp.Integer(0))
+    for path, sign in zip(ways, (1, -1), strict=False):
+        if path.early is None:
+            refs += [*path.first.refs, *path.pace.refs]
+            at += sign * path.first.value
+            continue
+        own = difference(t, tree_of(path.early.value))
+        open_ = scene.desk.write(
+            Move("define", "straight-line", number, (path.body,)),
+            together(path.first.refs, path.pace.refs, path.early.refs),
+            chain(
+                place_tree(path.body, number),
+                (added(path.first.value, own, path.pace.value), None),
+            ),
+        )
+        lines.append(open_)
+        late = tidy(begin.value - path.early.value)
+        at += sign * (path.first.value + path.pace.value * late)
+        pace += sign * path.pace.value
+    if len(ways) == 1:
+        at = from_centre(scene, number, at)
+    sides = []
+    for a, v in zip(at, pace, strict=True):
+        a, v = tidy(a), tidy(v)
+        if a != 0 or v != 0:
+            terms = (tree_of(a), product(tree_of(v), flight))
+            first_moves = isinstance(terms[0], Negate) and not isinstance(terms[1], Negate)
+            sides.append(square(swept(total(terms[::-1] if first_moves else terms))))
+    radius, more = scene.put(scene.scalar(circle[1]))
+    fact = scene.desk.write(
+        Move("fact"),
+        together(refs, lines, more),
+        Relation(((link(swept(total(sides)), square(tree_of(radius))),),)),
+    )
+    speed = tidy(expanded(pace.dot(pace)))
+    both = tidy(-2 * at.dot(pace) / speed)
+    when, _ = scene.put(scene.value(t))
+    other = tidy(2 * begin.value + both - when)
+    roots = Relation(tuple((Link(t, "=", tree_of(each)),) for each in (when, other)))
+    letters = {symbol.name for symbol in (when - other).free_symbols}
+    premises = scene.judge.enough(Move("roots"), (fact,), roots, background(scene, letters))
+    if premises is None:
+        raise NotPlannedError("the times of a contact")
+    line = scene.desk.write(Move("roots"), premises, roots)
+    chosen = chain(t, (tree_of(when), None))
+    if f"order {number}" in scene.facts:
+        why: tuple[Ref, ...] = (f"order {number}", *begin.refs)
+    else:
+        why = (f"towards {number}", *lines)
+        why = together(why, refs[1:], *(each.pace.refs for each in ways))
+    kept = scene.judge.enough(Move("reject"), (line,), chosen, (*why, *background(scene, letters)))
+    if kept is None:
+        raise NotPlannedError("which of two times it is")
+    line = scene.desk.write(Move("reject"), kept, chosen)
+    return scene.desk.know(t, when, (line,))

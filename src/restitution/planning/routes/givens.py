@@ -1,0 +1,677 @@
+"""A given fact becomes an equation in letters: a definition closed by what is given."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.explaining.trees import exchanged
+from restitution.expression.quantities import ANGLES
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    Unit,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.oracle import Oracle, compared
+from restitution.oracle.roles import POSITIVE
+from restitution.planning.angles.angle_sums import is_sum, stated, write_sum
+from restitution.planning.angles.deflections import cosine_of_deflection, write_deflection
+from restitution.planning.angles.equal_angles import write_equal_angles
+from restitution.planning.angles.expressions import outermost, size_of
+from restitution.planning.angles.given_turns import given_turn
+from restitution.planning.angles.lines_between import (
+    angle_of_lines,
+    has_angle,
+    is_moving,
+    sine_of_the_offset,
+)
+from restitution.planning.angles.quantities import formula
+from restitution.planning.angles.related_tangents import write_by_tangent, write_tangents
+from restitution.planning.angles.wall_turns import related_at_a_wall
+from restitution.planning.axes.given_momenta import write_impulse
+from restitution.planning.axes.offsets import is_sine_of_an_offset, write_sine
+from restitution.planning.closing.roots import senses
+from restitution.planning.closing.square_roots import is_not_negative, without_equal_squares
+from restitution.planning.formulas.definitions import Formula, write_formula
+from restitution.planning.formulas.impacts import scene_value
+from restitution.planning.formulas.impulse_formulas import impulse_in_sense, impulse_on
+from restitution.planning.formulas.named_angles import tangent_line
+from restitution.planning.formulas.separations import relative_speed
+from restitution.planning.formulas.ties import write_tie
+from restitution.planning.formulas.velocity_formulas import squares
+from restitution.planning.journeys import journeys
+from restitution.planning.journeys.given_places import write_given_place
+from restitution.planning.routes.quoted import QUOTED, has_root, quoted, quoted_as
+from restitution.planning.writing import place_trees
+from restitution.planning.writing.between import terms_between
+from restitution.planning.writing.candidates import Candidate
+from restitution.planning.writing.desk import NotPlannedError, chain, link, together
+from restitution.planning.writing.forms import (
+    ONE,
+    TWO,
+    ZERO,
+    in_tangents,
+    neat,
+    negative,
+    product,
+    square,
+    swept,
+    total,
+    tree_of,
+)
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import GivenEquation, Scene
+from restitution.solving.letters import roles
+from restitution.vector import Vector
+
+_COSTS = {"along": 1.0, "across": 1.0, "angle": 1.0, "speed": 1.5, "impulse": 2.0, "energy": 2.4}
+
+
+def candidate(each: GivenEquation) -> Candidate:
+    """A given fact as an equation of which routes are made."""
+    kinds = [
+        node.kind
+        for side in (each.link.left, each.link.right)
+        for node in walk(side)
+        if isinstance(node, Quantity) and node.kind not in ("mass", "position")
+    ]
+    cost = sum(_COSTS.get(kind, 1.5) for kind in kinds) or 0.5
+    return Candidate(each.fact.id, cost, each.residuals)
+
+
+def move_of(each: GivenEquation) -> Move:
+    """The definition by which a fact becomes an equation, as far as its kind tells it."""
+    kinds = [
+        node.kind
+        for side in (each.link.left, each.link.right)
+        for node in walk(side)
+        if isinstance(node, Quantity)
+    ]
+    if each.link.sign != "=":
+        return Move("define", each.link.sign.removesuffix(" to"))
+    record = next((_RECORDS[kind] for kind in kinds if kind in _RECORDS), None)
+    return Move("fact") if record is None else Move("define", record)
+
+
+_RECORDS = {
+    "angle": "tan",
+    "speed": "speed",
+    "impulse": "impulse",
+    "energy": "total",
+    "energy_lost": "energy-lost",
+    "total_energy_lost": "total-lost",
+    "deflection": "sum",
+}
+
+
+def write_given(scene: Scene, each: GivenEquation) -> int:
+    """Writes the line in which a fact becomes an equation, and returns its number."""
+    own = each.link
+    if is_sine_of_an_offset(each):
+        return write_sine(scene, each)
+    subject = each.fact.relation.only[0].left
+    if isinstance(subject, Letter) and f"let {subject.name}" in scene.facts:
+        for quantity in (subject, Apply("tan", subject)):
+            standing = quoted_as(scene, each, quantity)
+            if standing is not None:
+                return standing
+    if own.sign in ("perpendicular to", "parallel to") or _is_right(scene, own):
+        return write_tie(scene, each)
+    if is_sum(scene, each):
+        return write_sum(scene, each)
+    if not has_quantity(own.left) and not has_quantity(own.right):
+        return _between_letters(scene, each)
+    if isinstance(own.left, Quantity):
+        standing = quoted(scene, each, own.left)
+        if standing is not None:
+            return standing
+        if own.left.kind == "angle" and not is_moving(own.left.arguments[0]):
+            line = sine_of_the_offset(scene, each)
+            if line is not None:
+                return line
+            return _tangent(scene, _in_cosines(each), angle_of_lines(scene, own.left))
+        if own.left.kind == "deflection" and not has_quantity(own.right):
+            return write_deflection(scene, each)
+        if own.left.kind == "angle" and not has_quantity(own.right):
+            line = given_turn(scene, each)
+            if line is not None:
+                return line
+        if own.left.kind == "velocity":
+            return _velocity(scene, each)
+        if own.left.kind in ("along", "across") and not has_quantity(own.right):
+            return _component(scene, each)
+        if own.left.kind == "impulse" and own.left.arguments:
+            return write_impulse(scene, each)
+        if own.left.kind == "deflection":
+            line = related_at_a_wall(scene, each)
+            if line is not None:
+                return line
+            _decided(scene, own.left)
+        if not has_quantity(own.right) and not place_trees.serves(own.left):
+            return _closed(scene, each, formula(scene, own.left))
+    match own.left:
+        case Apply("abs", inside) if isinstance(scene.value(inside), Vector):
+            return _size(scene, each, own.left)
+        case Apply("tan", Quantity("angle" | "deflection") as angle) if not has_quantity(own.right):
+            line = given_turn(scene, each)
+            if line is not None:
+                return line
+            if angle.kind == "deflection":
+                _decided(scene, angle)
+            return _tangent(scene, each, formula(scene, angle))
+        case Apply("sin" | "cos", Quantity("angle")) if not has_quantity(own.right):
+            line = write_by_tangent(scene, each, own.left)
+            if line is not None:
+                return line
+        case Apply("cos", Quantity("deflection") as angle) if not has_quantity(own.right):
+            return _tangent(scene, each, cosine_of_deflection(scene, angle))
+        case Quantity("angle" | "deflection"):
+            if isinstance(own.right, Quantity) and own.right.kind in ("angle", "deflection"):
+                return write_equal_angles(scene, each)
+    return _of_several(scene, each)
+
+
+_LOSSES = ("energy-lost", "total-lost", "energy", "total")
+_ENERGIES = ("energy", "energy_lost", "total_energy_lost")
+
+
+def _in_cosines(each: GivenEquation) -> GivenEquation:
+    """The same of the cosines of two angles that are equal."""
+    left, right = (Apply("cos", side) for side in (each.link.left, each.link.right))
+    return replace(each, link=Link(left, "=", right))
+
+
+def _tangent(scene: Scene, each: GivenEquation, own: Formula) -> int:
+    """A ratio of an angle, by its definition, with its value on the left."""
+    value, refs = scene.put(scene.scalar(each.link.right))
+    left = each.link.right if not refs and not has_angle(each.link.right) else tree_of(value)
+    premises = together(each.refs, refs, own.refs)
+    relation = chain(left, (swept(own.right), None))
+    components = {component.symbol for component in scene.model.components.values()}
+    backwards = any(scene.model.sign(x) < 0 for x in scene.unknown(own.value) & components)
+    if own.move.record == "tan-deflection" and (
+        backwards or not scene.judge.follows(own.move, premises, relation)
+    ):
+        raise NotPlannedError("to which side a sphere turns is open")
+    return scene.desk.write(own.move, premises, relation)
+
+
+def _size(scene: Scene, each: GivenEquation, size: Apply) -> int:
+    """The size of a vector that is given, by its components."""
+    if has_quantity(each.link.right):
+        raise NotPlannedError("a size as a multiple of another quantity")
+    apart = relative_speed(scene, size.argument)
+    if apart is not None:
+        parts, refs = apart
+    else:
+        refs, values = size_of(scene, size, scene.value(size.argument))
+        parts = [(tree_of(value), value) for value in values]
+    root = Apply("sqrt", total(square(tree) for tree, value in parts if value != 0))
+    relation = chain(swept(root), (each.link.right, None))
+    return scene.desk.write(Move("put"), together(each.refs, refs), relation)
+
+
+def _is_right(scene: Scene, own: Link) -> bool:
+    """Whether a right angle is given, or a straight one, or a direction along a line."""
+    match own.left:
+        case Quantity("direction", _, int()):
+            return bool(tidy(sp.sin(2 * scene.scalar(own.right))) == 0)
+        case Quantity("deflection" | "angle"):
+            straight = isinstance(own.right, Degrees) and own.right.value in (0, 180)
+            return straight or bool(scene.scalar(own.right) == sp.pi / 2)
+    return False
+
+
+def _decided(scene: Scene, deflection: Quantity) -> None:
+    """Raises NotPlannedError where it is open to which side a sphere turns."""
+    (above, _), roles = _sides(formula(scene, deflection).right), dict(scene.model.unknowns.roles)
+    for each in scene.model.components.values():
+        roles[each.symbol.name] = POSITIVE
+    value = scene_value(scene, above)
+    if not Oracle(roles).proves(compared(value, ">=", sp.Integer(0))):
+        raise NotPlannedError("to which side a sphere turns is open")
+
+
+def _sides(tree: Expression) -> tuple[Expression, Expression]:
+    assert isinstance(tree, Binary)
+    return tree.left, tree.right
+
+
+def _between_letters(scene: Scene, each: GivenEquation) -> int:
+    line = stated(scene, each)
+    return _of_named_angle(scene, each, line) or line
+
+
+def _of_named_angle(scene: Scene, each: GivenEquation, line: int) -> int | None:
+    """An angle of the motion that is a multiple of one of the data, by its tangent."""
+    match each.link:
+        case Link(Letter(name), "=", right) if f"let {name}" in scene.facts:
+            quantity = scene.facts[f"let {name}"].relation.only[0].left
+        case _:
+            return None
+    if not isinstance(quantity, Quantity) or quantity.kind != "angle" or not letters(right):
+        return None
+    own = formula(scene, quantity)
+    if own.move.record != "tan":
+        return None
+    tangent, _ = tangent_line(scene, quantity, own, own.move)
+    relation = chain(Apply("tan", right), (tree_of(own.value), None))
+    known = background(scene, letters(right))
+    refs = scene.judge.enough(Move("put"), (tangent, line), relation, known)
+    return None if refs is None else scene.desk.write(Move("put"), refs, relation)
+
+
+def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
+    """The definition of what is given, with its value on the left."""
+    if isinstance(own.value, Vector):
+        raise NotPlannedError("a vector that is given")
+    value, refs = scene.put(scene.scalar(each.link.right))
+    angle = isinstance(each.link.left, Quantity) and each.link.left.kind in ANGLES
+    left = each.link.right if not refs else tree_of(value, angle=angle)
+    if own.move.record == "tan" and value == sp.pi / 2:
+        return _right_angle(scene, each, own)
+    if own.move.record == "tan" and _of_open_sense(scene, own):
+        return _squared_tangent(scene, each, own, value, refs)
+    plain = isinstance(left, Apply) and left.function == "arctan"
+    if plain and own.move.record == "tan-direction":
+        relation = chain(left.argument, (swept(own.right), None))  # type: ignore[union-attr]
+    elif own.move.record == "tan":
+        # First the quotient, then what is left of it.
+        first = left.argument if plain else own.of(left)  # type: ignore[union-attr]
+        last = tree_of(in_tangents(neat(own.value)))
+        relation = chain(first, (swept(own.right), None), (last, "rearrange"))
+    elif own.move.record == "product":
+        return _scalar_product(scene, each, own, left, refs)
+    elif own.move.record == "speed":
+        number = _of_one_component(scene, each, own, left, refs)
+        if number is not None:
+            return number
+        right: Expression = own.right.argument if hasattr(own.right, "argument") else own.right
+        relation = chain(square(left), (swept(right), None))
+    elif own.move.record == "impulse" and _turns_round(scene, own.value):
+        # All solutions share one line, in the sense of the first of them.
+        own = impulse_in_sense(scene, own)
+        right = square(swept(own.right))
+        whole = tree_of(tidy(own.value**2))
+        relation = chain(square(left), (right, None), (whole, "rearrange"))
+    else:
+        relation = chain(own.of(left), (swept(own.right), None))
+        if own.move.record in _LOSSES and not has_root(own.value):
+            right, final = swept(own.right), tree_of(own.value)
+            steps = (*terms_between(scene, right, final), final)
+            worth = chain(own.of(left), (right, None), *((each, "rearrange") for each in steps))
+            premises = together(each.refs, refs, own.refs)
+            if scene.judge.follows(own.move, premises, worth):
+                return scene.desk.write(own.move, premises, worth)
+    return scene.desk.write(own.move, together(each.refs, refs, own.refs), relation)
+
+
+def _turns_round(scene: Scene, value: sp.Expr) -> bool:
+    """Whether what is positive in this solution is negative in another one."""
+    return any(each.sign(each.in_data(value)) < 0 for each in scene.others)
+
+
+def write_impulse_on(scene: Scene, each: GivenEquation, body: str) -> int | None:
+    """The size of an impulse that is given, as the change of momentum of a body; None of others."""
+    match each.link:
+        case Link(Quantity("impulse", (), int(event)) as impulse, "=", right):
+            if event in scene.model.frames and not has_quantity(right):
+                return _closed(scene, each, impulse_on(scene, impulse, body, event))
+    return None
+
+
+def _scalar_product(
+    scene: Scene, each: GivenEquation, own: Formula, left: Expression, refs: tuple[Ref, ...]
+) -> int:
+    """A scalar product that is given: the velocities are put into it."""
+    pool = together(each.refs, refs, own.refs)
+    relation = chain(swept(own.right), (left, None))
+    premises = scene.judge.enough(Move("put"), (each.fact.id, *pool), relation)
+    if premises is None:
+        raise NotPlannedError("a scalar product that is given")
+    return scene.desk.write(Move("put"), premises, relation)
+
+
+def _of_one_component(
+    scene: Scene, each: GivenEquation, own: Formula, left: Expression, refs: tuple[Ref, ...]
+) -> int | None:
+    """A speed that is given, where only one component is not zero and its sense is certain."""
+    base = _one_component(own)
+    if base is None or not _is_of_sure_sense(scene, base):
+        return None
+    relation = chain(left, (base, None))
+    names = letters(base) | letters(left)
+    premises = scene.judge.enough(
+        own.move, together(each.refs, refs, own.refs), relation, background(scene, names)
+    )
+    if premises is None:
+        return _of_a_given_sense(scene, each, own, base, left)
+    return scene.desk.write(own.move, premises, relation)
+
+
+def _of_a_given_sense(
+    scene: Scene, each: GivenEquation, own: Formula, base: Expression, left: Expression
+) -> int | None:
+    """A speed that is given, of a component whose sense is given too: the component itself."""
+    letters_ = {each.symbol.name: each.symbol for each in scene.model.components.values()}
+    symbol = letters_.get(base.name) if isinstance(base, Letter) else None
+    if symbol is None:
+        return None
+    size = negative(base) if scene.model.sign(scene.model.in_data(symbol)) < 0 else base
+    relation = chain(left, (size, None))
+    pool = (*own.refs, *senses(scene, symbol))
+    premises = scene.judge.needed(own.move, (each.fact.id, *pool), relation, (each.fact.id,))
+    return None if premises is None else scene.desk.write(own.move, premises, relation)
+
+
+def _one_component(own: Formula) -> Expression | None:
+    """The component that is the speed; None where there are two."""
+    match own.right:
+        case Apply("sqrt", Binary("^", base, exponent)) if exponent == TWO:
+            return swept(base)
+    return None
+
+
+def _is_of_sure_sense(scene: Scene, component: Expression) -> bool:
+    """Whether a component is not negative whatever is given of it, or is a letter that is open."""
+    open_ = {each.symbol.name for each in scene.model.components.values()}
+    return bool(letters(component) & open_) or is_not_negative(scene, component)
+
+
+def _right_angle(scene: Scene, each: GivenEquation, own: Formula) -> int:
+    """An angle of 90°: the component in the direction of the line is zero."""
+    assert isinstance(own.right, Binary)
+    move = replace(own.move, record="perpendicular")
+    relation = Relation(((link(own.right.right, ZERO),),))
+    refs = scene.judge.enough(move, (each.fact.id,), relation, own.refs)
+    if refs is None:
+        raise NotPlannedError("a right angle")
+    return scene.desk.write(move, refs, relation)
+
+
+def _of_open_sense(scene: Scene, own: Formula) -> bool:
+    """Whether the sense of a component in a tangent is not certain."""
+    open_ = scene.unknown(own.value)
+    components = {component.symbol for component in scene.model.components.values()}
+    match own.quantity:
+        case Quantity("angle", (_, Unit())):
+            # Up to 180° the tangent has the sign of what stands below.
+            above, _ = _sides(own.right)
+            if scene.unknown(scene_value(scene, above)) & components:
+                raise NotPlannedError("to which side of a direction an angle lies is open")
+            return False
+    if open_ & components:
+        return True
+    match own.quantity:
+        case Quantity("angle", (_, Name())):
+            return False  # a wall: who hits it goes away from it
+    if not open_:
+        return False
+    known = Oracle({**roles(scene.problem), **scene.model.unknowns.roles})
+    value = sp.sympify(own.value, strict=True)
+    return not any(known.proves(compared(value, sign, sp.Integer(0))) for sign in (">=", "<="))
+
+
+def _squared_tangent(
+    scene: Scene, each: GivenEquation, own: Formula, angle: Any, refs: tuple[Ref, ...]
+) -> int:
+    """The square of a tangent: on which side the angle lies is open."""
+    match own.quantity:
+        case Quantity("angle", (_, Quantity("velocity"))):
+            # Up to 180° the tangent has the sign of the component along the line of centres.
+            premises = together(each.refs, refs, own.refs)
+            left = own.of(each.link.right if not refs else tree_of(angle, angle=True))
+            relation = chain(left, (swept(own.right), None))
+            if scene.judge.follows(own.move, premises, relation):
+                return scene.desk.write(own.move, premises, relation)
+            raise NotPlannedError("an angle between velocities that are both open")
+    assert isinstance(own.right, Binary)
+    squares = [square(part) for part in (own.right.left, own.right.right)]
+    last = tree_of(neat(own.value**2))
+    return scene.desk.write(
+        replace(own.move, record="tan-squared"),
+        together(each.refs, refs, own.refs),
+        chain(
+            square(tree_of(tidy(sp.tan(angle)))),
+            (swept(Binary("/", *squares)), None),
+            (last, "rearrange"),
+        ),
+    )
+
+
+def _component(scene: Scene, each: GivenEquation) -> int:
+    """A component that is given: the law or the letter that it is."""
+    quantity = each.link.left
+    assert isinstance(quantity, Quantity)
+    own = formula(scene, quantity)
+    value, refs = scene.put(scene.scalar(each.link.right))
+    left, right = tree_of(own.value), tree_of(value)
+    if own.move.record == "momentum-of":
+        refs = together(each.refs, refs, own.refs)
+        return scene.desk.write(own.move, refs, chain(swept(own.right), (right, None)))
+    named = scene.desk.known(quantity)
+    of_it = own.refs if named is None or named.value != own.value else named.refs
+    return scene.desk.write(
+        Move("put"), together(each.refs, refs, of_it), chain(left, (right, None))
+    )
+
+
+def _velocity(scene: Scene, each: GivenEquation) -> int:
+    raise NotPlannedError("a velocity that is given is put into the laws")
+
+
+def _of_two_speeds(scene: Scene, each: GivenEquation, left: Quantity) -> int | None:
+    """A speed as a multiple of another, in their squares."""
+    others = [
+        node
+        for node in walk(each.link.right)
+        if isinstance(node, Quantity) and node.kind == "speed" and isinstance(node.stage, int)
+    ]
+    if len(others) != 1 or not isinstance(left.stage, int):
+        return None
+    (other,) = others
+    factor = product_without(each.link.right, other)
+    if factor is None:
+        return None
+    a, b = (formula(scene, one) for one in (left, other))
+    if not all(isinstance(own.right, Apply) for own in (a, b)):
+        return None
+    number = _of_two_components(scene, each, (a, b), other, factor)
+    if number is not None:
+        return number
+    inside = [swept(own.right.argument) for own in (a, b)]  # type: ignore[union-attr]
+    # The second speed stands in the line of the first: it has none that is printed.
+    relation = chain(square(other), (inside[1], None))
+    known = scene.desk.write(b.move, b.refs, relation, "silent")
+    right = inside[1] if factor == ONE else swept(product(square(factor), inside[1]))
+    line = scene.desk.write(
+        a.move, together(each.refs, a.refs, (known,)), chain(right, (inside[0], None))
+    )
+    return without_equal_squares(scene, line)
+
+
+def _of_two_energies(scene: Scene, each: GivenEquation, left: Quantity) -> int | None:
+    """The energy of a body as a multiple of what it was: the ratio is that of speeds squared."""
+    others = [
+        node
+        for node in walk(each.link.right)
+        if isinstance(node, Quantity) and node.kind == "energy"
+    ]
+    if len(others) != 1 or len(left.arguments) != 1 or others[0].arguments != left.arguments:
+        return None
+    (other,), (name,) = others, left.arguments
+    factor = product_without(each.link.right, other)
+    if factor is None or not isinstance(name, Name):
+        return None
+    stages = [each.stage for each in (left, other) if isinstance(each.stage, int)]
+    if len(stages) != 2:
+        return None
+    (a, _, a_refs), (b, _, b_refs) = (
+        squares(scene, name.name, scene.last_event(name.name, stage)) for stage in stages
+    )
+    right = b if factor == ONE else swept(product(factor, b))
+    relation = chain(swept(a), (right, None))
+    move = Move("define", "energy-ratio", max(stages), (name.name,))
+    refs = scene.judge.enough(
+        move, together(each.refs, a_refs, b_refs), relation, background(scene, letters(a))
+    )
+    return None if refs is None else scene.desk.write(move, refs, relation)
+
+
+def _time_since(scene: Scene, each: GivenEquation) -> int | None:
+    """A time that is a multiple of the one before it, by the time between: t₂ − t₁ = 2t₁.
+
+    None of other times, and where the time between has no line.
+    """
+    match each.link:
+        case Link(Quantity("time", (), int(late)) as whole, "=", right):
+            first = next((n for n in walk(right) if isinstance(n, Quantity)), None)
+        case _:
+            return None
+    if first is None or first != Quantity("time", (), late - 1):
+        return None
+    factor = product_without(right, first)
+    value = None if factor is None or has_quantity(factor) else scene.scalar(factor)
+    if value is None or not value.is_number or value <= 1:
+        return None
+    if each.lets:
+        return None
+    mark = scene.desk.mark()
+    between = Binary("-", whole, first)
+    times = tree_of(value - 1)
+    try:
+        (early, time), (gap, apart) = (journeys.write(scene, e) for e in (first, between))
+    except NotPlannedError:
+        scene.desk.back(mark)
+        return None
+    rest = chain(between, (swept(product(times, first)), None))
+    line = scene.judge.write((Move("rearrange"),), (each.fact.id,), rest)
+    relation = chain(tree_of(apart), (swept(product(times, tree_of(time))), None))
+    put = line and scene.judge.write((Move("put"),), (line, gap, early), relation)
+    if put is None:
+        scene.desk.back(mark)
+    return put
+
+
+def _of_two_components(
+    scene: Scene,
+    each: GivenEquation,
+    pair: tuple[Formula, Formula],
+    other: Quantity,
+    factor: Expression,
+) -> int | None:
+    """Two speeds of one component each, of which the senses are certain."""
+    bases = [_one_component(own) for own in pair]
+    if bases[0] is None or bases[1] is None:
+        return None
+    if not all(_is_of_sure_sense(scene, each) for each in bases if each is not None):
+        return None
+    names = letters(bases[0]) | letters(bases[1])
+    mark, (a, b) = scene.desk.mark(), pair
+    known = background(scene, names)
+    relation = chain(other, (bases[1], None))
+    refs = scene.judge.enough(b.move, b.refs, relation, known)
+    if refs is None:
+        return None
+    second = scene.desk.write(b.move, refs, relation, "silent")
+    right = bases[1] if factor == ONE else swept(product(factor, bases[1]))
+    relation = chain(right, (bases[0], None))
+    refs = scene.judge.enough(a.move, together(each.refs, a.refs, (second,)), relation, known)
+    if refs is None:
+        scene.desk.back(mark)
+        return None
+    return scene.desk.write(a.move, refs, relation)
+
+
+def product_without(tree: Expression, factor: Expression) -> Expression | None:
+    """What a product is without one of its factors; None where it is no such product."""
+    if tree == factor:
+        return ONE
+    match tree:
+        case Binary("*", left, right) if right == factor and not has_quantity(left):
+            return left
+        case Binary("/", above, below) if not has_quantity(below):
+            rest = product_without(above, factor)
+            return None if rest is None else Binary("/", rest, below)
+    return None
+
+
+def _of_several(scene: Scene, each: GivenEquation) -> int:
+    """A relation between quantities: each is defined, and put into what is given."""
+    own = each.link
+    apart = _time_since(scene, each)
+    if apart is not None:
+        return apart
+    if isinstance(own.left, Quantity) and own.left.kind in ("speed", "energy"):
+        write = _of_two_speeds if own.left.kind == "speed" else _of_two_energies
+        number = write(scene, each, own.left)
+        if number is not None:
+            return number
+    values, refs = write_tangents(scene, own)
+    for side in (exchanged(each, values) for each in (own.left, own.right)):
+        for node in outermost(side):
+            if place_trees.is_duration(node) and node not in values:
+                number, value = journeys.write(scene, node)
+                values[node] = tree_of(value)
+                refs.append(number)
+                continue
+            if (
+                not isinstance(node, Quantity)
+                or node.kind in ("mass", "position")
+                or node in values
+            ):
+                continue
+            if node.kind in ("along", "across"):
+                component = formula(scene, node)
+                values[node] = tree_of(component.value)
+                refs += component.refs
+                continue
+            if place_trees.serves(node):
+                number, value = journeys.write(scene, node)
+                values[node] = tree_of(value)
+                refs.append(number)
+                continue
+            if not isinstance(node.stage, int):
+                if node.kind == "angle":
+                    raise NotPlannedError("a relation with angles")
+                continue
+            known = scene.desk.known(node) if node.kind in QUOTED else None
+            if known is not None and not isinstance(known.value, Vector):
+                value, more = scene.with_values(known.value)
+                values[node] = tree_of(value)
+                refs += [*known.refs, *more]
+                continue
+            formula_ = formula(scene, node)
+            if formula_.left != node:
+                raise NotPlannedError(f"a relation with {node.kind}s")
+            if node.kind in _ENERGIES and not has_root(formula_.value):
+                # What an energy comes to is compared, and not how it is made.
+                refs.append(write_formula(scene, formula_))
+                values[node] = tree_of(formula_.value)
+                continue
+            number = scene.desk.write(
+                formula_.move, formula_.refs, chain(formula_.left, (swept(formula_.right), None))
+            )
+            values[node] = formula_.right
+            refs.append(number)
+
+    left, right = (swept(exchanged(side, values)) for side in (own.left, own.right))
+    if any(isinstance(node, Quantity) and node.kind == "position" for node in walk(left)):
+        return write_given_place(scene, each)
+    relation = chain(left, (right, None))
+    whole = together(each.refs, refs)
+    first: list[Ref] = [each.fact.id, *(ref for ref in whole if isinstance(ref, int))]
+    premises = scene.judge.enough(Move("put"), first, relation, whole)
+    return scene.desk.write(Move("put"), premises or whole, relation)

@@ -1,0 +1,635 @@
+"""What is asked: the last lines of each item, once everything in it is known."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import replace
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Fact, Link, Meaning, Move, Ref, Relation
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Number,
+    Quantity,
+    children,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.planning.angles.angle_sums import write_tangent_of_sum
+from restitution.planning.angles.expressions import outermost, write_expression
+from restitution.planning.angles.quantities import formula
+from restitution.planning.angles.turning import is_angle, quantity_of, write_angle, write_ratio
+from restitution.planning.axes.by_changes import write_axis, write_wall
+from restitution.planning.axes.momenta import write_by_momentum, write_total_kept
+from restitution.planning.closing.losses_by_products import write_loss_by_products
+from restitution.planning.closing.ratios import inverse
+from restitution.planning.closing.squared_ratios import write_by_squares
+from restitution.planning.formulas.definitions import write_formula
+from restitution.planning.formulas.energy_formulas import speed_by_given_energy, speed_by_its_energy
+from restitution.planning.formulas.impacts import after
+from restitution.planning.formulas.related_velocities import write_related
+from restitution.planning.formulas.separations import event_of_relative
+from restitution.planning.journeys import journeys
+from restitution.planning.routes.order import Solver
+from restitution.planning.writing import place_trees
+from restitution.planning.writing.angle_ratios import range_of, write_other_ratio
+from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
+from restitution.planning.writing.either_side import write_sides
+from restitution.planning.writing.forms import ONE, difference, product, square, tree_of
+from restitution.planning.writing.scene import Scene
+from restitution.problem import Find, Value
+from restitution.solving.letters import roles
+from restitution.vector import Vector
+
+
+def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> None:
+    """Writes the lines of a value that is asked.
+
+    Raises NotPlannedError where there is no plan for it.
+    """
+    if isinstance(asked, Quantity) and asked.kind == "velocity" and write_by_momentum(scene, asked):
+        solver.take_velocity(asked)
+    if isinstance(asked, Quantity) and asked.kind == "speed":
+        by_energy = speed_by_given_energy(scene, asked)
+        if by_energy is not None:
+            scene.desk.end(name, by_energy, chain(asked, (_right(scene, by_energy), None)))
+            return
+    placed = place_trees.serves(asked) or place_trees.is_duration(asked)
+    if isinstance(asked, Quantity) and write_total_kept(scene, asked):
+        pass  # an impact of two spheres does not change it
+    elif placed:
+        solver.determine(journeys.goals(scene, asked))
+    elif not _by_a_line_above(scene, solver, asked):
+        determine(scene, solver, asked)
+        _determine_velocities(scene, solver, asked)
+    write_related(scene, asked)
+    named = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
+    asked = in_a_frame(scene, asked, write=True)
+    match asked:
+        case Letter() | Quantity() if is_angle(scene, asked) and not _is_wall(scene, asked):
+            scene.desk.end(name, *write_angle(scene, asked))
+        case Apply("sin" | "cos" | "tan" as function, angle) if is_angle(scene, angle):
+            scene.desk.end(name, *write_ratio(scene, function, angle))
+        case Letter() if named is not None:
+            _named(scene, asked, named, name)
+        case Letter() if (defining := _defining(scene, asked)) is not None:
+            _named_expression(scene, asked, defining, defining.relation.only[0].right, name)
+        case Letter(letter):
+            known = scene.desk.known(asked) or _by_its_given_ratio(scene, letter)
+            if known is None:
+                raise NotPlannedError(f"{letter} is open")
+            line = _closed(scene, asked, _line_of(scene, asked, known), known.value)
+            scene.desk.end(name, line, _as_solved(scene, asked, line))
+        case _ if placed:
+            line, value = journeys.write(scene, asked)
+            scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
+        case Quantity("line_of_centres", (), int(number)):
+            _axis(scene, number, name)
+        case Quantity("direction", (Name(wall),), None):
+            number = write_wall(scene, wall)
+            scene.desk.end(name, number, scene.desk.relation(number))
+        case Quantity("mass", (Name(body),)) if f"mass {body}" not in scene.facts:
+            _letter(scene, asked, sp.sympify(scene.scalar(asked), strict=True), name)
+        case Quantity("mass" | "restitution"):
+            _expression(scene, asked, name)
+        case Apply("sin" | "cos" | "tan" as kind, Letter(letter)):
+            _ratio(scene, asked, kind, letter, name)
+        case Quantity("along" | "across") if is_named(scene, asked):
+            known = scene.desk.known(asked)
+            assert known is not None
+            _letter(scene, asked, next(iter(known.value.free_symbols)), name)
+        case Quantity("speed") if (line_ := _by_its_letter(scene, asked)) is not None:
+            subject = scene.desk.last_link(line_).left
+            scene.desk.end(name, line_, chain(subject, (_right(scene, line_), None)))
+        case Quantity() if (written := _written(scene, asked)) is not None:
+            scene.desk.end(name, written, chain(asked, (_right(scene, written), None)))
+        case Quantity("speed") if (by_energy := speed_by_its_energy(scene, asked)) is not None:
+            scene.desk.end(name, by_energy, chain(asked, (_right(scene, by_energy), None)))
+        case Quantity() if (squared := write_by_squares(scene, asked, formula)) is not None:
+            scene.desk.end(name, squared, chain(asked, (_right(scene, squared), None)))
+        case Quantity("energy_lost") if (lost := write_loss_by_products(scene, asked)) is not None:
+            scene.desk.end(name, lost, chain(asked, (_right(scene, lost), None)))
+        case Quantity():
+            own = formula(scene, asked)
+            if scene.unknown(own.value):
+                # Of an impulse any of the bodies tells the size.
+                solver.determine(sorted(scene.unknown(own.value), key=str))
+                own = formula(scene, asked)
+            line = write_formula(scene, own)
+            scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
+        case _ if not has_quantity(asked):
+            _of_letters(scene, solver, asked, name)
+        case _:
+            _expression(scene, asked, name)
+
+
+def _by_a_line_above(scene: Scene, solver: Solver, asked: Expression) -> bool:
+    """Whether a line above gives a letter in terms of letters that are known by now.
+
+    It is then known by that line.
+    """
+    if not isinstance(asked, Letter) or scene.desk.known(asked) is not None or scene.others:
+        return False
+    symbol = scene.model.unknowns.letter(asked.name)
+    known = scene.model.final.get(symbol)
+    for line in reversed(scene.desk.lines) if known is not None else ():
+        relation = line.relation
+        if not isinstance(relation, Relation) or len(relation.options) != 1:
+            continue
+        links = relation.only
+        if links[0].left != asked or any(each.sign != "=" for each in links):
+            continue
+        value = scene.scalar(links[-1].right)
+        if value.has(sp.sin, sp.cos, sp.tan) or not value.free_symbols & scene.model.final.keys():
+            continue
+        if symbol in value.free_symbols or not scene.desk.holds(line.number):
+            continue
+        standing = solver.mark()
+        with suppress(NotPlannedError):
+            # Where it is greatest or least no gradient tells of its letters.
+            solver.determine(sorted(value.free_symbols & scene.model.final.keys(), key=str))
+            put, refs = scene.put(value)
+            if refs and not scene.unknown(put) and scene.model.identically_zero(put - known):
+                scene.desk.know(asked, value, (line.number,))
+                return True
+        solver.back(standing)
+    return False
+
+
+def _closed(scene: Scene, asked: Expression, line: int, value: sp.Expr) -> int:
+    """The line of a value, with the letters put in that have been worked out since."""
+    put, refs = scene.put(value)
+    if put == value:
+        return line
+    if (own := _closed_angle(scene, asked, line, value)) is not None:
+        return own
+    right = tree_of(put, angle=_is_letter_of_angle(scene, asked))
+    return scene.desk.write(Move("put"), (line, *refs), chain(asked, (right, None)))
+
+
+def _is_letter_of_angle(scene: Scene, asked: Expression) -> bool:
+    """Whether a letter is an angle, which is printed in degrees."""
+    role = roles(scene.problem).get(asked.name) if isinstance(asked, Letter) else None
+    return role is not None and role.kind == "angle"
+
+
+def _closed_angle(scene: Scene, asked: Expression, line: int, angle: sp.Expr) -> int | None:
+    """The line of an angle that is known by its ratio: what is known is put into that first."""
+    own = scene.desk.line(line)
+    ratios = [premise for premise in own.premises if isinstance(premise, int)]
+    if own.move.id != "inverse" or not isinstance(asked, Letter) or len(ratios) != 1:
+        return None
+    link = scene.desk.last_link(ratios[0])
+    functions = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan}
+    ratio = next((f(angle) for n, f in functions.items() if link.left == Apply(n, asked)), None)
+    if ratio is None:
+        return None
+    put, refs = scene.put(ratio)
+    known = chain(link.left, (tree_of(put), None))
+    number = scene.desk.write(Move("put"), (ratios[0], *refs), known)
+    (written,) = inverse(scene, number, scene.model.unknowns.letter(asked.name)).refs
+    return written if isinstance(written, int) else None
+
+
+def _is_wall(scene: Scene, asked: Expression) -> bool:
+    """Whether the direction of a wall is asked."""
+    match asked:
+        case Quantity("direction", (Name(name),), None):
+            return name in scene.model.story.walls
+    return False
+
+
+def _expression(scene: Scene, asked: Expression, name: str) -> None:
+    line, value = write_expression(scene, asked)
+    sign = scene.desk.last_link(line).sign
+    answer = chain(asked, (value, None))
+    if sign == "≈":
+        answer = Relation(((Link(asked, sign, value),),))
+    scene.desk.end(name, line, answer)
+
+
+def _ratio(scene: Scene, asked: Apply, kind: str, letter: str, name: str) -> None:
+    """A ratio of an angle that is a letter."""
+    known = scene.desk.known(asked)
+    if known is None and kind == "tan":
+        line_ = write_tangent_of_sum(scene, Letter(letter))
+        if line_ is not None:
+            right = _right(scene, line_)
+            scene.desk.know(asked, scene.scalar(right), (line_,))
+            scene.desk.end(name, line_, chain(asked, (right, None)))
+            return
+    if known is None:
+        symbol = scene.model.unknowns.letter(letter)
+        if symbol not in scene.model.final:
+            raise NotPlannedError(f"{letter} is open")
+        write_other_ratio(scene, symbol, kind)
+        known = scene.desk.known(asked)
+    if known is None:
+        raise NotPlannedError(f"{kind} {letter} is open")
+    line = _line_of(scene, asked, known)
+    relation = scene.desk.relation(line)
+    if len(relation.options) == 1:
+        relation = chain(asked, (tree_of(known.value), None))
+    scene.desk.end(name, line, relation)
+
+
+def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
+    """A letter by which the statement calls a quantity."""
+    quantity = fact.relation.only[0].left
+    if not isinstance(quantity, Quantity):
+        _named_expression(scene, asked, fact, quantity, name)
+        return
+    known = scene.desk.known(asked)
+    if known is not None:
+        line = _closed(scene, asked, _line_of(scene, asked, known), known.value)
+        scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
+        return
+    if place_trees.serves(quantity):
+        line, value = journeys.write(scene, quantity)
+        relation = chain(asked, (tree_of(value), None))
+        scene.desk.end(name, scene.desk.write(Move("put"), (line, fact.id), relation), relation)
+        return
+    own = formula(scene, quantity)
+    if asked.name in letters(tree_of(own.value)):
+        raise NotPlannedError(f"{asked.name} by itself")
+    own = replace(own, quantity=asked, refs=together((fact.id,), own.refs))
+    scene.desk.end(name, write_formula(scene, own), chain(asked, (tree_of(own.value), None)))
+
+
+def _named_expression(
+    scene: Scene, asked: Letter, fact: Fact, expression: Expression, name: str
+) -> None:
+    """A letter by which the statement calls an expression: what that is worth."""
+    known = scene.desk.known(expression)
+    if known is not None:
+        value, refs = scene.put(known.value)
+        refs, tree = together(known.refs, refs), tree_of(value)
+    elif has_quantity(expression):
+        line, tree = write_expression(scene, expression)
+        refs = (line,)
+    else:
+        raise NotPlannedError("a letter for an expression of letters")
+    relation = chain(asked, (tree, None))
+    premises = scene.judge.enough(Move("put"), refs, relation, (fact.id,))
+    if premises is None:
+        raise NotPlannedError("a letter for an expression of quantities")
+    scene.desk.end(name, scene.desk.write(Move("put"), premises, relation), relation)
+
+
+def _defining(scene: Scene, asked: Letter) -> Fact | None:
+    """The given fact that a letter is an expression of quantities, where no one line has it yet."""
+    known = scene.desk.known(asked)
+    if known is not None and sum(isinstance(ref, int) for ref in known.refs) == 1:
+        return None
+    for fact in scene.desk.facts:
+        if fact.kind != "given" or not scene.desk.holds(fact.id):
+            continue
+        match fact.relation.options:
+            case ((Link(left, "=", right),),) if left == asked and has_quantity(right):
+                return None if asked.name in letters(right) else fact
+    return None
+
+
+def _by_its_given_ratio(scene: Scene, letter: str) -> Source | None:
+    """An angle of which the data give the sine, the cosine or the tangent as a number."""
+    fact = scene.ratio_facts.get(letter)
+    if fact is None:
+        return None
+    value = scene.final(scene.model.unknowns.letter(letter))
+    relation = chain(Letter(letter), (tree_of(value, angle=True, as_it_is=True), None))
+    premises = fact.id, range_of(scene, letter)
+    line = scene.judge.write((Move("inverse"),), premises, relation)
+    return None if line is None else scene.desk.know(Letter(letter), value, (line,))
+
+
+def _line_of(scene: Scene, asked: Expression, known: Source) -> int:
+    """The line that gives a value; what is asked though it is given has one of its own."""
+    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    if len(lines) == 1:
+        return lines[0]
+    relation = chain(asked, (tree_of(known.value), None))
+    line = None if lines else scene.judge.write((Move("fact"),), known.refs, relation)
+    if line is None:
+        raise NotPlannedError("a value that rests on several lines")
+    return line
+
+
+def _of_letters(scene: Scene, solver: Solver, asked: Expression, name: str) -> None:
+    """A ratio of an angle, or another expression of letters: it stands in a line, or is made."""
+    known = scene.desk.known(asked)
+    if known is not None:
+        line = _line_of(scene, asked, known)
+        scene.desk.end(name, line, scene.desk.relation(line))
+        return
+    value, refs = scene.put(scene.scalar(asked))
+    if scene.unknown(value) or not any(isinstance(ref, int) for ref in refs):
+        raise NotPlannedError("an expression of letters that are open")
+    straight = _from_its_equation(scene, solver, asked, value, refs, name)
+    if straight is not None:
+        scene.desk.end(name, straight, scene.desk.relation(straight))
+        return
+    doubled = _of_double_angle(asked)
+    if doubled is not None:
+        values: dict[Expression, Expression] = {
+            each: tree_of(scene.put(scene.scalar(each))[0]) for each in _ratios_in(doubled)
+        }
+        doubled_values = rebuilt(doubled, lambda each: values.get(each, each))
+        steps = ((doubled, None), (doubled_values, "put"), (tree_of(value), "rearrange"))
+        relation = chain(asked, *steps)  # type: ignore[arg-type]
+        move = Move("identity", "double-angle")
+        premises = scene.judge.needed(move, refs, relation)
+        if premises is not None:
+            line = scene.desk.write(move, premises, relation)
+            scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
+            return
+    relation = chain(asked, (tree_of(value), None))
+    lines = [ref for ref in refs if isinstance(ref, int)]
+    first, *rest = lines
+    several = len(scene.desk.relation(first).options) > 1
+    move = Move("put") if rest or several else Move("rearrange")
+    if rest or len(lines) != len(refs):
+        values = {each: tree_of(scene.put(scene.scalar(each))[0]) for each in _letters_in(asked)}
+        whole = rebuilt(asked, lambda each: values.get(each, each))
+        relation = chain(asked, (whole, None), (tree_of(value), "rearrange"))
+        premises = scene.judge.enough(Move("put"), refs, relation)
+        if premises is None:
+            raise NotPlannedError("an expression of several letters")
+        line = scene.desk.write(Move("put"), premises, relation)
+        scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
+        return
+    if several and not rest and scene.judge.follows(Move("rearrange"), (first,), relation):
+        move = Move("rearrange")
+    scene.desk.end(name, scene.desk.write(move, (first,), relation), relation)
+
+
+def _letters_in(tree: Expression) -> Iterator[Expression]:
+    """The letters of an expression, and its ratios of angles as one."""
+    match tree:
+        case Letter() | Apply("sin" | "cos" | "tan", Letter()):
+            yield tree
+        case _:
+            for each in children(tree):
+                yield from _letters_in(each)
+
+
+def _from_its_equation(
+    scene: Scene, solver: Solver, asked: Expression, value: sp.Expr, refs: Sequence[Ref], name: str
+) -> int | None:
+    """The line of a ratio or product of letters, by the equation that was solved for one of them.
+
+    That letter follows from it for the items that come; after the last it is open again. None
+    where the equation is not enough.
+    """
+    match asked:
+        case Binary("*" | "/", Letter() | Apply(), Letter() | Apply()):
+            lines = [ref for ref in refs if isinstance(ref, int)]
+        case _:
+            return None
+    if len(lines) != 1 or lines[0] != len(scene.desk.lines):
+        return None
+    own = scene.desk.line(lines[0])
+    if len(scene.desk.relation(lines[0]).options) > 1:
+        return None
+    known = scene.desk.last_link(lines[0])
+    if own.move.id != "rearrange" or not isinstance(known.left, Letter):
+        return None
+    relation = chain(asked, (tree_of(value), None))
+    premises = scene.judge.enough(own.move, own.premises, relation)
+    if premises is None:
+        return None
+    letter = scene.desk.known(known.left)
+    assert letter is not None
+    scene.desk.take_last()
+    line = scene.desk.write(own.move, premises, relation)
+    scene.desk.know(asked, value, (line,))
+    if name.endswith(str(len(scene.solution.items))):
+        solver.reopen()
+        scene.desk.shown.append(line)  # the shortest equation for either letter
+        return line
+    further = scene.desk.write(own.move, (line,), chain(known.left, (known.right, None)))
+    scene.desk.know(known.left, letter.value, (further,))
+    return line
+
+
+def _of_double_angle(asked: Expression) -> Expression | None:
+    """The sine, the cosine or the tangent of 2θ by those of θ; None of anything else."""
+    match asked:
+        case Apply(kind, Binary("*", Number() as two, Letter() as angle)) if two.value == 2:
+            sine, cosine, tangent = (Apply(each, angle) for each in ("sin", "cos", "tan"))
+        case _:
+            return None
+    doubled: dict[str, Expression] = {
+        "sin": product(two, sine, cosine),
+        "cos": difference(square(cosine), square(sine)),
+        "tan": Binary("/", product(two, tangent), difference(ONE, square(tangent))),
+    }
+    return doubled.get(kind)
+
+
+def _ratios_in(tree: Expression) -> set[Apply]:
+    return {node for node in walk(tree) if isinstance(node, Apply)}
+
+
+def _written(scene: Scene, asked: Quantity) -> int | None:
+    """The line that says what a quantity is, with nothing open in it."""
+    known = scene.desk.known(asked)
+    if known is None or len(known.refs) != 1 or not isinstance(known.refs[0], int):
+        return None
+    line = known.refs[0]
+    settled = scene.put(known.value)[0] == known.value
+    return line if settled and scene.desk.last_link(line).left == asked else None
+
+
+def _by_its_letter(scene: Scene, asked: Quantity) -> int | None:
+    """The line of the letter that the working has for a quantity, with nothing open in it."""
+    for line in scene.desk.lines:
+        if isinstance(line.relation, Meaning) and line.relation.quantity == asked:
+            known = scene.desk.known(Letter(line.relation.letter))
+            if known is not None and len(known.refs) == 1 and isinstance(known.refs[0], int):
+                return known.refs[0]
+    return None
+
+
+def _axis(scene: Scene, number: int, name: str) -> None:
+    """A line of centres that is asked: the line that finds it."""
+    if (sides := write_sides(scene, number)) is not None:
+        scene.desk.end(name, sides, scene.desk.relation(sides))
+        return
+    lines = [ref for ref in scene.frame(number).refs if isinstance(ref, int)]
+    line = lines[0] if lines else write_axis(scene, number)
+    scene.desk.end(name, line, scene.desk.relation(line))
+
+
+def in_a_frame(scene: Scene, asked: Expression, *, write: bool = False) -> Expression:
+    """A component that is asked as lines say it, where its direction is one of its impact.
+
+    With ``write`` one that does not change has its line written, where it has none.
+    """
+    match asked:
+        case Quantity("along" | "across" as kind, (Quantity("velocity", (Name(body),), at), axis)):
+            stage = scene.last_event(body, at) if isinstance(at, int) else 0
+            if stage not in scene.model.frames:
+                return asked
+            frame = scene.frame(stage)
+            own = scene.model.story.direction(axis, scene.events)
+            own = own if kind == "along" else own.turned_left()
+            for each in ("along", "across"):
+                named, direction = frame.component(each, body, stage), frame.direction(each)
+                if tidy(own.cross(direction)) != 0 or scene.model.sign(own.dot(direction)) <= 0:
+                    continue
+                known = scene.desk.known(named)
+                if known is None and write and each == "across":
+                    known = after(scene, each, body, frame)
+                if known is not None and len(known.refs) == 1:
+                    return named
+    return asked
+
+
+def is_named(scene: Scene, asked: Quantity) -> bool:
+    """Whether a component that is asked is one for which the working has a letter."""
+    known = scene.desk.known(asked)
+    components = {component.symbol for component in scene.model.components.values()}
+    return known is not None and known.value in components
+
+
+def _letter(scene: Scene, asked: Expression, letter: sp.Symbol, name: str) -> None:
+    """A component that a letter stands for: by the line that says what the letter is."""
+    tree = Letter(letter.name)
+    known = scene.desk.known(tree)
+    if known is None:
+        raise NotPlannedError(f"{letter} is open")
+    if not scene.model.identically_zero(scene.scalar(asked) - letter):
+        # The axis of a working points as it was typed, the line of centres to the second sphere.
+        raise NotPlannedError("a component against the line of centres")
+    (line,) = (ref for ref in known.refs if isinstance(ref, int))
+    relation = _as_solved(scene, tree, line)
+    if len(relation.options) > 1:
+        raise NotPlannedError("an answer that is one of several")
+    scene.desk.end(name, line, relation)
+
+
+def _right(scene: Scene, line: int) -> Expression:
+    if len(scene.desk.relation(line).options) > 1:
+        raise NotPlannedError("an answer that is one of several")
+    return scene.desk.last_link(line).right
+
+
+def _as_solved(scene: Scene, asked: Expression, line: int) -> Relation:
+    """What a line says of an unknown; of several solutions, of those that are still open."""
+    relation = scene.desk.relation(line)
+    if scene.desk.line(line).move.id == "solve":
+        options = (tuple(e for e in links if e.left == asked) for links in relation.options)
+        return Relation(tuple(dict.fromkeys(options)))
+    if len(relation.options) == 1:
+        return chain(asked, (_right(scene, line), None))
+    return relation
+
+
+def determine(scene: Scene, solver: Solver, asked: Expression) -> None:
+    """Everything that is asked: each quantity in it, if they can be found, else the whole."""
+    wanted: list[sp.Expr] = []
+    match asked:
+        case Quantity("direction", (Name(body),), int(stage)):
+            wanted = list(scene.velocity(body, stage))
+        case Quantity("angle", (Quantity("velocity") as a, Quantity("velocity") as b)):
+            wanted = [*goals(scene, a), *goals(scene, b)]
+        case Quantity() | Letter():
+            pass
+        case Apply("abs", velocity) if event_of_relative(scene, velocity) is not None:
+            pass
+        case _:
+            wanted = [
+                goal
+                for each in outermost(asked)
+                if isinstance(each, Quantity)
+                for goal in goals(scene, each)
+            ]
+    if wanted:
+        try:
+            solver.determine(wanted)
+        except NotPlannedError:
+            pass
+        else:
+            return
+    standing = solver.mark()
+    try:
+        solver.determine(goals(scene, asked))
+    except NotPlannedError:
+        solver.back(standing)
+        if _determine_components(scene, solver, asked):
+            return
+        solver.back(standing)
+        if not _determine_letters(scene, solver):
+            raise
+        solver.determine(goals(scene, asked))
+
+
+def _determine_components(scene: Scene, solver: Solver, asked: Expression) -> bool:
+    """Finds first a component after an impact, by what is asked; then that."""
+    components = {component.symbol for component in scene.model.components.values()}
+    for symbol in sorted(components & scene.model.final.keys(), key=str):
+        standing = solver.mark()
+        try:
+            solver.determine([symbol])
+            solver.determine(goals(scene, asked))
+        except NotPlannedError:
+            solver.back(standing)
+        else:
+            return True
+    return False
+
+
+def _determine_letters(scene: Scene, solver: Solver) -> bool:
+    """Finds first what else the part asks: its letters. Returns whether there are any."""
+    progress = False
+    for step in scene.part.steps:
+        for item in step.items if isinstance(step, Find) else ():
+            match item:
+                case Value(expression=Letter(name)):
+                    symbol = scene.model.unknowns.letter(name)
+                    if symbol in scene.unknown(symbol):
+                        solver.determine([symbol])
+                        progress = True
+    return progress
+
+
+def _determine_velocities(scene: Scene, solver: Solver, asked: Expression) -> None:
+    """The components of which an angle is made, where it is the same whatever they are."""
+    components = {component.symbol for component in scene.model.components.values()}
+    for angle in walk(asked):
+        if isinstance(angle, Letter | Quantity) and is_angle(scene, angle):
+            velocities = _velocities_of(scene, quantity_of(scene, angle))
+            open_ = {s for each in velocities for s in scene.unknown(each)} & components
+            if open_:
+                solver.determine(sorted(open_, key=str))
+
+
+def _velocities_of(scene: Scene, angle: Quantity) -> Iterator[Vector]:
+    match angle:
+        case Quantity("angle", arguments):
+            for argument in arguments:
+                if isinstance(argument, Quantity) and argument.kind == "velocity":
+                    yield scene.vector(argument)
+        case Quantity("deflection" | "direction", (Name(body),), int(stage)):
+            yield scene.velocity(body, stage)
+
+
+def goals(scene: Scene, tree: Expression) -> list[sp.Expr]:
+    """What has to be known for an expression to be: its value, or the components of it."""
+    value = scene.value(tree)
+    if isinstance(value, Vector):
+        return [sp.sympify(each, strict=True) for each in value]
+    if hasattr(value, "measure"):
+        # Of a right angle there is no tangent.
+        x, y = (sp.sympify(each, strict=True) for each in (value.x, value.y))
+        return [x / y if scene.model.sign(x) == 0 else y / x]
+    return [sp.sympify(value, strict=True)]

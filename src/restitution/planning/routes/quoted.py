@@ -1,0 +1,166 @@
+"""What is given of a quantity that stands in letters already: the two are equal."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Meaning, Move, Relation
+from restitution.explaining.trees import exchanged
+from restitution.expression.tree import (
+    Apply,
+    Degrees,
+    Expression,
+    Letter,
+    Quantity,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.planning.writing.desk import Source, chain, together
+from restitution.planning.writing.forms import square, tree_of
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import GivenEquation, Scene
+
+QUOTED = ("speed", "energy", "energy_lost", "total_energy_lost", "impulse")
+"""The quantities that are quoted from the line that has them in letters."""
+
+
+def quoted(scene: Scene, each: GivenEquation, quantity: Quantity) -> int | None:
+    """What is given of a quantity that stands in letters already: the two are equal."""
+    turned = quantity.kind in ("angle", "deflection")
+    if quantity.kind not in QUOTED and not turned:
+        return None
+    return quoted_as(scene, each, Apply("tan", quantity) if turned else quantity)
+
+
+def has_root(value: sp.Expr) -> bool:
+    """Whether letters stand below a root: then the squares of components are simpler."""
+    roots = sp.sympify(value, strict=True).atoms(sp.Pow)
+    return any(root.exp.is_Rational and root.exp.q == 2 and root.free_symbols for root in roots)
+
+
+def quoted_as(scene: Scene, each: GivenEquation, subject: Expression) -> int | None:
+    """The same of what stands as a quantity, as its tangent, or as a letter for it."""
+    turned = isinstance(subject, Apply)
+    if has_quantity(each.link.right):
+        return None
+    known = scene.desk.known(subject)
+    if known is None and isinstance(subject, Apply):
+        return _by_its_tangent(scene, each, subject.argument)
+    if known is None or not scene.unknown(known.value):
+        return None
+    if has_root(known.value):
+        plain = _without_its_root(scene, each, known)
+        return _squared_as(scene, each, subject, known) if plain is None else plain
+    value, refs = scene.put(known.value)
+    right, more = scene.put(scene.scalar(each.link.right))
+    if turned and (more or right == sp.pi / 2):
+        return None
+    tree = each.link.right if not more else tree_of(right)
+    tree = tree_of(tidy(sp.tan(right))) if turned else tree
+    relation = chain(tree, (tree_of(value), None))
+    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    names = {name for each in lines for name in letters(scene.desk.last_link(each).right)}
+    lets = tuple(f"let {name}" for name in sorted(names) if f"let {name}" in scene.facts)
+    premises = scene.judge.enough(
+        Move("put"),
+        (*known.refs, each.fact.id),
+        relation,
+        together(each.lets, lets, refs, more),
+    )
+    return None if premises is None else scene.desk.write(Move("put"), premises, relation)
+
+
+def _by_its_tangent(scene: Scene, each: GivenEquation, angle: Expression) -> int | None:
+    """The value of an angle that is given, put into a line that has its tangent in letters."""
+    value, more = scene.put(scene.scalar(each.link.right))
+    tangent = tidy(sp.tan(value))
+    if more or has_quantity(each.link.right) or not tangent.is_number or not tangent.is_finite:
+        return None
+    for meaning in scene.desk.lines:
+        if not isinstance(meaning.relation, Meaning) or meaning.relation.quantity != angle:
+            continue
+        letter = Letter(meaning.relation.letter)
+        line = _standing_tangent(scene, Apply("tan", letter))
+        if line is None:
+            continue
+        left = scene.desk.last_link(line).right
+        if not scene.unknown(scene.scalar(left)):
+            continue
+        mark = scene.desk.mark()
+        equal = chain(letter, (each.link.right, None))
+        pool = each.fact.id, meaning.number
+        fact = scene.judge.write((Move("fact"),), pool, equal)
+        relation = chain(left, (tree_of(tangent), None))
+        if isinstance(each.link.right, Degrees):
+            own = Apply("tan", each.link.right)
+            relation = chain(left, (own, None), (tree_of(tangent), "rearrange"))
+        put = fact and scene.judge.write((Move("put"),), (line, fact), relation)
+        if put:
+            return put
+        scene.desk.back(mark)
+    return None
+
+
+def _standing_tangent(scene: Scene, tangent: Apply) -> int | None:
+    """The last line in force that gives a tangent in letters."""
+    for line in reversed(scene.desk.lines):
+        own = line.relation
+        if not isinstance(own, Relation) or len(own.options) > 1 or own.only[0].left != tangent:
+            continue
+        plain = all(each.sign == "=" for each in own.only)
+        if plain and not has_quantity(own.only[-1].right) and scene.desk.holds(line.number):
+            ratios = [node for node in walk(own.only[-1].right) if isinstance(node, Apply)]
+            meant = scene.desk.meanings([line.number])
+            named = {scene.desk.line(each).relation.letter for each in meant}  # type: ignore[union-attr]
+            return None if any(named & letters(node) for node in ratios) else line.number
+    return None
+
+
+def _without_its_root(scene: Scene, each: GivenEquation, known: Source) -> int | None:
+    """What is given of a quantity that stands as a root, where equal letters leave none in it."""
+    ties = {symbol: scene.put(symbol)[0] for symbol in known.value.free_symbols}
+    equal = {one: other for one, other in ties.items() if other.is_Symbol and one != other}
+    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    if not equal or len(lines) != 1:
+        return None
+    value, (right, more) = known.value.subs(equal), scene.put(scene.scalar(each.link.right))
+    angles = {ratio.args[0]: sp.Dummy("c", positive=True) for ratio in value.atoms(sp.sin, sp.cos)}
+    put = {sp.cos(each): c for each, c in angles.items()}
+    put |= {sp.sin(each): sp.sqrt(1 - c**2) for each, c in angles.items()}
+    plain = tidy(sp.sqrt(sp.expand(value.xreplace(put) ** 2)))
+    if more or has_root(plain) or plain.atoms(sp.Dummy):
+        return None
+    refs = (ref for symbol in equal for ref in scene.put(symbol)[1])
+    names = {symbol.name for symbol in value.free_symbols}
+    letters_: dict[Expression, Expression] = {
+        Letter(one.name): Letter(other.name) for one, other in equal.items()
+    }
+    tree = exchanged(scene.desk.last_link(lines[0]).right, letters_)
+    relation = chain(tree_of(right), (tree, None), (tree_of(plain), "identity"))
+    pool = together(known.refs, (each.fact.id,), refs)
+    premises = scene.judge.enough(Move("put"), pool, relation, background(scene, names))
+    return None if premises is None else scene.desk.write(Move("put"), premises, relation)
+
+
+def _squared_as(
+    scene: Scene, each: GivenEquation, subject: Expression, known: Source
+) -> int | None:
+    """What is given of a speed that stands as one root: the squares are equal; None of another."""
+    value, refs = scene.put(known.value)
+    squared = tidy(value**2)
+    _, more = scene.put(scene.scalar(each.link.right))
+    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    if refs or more or has_root(squared) or len(lines) != 1:
+        return None
+    if not isinstance(subject, Quantity) or subject.kind != "speed":
+        return None
+    names = {symbol.name for symbol in squared.free_symbols}
+    pool = (lines[0], *background(scene, names))
+    relation = chain(square(subject), (tree_of(squared), None))
+    line = scene.judge.write((Move("rearrange"),), pool, relation)
+    if line is None:
+        return None
+    relation = chain(square(each.link.right), (tree_of(squared), None))
+    return scene.judge.write((Move("put"),), (line, each.fact.id, *each.lets), relation)

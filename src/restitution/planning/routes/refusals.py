@@ -1,0 +1,108 @@
+"""Items without an answer: the lines up to what cannot be, and a note that says why."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import sympy as sp
+
+from restitution.errors import (
+    ContradictionError,
+    ImpossibleError,
+    MissingError,
+    RestitutionError,
+)
+from restitution.explaining.derivation import NoteKind, Ref
+from restitution.expression.tree import Letter
+from restitution.planning.routes.order import Solver
+from restitution.planning.writing.desk import Desk, NotPlannedError
+from restitution.planning.writing.scene import Scene
+from restitution.problem import Value
+from restitution.solving.coefficients import COEFFICIENTS
+from restitution.solving.solution import ItemResult
+
+_KINDS: tuple[tuple[type[RestitutionError], NoteKind], ...] = (
+    (MissingError, "missing"),
+    (ContradictionError, "contradiction"),
+    (ImpossibleError, "impossible"),
+)
+
+
+def note_of(desk: Desk, result: ItemResult, name: str) -> None:
+    """Notes that an item has no answer, in the words of the solver."""
+    error = result.error
+    assert error is not None
+    kind: NoteKind = next((kind for own, kind in _KINDS if isinstance(error, own)), "missing")
+    reason = error.because or error.message
+    if reason.endswith("?"):
+        reason = reason.rpartition(";")[0]  # without what may have been meant
+    desk.note(name, kind, reason)
+
+
+def write_refusal(
+    scene: Scene, solver: Solver, result: ItemResult, write: Callable[[], None], name: str
+) -> None:
+    """Writes what leads to a coefficient that cannot be, where that is why there is no answer.
+
+    ``write`` writes the item as if there were one: of a coefficient that is asked, its value is
+    what cannot be.
+    """
+    desk = scene.desk
+    standing = solver.mark()
+    if isinstance(result.error, ImpossibleError) and not scene.others:
+        try:
+            premises = _impossible(scene, solver, result, write)
+        except NotPlannedError:
+            premises = None
+        if premises is not None:
+            desk.note(name, "impossible", COEFFICIENTS, premises=premises)
+            return
+        solver.back(standing)
+    note_of(desk, result, name)
+
+
+def _impossible(
+    scene: Scene, solver: Solver, result: ItemResult, write: Callable[[], None]
+) -> tuple[Ref, ...] | None:
+    """What says that a coefficient is what none can be; None where that is not the reason."""
+    asked = result.item.expression if isinstance(result.item, Value) else None
+    letters = dict(_beyond(scene))
+    if isinstance(asked, Letter) and asked.name in letters:
+        write()
+        end = scene.desk.ends.pop()
+        return end.line, letters[asked.name]
+    for name, bound in letters.items():
+        solver.determine([scene.model.unknowns.letter(name)])
+        known = scene.desk.known(Letter(name))
+        lines = [] if known is None else [ref for ref in known.refs if isinstance(ref, int)]
+        if len(lines) == 1 and len(scene.desk.relation(lines[0]).options) == 1:
+            return lines[0], bound
+    for number in range(1, scene.events + 1):
+        fact = scene.facts.get(f"e {number}")
+        if fact is None:
+            continue
+        value = scene.scalar(fact.relation.only[0].right)
+        bound = "" if value.free_symbols else _broken(f"restitution({number})", value)
+        if bound:
+            return fact.id, bound
+    return None
+
+
+def _beyond(scene: Scene) -> Iterator[tuple[str, str]]:
+    """The letters of coefficients that are worked out to what none can be, each with its bound."""
+    for symbol, value in scene.model.final.items():
+        role = scene.model.unknowns.roles.get(symbol.name)
+        if role is None or role.kind != "restitution":
+            continue
+        bound = _broken(symbol.name, sp.sympify(value, strict=True))
+        if bound:
+            yield symbol.name, bound
+
+
+def _broken(name: str, value: sp.Expr) -> str:
+    """The bound that a number breaks; nothing where it breaks none."""
+    if not value.is_number:
+        return ""
+    if value > 1:
+        return f"{name} <= 1"
+    return f"{name} >= 0" if value < 0 else ""

@@ -1,0 +1,177 @@
+"""How directions stand to each other, to be shown: by components, or one as a multiple."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from restitution.components.verdicts import proved_sign
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.explaining.facts import links_of
+from restitution.expression.tree import (
+    Expression,
+    Name,
+    Negate,
+    Quantity,
+    has_quantity,
+)
+from restitution.planning.angles.scalar_angles import write_product_of_two
+from restitution.planning.formulas.turns import Moving
+from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
+from restitution.planning.inequalities.claims import Claims
+from restitution.planning.shows.shown_equations import Equation
+from restitution.planning.writing.desk import NotPlannedError, together
+from restitution.planning.writing.forms import (
+    product,
+    tree_of,
+)
+from restitution.problem import (
+    Aligned,
+)
+from restitution.vector import Vector
+
+
+def write_aligned(claims: Claims, relation: Aligned, now: int) -> tuple[int, Relation]:
+    """How two directions stand to each other, by their components."""
+    scene = claims.scene
+    (link,) = links_of(scene.problem, relation, now)
+    if relation.relation == "parallel to":
+        for own in (link, Link(link.right, link.sign, link.left)):
+            match own:
+                case Link(Quantity("line_of_centres", (), int(event)), _, right) if not (
+                    has_quantity(right) or isinstance(right, Name)
+                ):
+                    return _axis_shown(claims, event, own)
+    if relation.relation != "perpendicular to" and not isinstance(link.right, Name):
+        return _common_direction(claims, relation, link)
+    record = "perpendicular" if relation.relation == "perpendicular to" else "parallel"
+    return _tied(claims, record, (link.left, link.right), Relation(((link,),)))
+
+
+def _axis_shown(claims: Claims, event: int, link: Link) -> tuple[int, Relation]:
+    """A line of centres that is worked out, in the printed direction."""
+    relation = Relation(((link,),))
+    lines = [ref for ref in claims.scene.frame(event).refs if isinstance(ref, int)]
+    if not lines:
+        raise NotPlannedError("a line of centres that is given")
+    line = claims.judge.write((Move("rearrange"),), lines, relation)
+    if line is None:
+        raise NotPlannedError("another direction of a line of centres")
+    return line, relation
+
+
+def _along_the_axis(claims: Claims, link: Link) -> tuple[int, Relation]:
+    """A velocity along a line of centres that is worked out: as a multiple of its direction."""
+    match link:
+        case Link(Quantity("velocity") as velocity, "parallel to", Quantity() as axis):
+            pass
+        case _:
+            raise NotPlannedError("a line of centres that is to be worked out")
+    scene, judge = claims.scene, claims.judge
+    lines = [ref for ref in scene.frame(int(str(axis.stage))).refs if isinstance(ref, int)]
+    written = scene.desk.known(velocity)
+    if not lines or written is None or not isinstance(written.value, Vector):
+        raise NotPlannedError("a line of centres, or a velocity, that no line says")
+    direction = scene.desk.last_link(lines[-1]).right
+    x, y = scene.model.story.direction(direction, scene.events)
+    own, other = written.value
+    factor = tidy(own / x) if x != 0 else tidy(other / y)
+    multiple = Link(velocity, "=", product(tree_of(factor), direction))
+    line = judge.write((Move("rearrange"),), written.refs, Relation(((multiple,),)))
+    relation = Relation(((link,),))
+    last = None if line is None else judge.write((Move("put"),), [lines[-1], line], relation)
+    if last is None:
+        raise NotPlannedError("a velocity along a line of centres")
+    return last, relation
+
+
+def write_right_angle(
+    claims: Claims, pair: Sequence[Expression], opened: Link, link: Link
+) -> tuple[int, Relation]:
+    """That an angle is 90°, and then that a letter of the statement for it is."""
+    line, relation = _tied(claims, "perpendicular", pair, Relation(((opened,),)))
+    if opened == link:
+        return line, relation
+    relation = Relation(((link,),))
+    named = claims.judge.write((Move("put"),), [line, *claims.scene.lets_in(link)], relation)
+    if named is None:
+        raise NotPlannedError("a letter for a right angle")
+    return named, relation
+
+
+def _tied(
+    claims: Claims, record: str, pair: Sequence[Expression], own_relation: Relation
+) -> tuple[int, Relation]:
+    """That two directions are parallel, or at right angles, by the components of velocities."""
+    scene = claims.scene
+    moving = [
+        body_and_stage(scene, each)
+        for each in pair
+        if isinstance(each, Quantity) and each.kind == "velocity"
+    ]
+    if not moving:
+        raise NotPlannedError("directions of no velocity")
+    frame = frame_after(scene, *max(moving, key=lambda own: own[1]))
+    refs: list[Ref] = []
+    for body, stage in moving:
+        own = scene.velocity(body, stage)
+        claims.solver.determine(list(own))
+        for kind in ("along", "across"):
+            refs += claims.worths.component(kind, body, stage, frame).whole
+    refs += [f"wall {wall.name}" for wall in scene.problem.walls]
+    move = Move("define", record, frame.number, tuple(dict.fromkeys(b for b, _ in moving)))
+    if record == "perpendicular" and len(moving) == len(pair):
+        line = _by_the_product(claims, move, (moving[0], moving[1]), own_relation)
+        if line is not None:
+            return line, own_relation
+    for pool in (refs, [*frame.refs, *refs]):
+        cited = together(r for r in pool if claims.worths.exists(r))
+        line = claims.judge.write((move,), cited, own_relation)
+        if line is not None:
+            return line, own_relation
+    raise NotPlannedError("two directions")
+
+
+def _by_the_product(
+    claims: Claims, move: Move, pair: tuple[Moving, Moving], relation: Relation
+) -> int | None:
+    """That two velocities are at right angles, by their scalar product, a line of its own."""
+    mark = claims.worths.mark()
+    product_ = write_product_of_two(claims.scene, pair)
+    line = None if product_ is None else claims.judge.write((move,), [product_], relation)
+    if line is None:
+        claims.worths.back(mark)
+    return line
+
+
+def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[int, Relation]:
+    """One velocity as a multiple of another, or of a direction: the sign of the factor tells."""
+    scene = claims.scene
+    left = link.left
+    right = link.right.operand if isinstance(link.right, Negate) else link.right
+    a, b = (scene.model.story.direction(each, scene.events) for each in (left, right))
+    for own in (a, b):
+        claims.solver.determine(list(own))
+    (ax, ay), (bx, by) = (
+        tuple(sp.sympify(scene.put(each)[0], strict=True) for each in (own.x, own.y))
+        for own in (a, b)
+    )
+    factor = tidy(ax / bx) if bx != 0 else tidy(ay / by)
+    sign = proved_sign(scene.model.oracle, factor)
+    wanted = {"in the direction of": 1, "opposite to": -1}.get(relation.relation, sign)
+    if not isinstance(left, Quantity) or sign == 0 or sign != wanted:
+        raise NotPlannedError("two directions")
+    if sign is None and relation.relation != "parallel to":
+        raise NotPlannedError("two directions")  # the factor may vanish, or have either sign
+    if isinstance(right, Quantity) and right.kind == "line_of_centres":
+        fact = scene.facts.get(f"axis {right.stage}")
+        if fact is None:
+            return _along_the_axis(claims, link)
+        right = fact.relation.only[0].right
+    parallel = Link(left, "=", product(tree_of(factor), right))
+    line = Equation(claims, parallel).write()
+    if left.kind == "impulse":  # a velocity is known by its components
+        scene.desk.know(left, Vector(*(factor * each for each in (bx, by))), (line,))
+    return line, Relation(((parallel,),))

@@ -1,0 +1,658 @@
+"""An equation to be shown: of letters, of one quantity or of several."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Link, Meaning, Move, MoveId, Ref, Relation
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    children,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.planning.angles.angles_by_letters import write_by_equal_letters
+from restitution.planning.angles.deflections import cosine_of_deflection
+from restitution.planning.angles.turning import angle_line, is_angle, write_ratio
+from restitution.planning.formulas.definitions import Formula
+from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
+from restitution.planning.inequalities.claims import Claims
+from restitution.planning.inequalities.conditions import has_quantity_in
+from restitution.planning.journeys import journeys
+from restitution.planning.shows.shown_ratios import ratio_by_a_tangent
+from restitution.planning.shows.shown_speeds import speed_by_a_tie
+from restitution.planning.writing import place_trees
+from restitution.planning.writing.between import terms_between
+from restitution.planning.writing.desk import UNPLANNED, NotPlannedError, chain, together
+from restitution.planning.writing.forms import (
+    alike,
+    is_rational,
+    negative,
+    product,
+    square,
+    swept,
+    tangents_opened,
+    total,
+    tree_of,
+)
+from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.scene import Scene
+
+# By these a line becomes the printed form, in the order in which they are tried.
+_TO_CLEAR = (Move("rearrange"), Move("cancel"))
+LAST: tuple[Move, ...] = (
+    Move("rearrange"),
+    Move("put"),
+    Move("cancel"),
+    *(Move("identity", each) for each in ("pythagoras", "double-angle", "sum-of-angles")),
+)
+
+_ONE, _TWO = (Number(Fraction(n)) for n in (1, 2))
+_TO_FORM = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
+_LAST_LINKS: tuple[MoveId | None, ...] = (None, "rearrange", "identity")
+
+
+def says(scene: Scene, line: int, link: Link) -> bool:
+    """Whether a line is an equation, but for the order of its factors."""
+    if len(scene.desk.relation(line).options) > 1:
+        return False
+    own = scene.desk.last_link(line)
+    same = own.sign == link.sign and own.left == link.left
+    return same and is_form_of(scene, (own.right, link.right))
+
+
+def is_form_of(scene: Scene, pair: tuple[Expression, Expression]) -> bool:
+    """Whether two expressions are one, but for the order of factors or a decimal point."""
+    if all(is_rational(each.operand if isinstance(each, Negate) else each) for each in pair):
+        one, other = (sp.sympify(scene.scalar(each), strict=True) for each in pair)
+        return bool(one == other)
+    return alike(*pair)
+
+
+class Equation:
+    """An equation to be shown."""
+
+    def __init__(self, claims: Claims, link: Link) -> None:
+        self.claims = claims
+        self.scene = claims.scene
+        self.judge = claims.judge
+        self.link = link
+        self.relation = Relation(((link,),))
+
+    def write(self) -> int:
+        """Writes the lines, and returns the number of the last."""
+        left, right = (
+            self.claims.worths.opened(each) for each in (self.link.left, self.link.right)
+        )
+        if not has_quantity(left) and not has_quantity(right):
+            return self._of_letters()
+        if isinstance(self.link.left, Letter) and not isinstance(left, Letter | Quantity):
+            line = self._of_expression(self.link.left, left)
+            if line is not None:
+                return line
+        quantities = list(dict.fromkeys(quantities_in(left, right)))
+        subjects = [quantity for quantity in quantities if quantity in set(walk(left))]
+        if len(quantities) == 1 and len(subjects) == 1:
+            line = self._of_one(quantities[0]) or self._ratio_as_asked(quantities[0])
+            line = line or speed_by_a_tie(self.claims, self.link)
+            if line is not None:
+                return line
+        line = self._speed_by_an_angle(quantities) or self._of_durations(quantities)
+        if line is not None:
+            return line
+        standing = self.claims.worths.mark()
+        try:
+            return self._of_several(quantities)
+        except NotPlannedError:
+            self.claims.worths.back(standing)
+            line = self._of_equal_angles(left, right)
+            if line is None:
+                raise
+            return line
+
+    def _of_durations(self, quantities: Sequence[Quantity]) -> int | None:
+        """An equation of times between events, by these alone."""
+        trees = [node for side in (self.link.left, self.link.right) for node in walk(side)]
+        between = [each for each in trees if place_trees.is_duration(each)]
+        inside = [node for each in between for node in walk(each) if isinstance(node, Quantity)]
+        if not between or sorted(map(str, inside)) != sorted(
+            str(node) for node in trees if isinstance(node, Quantity)
+        ):
+            return None
+        if any(each.kind != "time" for each in quantities):
+            return None
+        mark = self.claims.worths.mark()
+        lines: list[int] = []
+        try:
+            for each in dict.fromkeys(between):
+                self.claims.worths.solver.determine(journeys.goals(self.scene, each))
+                lines.append(journeys.write(self.scene, each)[0])
+        except NotPlannedError:
+            self.claims.worths.back(mark)
+            return None
+        names = self._known(letters(self.link.left) | letters(self.link.right))
+        line = self.judge.write((Move("put"),), [*lines, *names], self.relation)
+        if line is None:
+            self.claims.worths.back(mark)
+        return line
+
+    def _of_equal_angles(self, *sides: Expression) -> int | None:
+        """Two angles that are the same: each as an angle, in letters."""
+        angles = [
+            each for each in sides if isinstance(each, Quantity) and is_angle(self.scene, each)
+        ]
+        if len(angles) != len(sides):
+            return None
+        lines: list[int] = []
+        names: list[Ref] = []
+        try:
+            for each in angles:
+                self.claims.worths.determine(each)
+                lines.append(angle_line(self.scene, each))
+                names += self.claims.worths.name_of(each)
+        except NotPlannedError:
+            return None
+        refs = [*(write_by_equal_letters(self.scene, lines) or lines), *names]
+        return self.judge.write((Move("put"),), [*refs, *self._lets_of(*angles)], self.relation)
+
+    def _lets_of(self, *angles: Quantity) -> list[int]:
+        """The lines that introduce letters for angles."""
+        desk = self.scene.desk
+        return [
+            line.number
+            for line in desk.lines
+            if isinstance(line.relation, Meaning) and line.relation.quantity in angles
+        ]
+
+    def _speed_by_an_angle(self, quantities: Sequence[Quantity]) -> int | None:
+        """A speed in terms of the angle of its velocity to a line: a component, by that."""
+        scene, claims = self.scene, self.claims
+        trees = [node for side in (self.link.left, self.link.right) for node in walk(side)]
+        for speed in quantities:
+            if speed.kind != "speed" or not isinstance(speed.stage, int):
+                continue
+            velocity = replace(speed, kind="velocity")
+            for ratio in trees:
+                match ratio:
+                    case Apply("sin" | "cos", Letter() | Quantity("angle") as angle):
+                        opened = claims.worths.opened(angle)
+                    case _:
+                        continue
+                if not isinstance(opened, Quantity) or opened.arguments[:1] != (velocity,):
+                    continue
+                mark = claims.worths.mark()
+                claims.worths.determine(velocity)
+                body, stage = body_and_stage(scene, velocity)
+                frame = frame_after(scene, body, stage)
+                lets = scene.lets_in(Link(angle, "=", angle))
+                move = Move("define", "speed", frame.number, (body,))
+                for kind in ("across", "along"):
+                    own = claims.worths.component(kind, body, stage, frame)
+                    size = tree_of(own.value)
+                    size = negative(size) if scene.model.sign(own.value) < 0 else size
+                    pool = together(own.whole, frame.refs, lets)
+                    relation = Relation(((Link(product(speed, ratio), "=", size),),))
+                    line = self.judge.write((move,), pool, relation)
+                    if line is None:
+                        continue
+                    if relation == self.relation:
+                        return line
+                    names = letters(self.link.left) | letters(self.link.right)
+                    form = self._last([line, *lets, *self._known(names)])
+                    if form is not None:
+                        return form
+                claims.worths.back(mark)
+        return None
+
+    def _ratio_as_asked(self, angle: Quantity) -> int | None:
+        """A ratio of an angle as it is written where it is asked, then in the printed form."""
+        match self.link.left:
+            case Apply("sin" | "cos" | "tan" as function, tree) if is_angle(self.scene, tree):
+                pass
+            case _:
+                return None
+        mark = self.claims.worths.mark()
+        try:
+            self.claims.worths.determine(angle)
+            line, _ = write_ratio(self.scene, function, tree)
+        except NotPlannedError:
+            self.claims.worths.back(mark)
+            return None
+        if says(self.scene, line, self.link):
+            return line
+        names = self._known(letters(self.scene.desk.last_link(line).right) | letters(tree))
+        printed = self._last([line, *self.claims.worths.name_of(angle), *names])
+        if printed is None:
+            self.claims.worths.back(mark)
+        return printed
+
+    def _of_expression(self, letter: Letter, tree: Expression) -> int | None:
+        """A letter of the statement for an expression of quantities."""
+        mark = self.claims.worths.mark()
+        worth = self.claims.worths.worth(tree)
+        if worth is not None:
+            known = self.judge.known(letters(self.link.right))
+            value = self.scene.desk.last_link(worth).right
+            for first in (self.link, Link(letter, "=", value)):
+                line = self.judge.write(
+                    (Move("put"),), [f"let {letter.name}", worth, *known], Relation(((first,),))
+                )
+                if line is not None:
+                    return line if first == self.link else self._last([line, *known])
+        self.claims.worths.back(mark)
+        return None
+
+    # --- letters --------------------------------------------------------------------------------
+
+    def _of_letters(self) -> int:
+        """A relation of letters: the equation that the facts give, or the letters by themselves."""
+        mark = self.claims.worths.mark()
+        try:
+            return self._of_ties()
+        except UNPLANNED:
+            self.claims.worths.back(mark)
+            line = self._worked_out()
+            if line is None:
+                raise
+            return line
+
+    def _worked_out(self) -> int | None:
+        """The letters that the facts fix, worked out as those that are asked."""
+        scene = self.scene
+        names = letters(self.link.left) | letters(self.link.right)
+        fixed = {symbol for symbol in scene.model.final if symbol.name in names}
+        free = scene.free & fixed
+        scene.free -= free
+        try:
+            for symbol in sorted(fixed & scene.unknown(sp.Add(*fixed)), key=str):
+                self.claims.solver.determine([symbol])
+                standing = self._standing() or self._by_its_letter()
+                if standing is not None:
+                    return standing
+            known = (scene.desk.known(Letter(symbol.name)) for symbol in fixed)
+            lines = [ref for own in known if own for ref in own.refs]
+            return self._last([*lines, *self.judge.known(names)]) if lines else None
+        finally:
+            scene.free |= free
+
+    def _by_its_letter(self) -> int | None:
+        """What the working has a letter for, by the line that says what that is."""
+        desk = self.scene.desk
+        for let in desk.lines:
+            if isinstance(let.relation, Meaning) and let.relation.quantity == self.link.left:
+                own = replace(self.link, left=Letter(let.relation.letter))
+                line = next((e for e in self._equations() if says(self.scene, e, own)), None)
+                if line is not None:
+                    return self.judge.write((Move("put"),), [line, let.number], self.relation)
+        return None
+
+    def _equations(self) -> Iterator[int]:
+        """The lines in force that are equations."""
+        desk = self.scene.desk
+        lines = (line.number for line in desk.lines if isinstance(line.relation, Relation))
+        return filter(desk.holds, lines)
+
+    def _of_ties(self) -> int:
+        """The equation that the facts give, rearranged."""
+        lines = self.claims.ties.lines()
+        known = self.judge.known(letters(self.link.left) | letters(self.link.right))
+        for each in lines:
+            cleared = self._cleared(each, known)
+            if cleared is not None:
+                return cleared
+        standing = self._standing()
+        if standing is not None:
+            return standing
+        for each in lines:
+            others = [other for other in lines if other != each]
+            line = self._last([each, *others, *known])
+            if line is not None:
+                return line
+        for each in lines:
+            line = self._rooted(each, [other for other in lines if other != each], known)
+            if line is not None:
+                return line
+        raise NotPlannedError("a relation of letters")
+
+    def _standing(self) -> int | None:
+        """The line in force that says what is to be shown already, on the way to something else."""
+        return next((e for e in self._equations() if says(self.scene, e, self.link)), None)
+
+    def _rooted(self, line: int, others: Sequence[int], known: Sequence[Ref]) -> int | None:
+        """A letter, or a ratio of one, by its square, of which the root is taken last."""
+        left, right = self.link.left, self.link.right
+        if not isinstance(left, Letter | Apply):
+            return None
+        squared = chain(square(left), (tree_of(tidy(self.scene.scalar(right) ** 2)), None))
+        mark = self.scene.desk.mark()
+        middle = self.judge.write(LAST, [line, *others, *known], squared)
+        if middle is not None:
+            root = self.judge.write((Move("rearrange"),), [middle, *known], self.relation)
+            if root is not None:
+                return root
+            both = Relation(((self.link,), (Link(left, "=", negative(right)),)))
+            roots = self.judge.write((Move("roots"),), [middle, *known], both)
+            if roots is not None:
+                root = self.judge.write((Move("reject"),), [roots, *known], self.relation)
+            if root is not None:
+                return root
+        self.scene.desk.back(mark)
+        return None
+
+    def _cleared(self, line: int, known: Sequence[Ref]) -> int | None:
+        """A square that is a quotient of letters, from a line into which values were put.
+
+        What is divided by stands on the other side first.
+        """
+        match self.link:
+            case Link(Binary("^") as power, "=", Binary("/", above, below)) if letters(below):
+                pass
+            case _:
+                return None
+        desk = self.scene.desk
+        own = desk.line(line)
+        base, *_ = (each for each in (*own.premises, 0) if isinstance(each, int))
+        if own.relation != self.relation or own.move.id != "rearrange" or line != len(desk.lines):
+            return None
+        if not base or desk.line(base).move.id != "put":
+            return None
+        desk.lines.pop()
+        between = chain(swept(product(below, power)), (above, None))
+        first = self.judge.write(_TO_CLEAR, [base, *known], between)
+        last = None if first is None else self._last([first, *known])
+        if last is None:
+            del desk.lines[line - 1 :]
+            desk.lines.append(own)
+            return None
+        if desk.known(power) is not None:
+            desk.know(power, self.scene.scalar(self.link.right), (last,))
+        return last
+
+    def _last(self, pool: Sequence[Ref]) -> int | None:
+        mark = self.claims.worths.mark()
+        halves = self._by_double_angle(pool)
+        if halves is not None:
+            line = self.judge.write((Move("rearrange"),), [halves, *pool[1:]], self.relation)
+            if line is not None:
+                return line
+            self.claims.worths.back(mark)
+        line = self._by_tangent_of_double(pool) or self.judge.write(LAST, pool, self.relation)
+        if line is not None:
+            return line
+        # Letters that have values were put in on the way; others are tied by what is given.
+        names = letters(self.link.left) | letters(self.link.right)
+        trees: list[Expression] = [Letter(name) for name in sorted(names)]
+        ratios = [Apply(each, own) for own in trees for each in ("sin", "cos", "tan")]
+        known = (self.scene.desk.known(each) for each in (*trees, *ratios))
+        refs = [ref for own in known if own is not None for ref in own.refs]
+        refs += self._between_letters()
+        return self.judge.write((Move("put"),), [*pool, *refs], self.relation) if refs else None
+
+    def _by_double_angle(self, pool: Sequence[Ref]) -> int | None:
+        """The squares of the sine and of the cosine of an angle, by the cosine of twice that."""
+        first = pool[0] if pool else None
+        doubles = {
+            node.argument.right
+            for node in walk(self.link.right)
+            if isinstance(node, Apply)
+            and node.function == "cos"
+            and isinstance(node.argument, Binary)
+            and (node.argument.op, node.argument.left) == ("*", _TWO)
+        }
+        if not isinstance(first, int) or len(doubles) != 1:
+            return None
+        link, (angle,) = self.scene.desk.last_link(first), doubles
+        if link.left != self.link.left or has_quantity(link.right):
+            return None
+        own = expanded(self.scene.scalar(link.right))
+        value = self.scene.scalar(angle)
+        terms: list[Expression] = []
+        twice = Apply("cos", Binary("*", _TWO, angle))
+        for ratio, double in (
+            (sp.sin(value), Binary("-", _ONE, twice)),
+            (sp.cos(value), Binary("+", _ONE, twice)),
+        ):
+            factor = own.coeff(ratio, 2)
+            if factor == 0:
+                return None
+            own = expanded(own - factor * ratio**2)
+            number, rest = tidy(factor / 2).as_coeff_Mul()
+            terms.append(product(tree_of(number), tree_of(rest), double))
+        if own != 0:
+            return None
+        middle = chain(self.link.left, (total(terms), None))
+        return self.judge.write((Move("identity", "double-angle"),), pool, middle)
+
+    def _by_tangent_of_double(self, pool: Sequence[Ref]) -> int | None:
+        """The form by way of a line that has the tangent of a double angle by its formula."""
+        first = pool[0] if pool else None
+        if not isinstance(first, int):
+            return None
+        own = self.scene.desk.last_link(first)
+        middle = Link(tangents_opened(own.left), "=", tangents_opened(own.right))
+        if own.sign != "=" or (own.left, own.right) == (middle.left, middle.right):
+            return None
+        mark = self.claims.worths.mark()
+        names = self.judge.known(letters(own.left) | letters(own.right))
+        identity = (Move("identity", "double-angle"),)
+        line = self.judge.write(identity, [first, *names], Relation(((middle,),)))
+        if line is None or middle == self.link:
+            return line
+        last = self.judge.write(_TO_CLEAR, [line, *names, *pool[1:]], self.relation)
+        if last is None:
+            self.claims.worths.back(mark)
+        return last
+
+    def _known(self, names: AbstractSet[str]) -> tuple[Ref, ...]:
+        """What may be cited of letters: their ranges, and what the statement lets them be."""
+        facts = self.scene.facts
+        lets = {name: facts[f"let {name}"] for name in sorted(names) if f"let {name}" in facts}
+        inside = {
+            name for each in lets.values() for name in letters(each.relation.only[0].left)
+        } | {name for each in lets.values() for name in letters(each.relation.only[0].right)}
+        return (*(let.id for let in lets.values()), *self.judge.known(names | inside))
+
+    def _between_letters(self) -> list[Ref]:
+        """The given equations between letters."""
+        return [
+            each.fact.id
+            for each in self.scene.given
+            if each.link.sign == "=" and not has_quantity_in(each.fact.relation)
+        ]
+
+    # --- one quantity ---------------------------------------------------------------------------
+
+    def _of_one(self, quantity: Quantity) -> int | None:
+        claims = self.claims
+        line = self._turned(quantity)
+        if line is not None:
+            return line
+        own = claims.worths.formula(quantity)
+        match self.link.left:
+            case Apply("cos", _) if quantity.kind == "deflection":
+                own = cosine_of_deflection(self.scene, quantity)
+        left, extra = claims.worths.named(own, quantity)
+        for axes in ((), claims.worths.axes(quantity)):
+            line = self._by_definition(own, left, extra, together(own.refs, extra, axes))
+            if line is not None:
+                return line
+        return None
+
+    def _turned(self, angle: Quantity) -> int | None:
+        """The tangent of an angle between two velocities, by their angles to one line."""
+        match self.link.left:
+            case Apply("tan", Letter() | Quantity("deflection" | "angle")):
+                pass
+            case _:
+                return None
+        mark = self.claims.worths.mark()
+        line = self.claims.worths.turned(angle, by_letter=True)
+        if line is None:
+            return None
+        desk, (left, right) = self.scene.desk, (self.link.left, self.link.right)
+        own = desk.line(line)
+        first = desk.relation(line).only[0].right
+        named = self.claims.worths.name_of(angle)
+        pool = (*own.premises, *named, *self.judge.known(letters(first) | letters(right)))
+        for by in _LAST_LINKS:
+            printed = chain(left, (first, None), (right, by))
+            refs = self.judge.needed(own.move, pool, printed, own.premises)
+            if refs is not None and own.number == len(desk.lines):
+                desk.lines.pop()
+                return desk.write(own.move, refs, printed)
+        names = self.judge.known(letters(first) | letters(right))
+        written = self.judge.write(_TO_FORM, [line, *named, *names], self.relation)
+        if written is None:
+            # By a letter of the statement for a tangent.
+            known = self._known(letters(first) | letters(right))
+            written = self.judge.write((Move("put"),), [line, *named, *known], self.relation)
+        if written is None:
+            self.claims.worths.back(mark)
+        return written
+
+    def _by_definition(
+        self, own: Formula, left: Expression, extra: tuple[Ref, ...], pool: Sequence[Ref]
+    ) -> int | None:
+        right = swept(own.right)
+        squared = own.move.record == "speed" and isinstance(right, Apply)
+        for subject, start in (
+            (left, right),
+            *(((square(left), right.argument),) if squared else ()),  # type: ignore[union-attr]
+        ):
+            if subject == self.link.left:
+                line = self._defined(own, start, pool)
+                if line is not None:
+                    return line
+        # The quantity as it is defined, and then the printed form.
+        defined = self.judge.write((own.move,), pool, Relation(((Link(left, "=", right),),)))
+        if defined is None:
+            return None
+        known = self._known(letters(right) | letters(self.link.right))
+        return self._last([defined, *extra, *known])
+
+    def _defined(self, own: Formula, start: Expression, pool: Sequence[Ref]) -> int | None:
+        """The printed form as the last link of the definition, or as a line under it."""
+        left, right = self.link.left, self.link.right
+        known = self._known(letters(start) | letters(right))
+        if start == right or _is_root_of_a_square(start):
+            line = self.judge.write((own.move,), [*pool, *known], self.relation, own.refs)
+            if line is not None or start == right:
+                return line
+        first = Link(left, "=", start)
+        mark = self.scene.desk.mark()
+        number = self.judge.write((own.move,), pool, Relation(((first,),)), own.refs)
+        if number is None:
+            return None
+        between = () if has_quantity(right) else terms_between(self.scene, start, right)
+        for by in ("rearrange", "identity"):
+            steps: list[tuple[Expression, MoveId]] = [(each, "rearrange") for each in between]
+            relation = chain(left, (start, None), *steps, (right, by))
+            move = replace(own.move)
+            if by == "identity" or self.judge.follows(move, pool, relation):
+                refs = self.judge.needed(move, [*pool, *known], relation, own.refs)
+                if refs is not None:
+                    self.scene.desk.back(mark)
+                    return self.scene.desk.write(move, refs, relation)
+        if isinstance(own.value, sp.Expr):
+            value = own.value if start == swept(own.right) else own.value**2
+            simple = tree_of(tidy(value))
+            relation = Relation(((first, Link(start, "=", simple, "rearrange")),))
+            refs = self.judge.needed(own.move, [*pool, *known], relation, own.refs)
+            if refs is not None and number == len(self.scene.desk.lines):
+                self.scene.desk.back(mark)
+                number = self.scene.desk.write(own.move, refs, relation)
+        return self._last([number, *known])
+
+    # --- several --------------------------------------------------------------------------------
+
+    def _of_several(self, quantities: Sequence[Quantity]) -> int:
+        scene, claims = self.scene, self.claims
+        lines: list[int] = []
+        facts: list[Ref] = []
+        for quantity in quantities:
+            if claims.worths.is_data(quantity):
+                facts += claims.worths.data_of(quantity)
+                continue
+            lines.append(claims.worths.quantity(quantity))
+        names = letters(self.link.left) | letters(self.link.right)
+        known = self._known(names)
+        if len(lines) == 3:
+            line = ratio_by_a_tangent(claims.worths, self.link, lines)
+            if line is not None:
+                last = self._last([line, *known])
+                if last is not None:
+                    return last
+        if len(lines) == 2 and isinstance(self.link.left, Binary) and self.link.left.op == "/":
+            line = self._by_pair(Move("divide"), lines, known)
+            if line is not None:
+                return line
+        for first in lines:
+            rest = [each for each in lines if each != first]
+            line = self._last([first, *rest, *facts, *known])
+            if line is not None:
+                return line
+        if len(lines) == 2:
+            squares = Move("square-add")
+            if self.judge.follows(squares, lines, self.relation):
+                return scene.desk.write(squares, lines, self.relation)
+            for move in (Move("divide"), Move("combine")):
+                for pair in (lines, lines[::-1]):
+                    line = self._by_pair(move, pair, known)
+                    if line is not None:
+                        return line
+        raise NotPlannedError("an equation of several quantities")
+
+    def _by_pair(self, move: Move, pair: Sequence[int], known: Sequence[Ref]) -> int | None:
+        """The quotient, or the sum, of two quantities."""
+        scene = self.scene
+        values = [scene.desk.last_link(each).right for each in pair]
+        # What is divided by must not vanish, whatever the letters in it are.
+        known = together(known, self._known(letters(values[0]) | letters(values[1])))
+        op: Any = "/" if move.id == "divide" else "+"
+        first = Link(self.link.left, "=", Binary(op, values[0], values[1]))
+        middle = Relation(((first,),))
+        whole = chain(first.left, (first.right, None), (self.link.right, "rearrange"))
+        for each in (whole, self.relation):
+            refs = self.judge.enough(move, pair, each, known)
+            if refs is not None:
+                return scene.desk.write(move, refs, each)
+        refs = self.judge.enough(move, pair, middle, known)
+        if refs is None:
+            return None
+        number = scene.desk.write(move, refs, middle)
+        return self._last([number, *known])
+
+
+def _is_root_of_a_square(tree: Expression) -> bool:
+    """Whether a root is that of one square, and is what is squared."""
+    match tree:
+        case Apply("sqrt", Binary("^", _, Number(Fraction(numerator=2, denominator=1)))):
+            return True
+    return False
+
+
+def quantities_in(*trees: Expression) -> Iterator[Quantity]:
+    """The outermost quantities of trees."""
+    for tree in trees:
+        match tree:
+            case Quantity(kind) if kind != "mass":
+                yield tree
+            case Quantity() | Letter() | Number() | Name():
+                continue
+            case _:
+                yield from quantities_in(*children(tree))

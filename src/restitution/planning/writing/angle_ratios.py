@@ -1,0 +1,117 @@
+"""Ratios of an angle from one that is given, and the range of an angle."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Protocol
+
+import sympy as sp
+
+from restitution.components.models import Model
+from restitution.exact import tidy
+from restitution.explaining.derivation import Fact, Link, Move, Ref, Relation
+from restitution.expression.tree import Apply, Expression, Letter
+from restitution.planning.writing.desk import Desk, NotPlannedError, chain
+from restitution.planning.writing.forms import tree_of
+
+
+class Angles(Protocol):
+    """What a scene knows of its angles."""
+
+    model: Model
+    desk: Desk
+
+    @property
+    def ratio_facts(self) -> Mapping[str, Fact]: ...
+
+    def scalar(self, tree: Expression) -> sp.Expr: ...
+
+
+def range_of(scene: Angles, name: str) -> str:
+    """What is known of the range of an angle, as a premise says it."""
+    role = scene.model.unknowns.roles[name]
+    if role.low == 0 and role.high == sp.pi / 2 and not any(role.closed):
+        return f"acute: {name}"
+    signs = ["<=" if each else "<" for each in role.closed]
+    if role.low is None or role.high is None:
+        raise NotPlannedError(f"the range of {name} is open")
+    ends = [f"{int(sp.deg(each))}°" for each in (role.low, role.high)]
+    return f"{ends[0]} {signs[0]} {name} {signs[1]} {ends[1]}"
+
+
+def ratio_of(kind: str, angle: sp.Expr) -> sp.Expr:
+    """A sine, cosine or tangent as a number; with roots in roots as the root of its square."""
+    ratio = tidy(getattr(sp, kind)(angle))
+    if kind == "tan" or not ratio.is_number or not any(map(_has_root, ratio.atoms(sp.Pow))):
+        return ratio
+    square = sp.radsimp(sp.expand(getattr(sp, kind)(angle) ** 2))
+    if any(map(_has_root, square.atoms(sp.Pow))):
+        return ratio
+    root = sp.sqrt(square) if ratio.is_positive else -sp.sqrt(square)
+    return min(ratio, root, key=lambda each: each.count_ops())
+
+
+def _has_root(power: sp.Pow) -> bool:
+    """Whether a power is a root of a sum with roots."""
+    return _is_root(power) and any(map(_is_root, power.base.atoms(sp.Pow)))
+
+
+def _is_root(power: sp.Pow) -> bool:
+    return bool(power.exp.is_Rational and not power.exp.is_Integer)
+
+
+RECIPROCALS = {"cot": "tan", "sec": "cos", "cosec": "sin"}
+"""Ratios of angles, each with the one of which it is the reciprocal."""
+
+
+def given_ratio(scene: Angles, name: str) -> tuple[Apply, Expression, Ref]:
+    """The sine, cosine or tangent of an angle that is given, its value, and what says so.
+
+    A reciprocal of one that is given is turned over first.
+    """
+    fact = scene.ratio_facts[name]
+    (link,) = fact.relation.only
+    assert isinstance(link.left, Apply)
+    plain = RECIPROCALS.get(link.left.function)
+    if plain is None:
+        return link.left, link.right, fact.id
+    own = Apply(plain, Letter(name))
+    right = tree_of(tidy(1 / scene.scalar(link.right)))
+    first = scene.desk.write(Move("fact"), (fact.id,), fact.relation)
+    return own, right, scene.desk.write(Move("rearrange"), (first,), chain(own, (right, None)))
+
+
+def write_ratios(scene: Angles, symbol: sp.Symbol) -> None:
+    """``cos α = 3/5 and sin α = 4/5`` from the ratio that is given."""
+    own, right, ref = given_ratio(scene, symbol.name)
+    letter = Letter(symbol.name)
+    angle = scene.model.final[symbol]
+    given = own.function
+    scene.desk.know(own, scene.scalar(right), (ref,))
+    others = {each: ratio_of(each, angle) for each in ("sin", "cos", "tan") if each != given}
+    shown = [each for each in ("sin", "cos") if each != given]
+    links = tuple(Link(Apply(each, letter), "=", tree_of(others[each])) for each in shown)
+    number = scene.desk.write(
+        Move("triangle"), (ref, range_of(scene, symbol.name)), Relation((links,))
+    )
+    for each in shown:
+        scene.desk.know(Apply(each, letter), others[each], (number,))
+    if "tan" in others:
+        scene.desk.know(Apply("tan", letter), others["tan"], (ref, number))
+
+
+def write_other_ratio(scene: Angles, symbol: sp.Symbol, kind: str) -> None:
+    """A sine, cosine or tangent of an angle of which another is known, or the angle itself."""
+    letter = Letter(symbol.name)
+    for each in ("tan", "sin", "cos"):
+        known = scene.desk.known(Apply(each, letter))
+        if known is None or len(known.refs) != 1:
+            continue
+        kinds = [kind] if kind == "tan" else [own for own in ("sin", "cos") if own != each]
+        trees = {own: ratio_of(own, scene.model.final[symbol]) for own in kinds}
+        links = tuple(Link(Apply(own, letter), "=", tree_of(trees[own])) for own in kinds)
+        premises = (*known.refs, range_of(scene, symbol.name))
+        number = scene.desk.write(Move("triangle"), premises, Relation((links,)))
+        for own in kinds:
+            scene.desk.know(Apply(own, letter), trees[own], (number,))
+        return

@@ -1,0 +1,66 @@
+"""Angles between a velocity and a line."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Negate,
+    Polar,
+    Unit,
+    walk,
+)
+from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.scene import Scene
+
+STRAIGHT, RIGHT = (Degrees(Fraction(each)) for each in (180, 90))
+
+
+def angle_to_a_line(scene: Scene, body: str, line: Expression) -> Expression | None:
+    """The angle of up to 90° to a line at which the velocity of a body at the start is given.
+
+    None where it is not given by an angle, nor along **i** or **j**.
+    """
+    fact = scene.facts.get(f"velocity {body}")
+    right = None if fact is None else fact.relation.only[0].right
+    angle: Expression = Degrees(Fraction(0))
+    origin: Expression | None = None
+    if isinstance(right, Polar):
+        if right.wall is not None:
+            return None
+        angle, origin = right.angle, right.origin
+        given = scene.model.story.direction(origin or Unit("i"), 0)
+    elif right is not None and any(isinstance(node, Unit) for node in walk(right)):
+        given = scene.initial(body).value
+        if given.x != 0 and given.y != 0:
+            return None
+    else:
+        return None
+    turned = scene.scalar(angle)
+    if all(isinstance(node, Degrees | Letter | Binary) for node in walk(line)):
+        if given.x != 0 and given.y != 0:
+            return None
+        across = Binary("-", line, RIGHT) if given.x == 0 else line
+        angle, turned = Binary("-", angle, across), turned - scene.scalar(across)
+    else:
+        direction = scene.model.story.direction(line, 0)
+        if given.cross(direction) != 0:
+            if not isinstance(line, Unit) or given.dot(direction) != 0:
+                return None
+            angle, turned = Binary("-", RIGHT, angle), sp.pi / 2 - turned
+        elif not isinstance(line, Unit | Negate) and origin != line:
+            return None
+    forms = ((angle, turned), (Binary("-", STRAIGHT, angle), sp.pi - turned), (None, -turned))
+    for form, value in forms:
+        if scene.model.decide(value, ">=", 0) and scene.model.decide(value, "<=", sp.pi / 2):
+            own = tidy(value)
+            plain = form is None or own.is_number or own.is_Symbol
+            return tree_of(own, angle=True) if plain else form
+    return None

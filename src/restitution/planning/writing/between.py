@@ -1,0 +1,378 @@
+"""What stands between a definition with values put in and what that comes to.
+
+A step works squares out, or puts terms over one denominator, or puts them together in factors: a
+line that did it all at once would not be followed by a reader. So there are lines between:
+
+- of numbers with roots, the same with each square worked out;
+- of sums of letters, the terms in their order, with what they have in common in front;
+- of long sums, each difference of two squares as a product;
+- the terms collected, where they are many, or where a sum still cancels.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import TypeGuard
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Negate,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.planning.writing.forms import (
+    ONE,
+    TWO,
+    factors,
+    negative,
+    number,
+    outer_terms,
+    product,
+    square,
+    total,
+    tree_of,
+)
+from restitution.planning.writing.scene import Scene
+
+# So many squares of sums are worked out in one step.
+_AT_ONCE = 1
+# Longer brackets are no help to a reader.
+_LONGEST = 120
+# The square of a longer sum is not multiplied out: the difference of two squares is a product.
+_TERMS_SQUARED = 3
+# So many terms are collected and factorised in one step.
+_COLLECTED = 3
+
+
+def terms_between(scene: Scene, right: Expression, final: Expression) -> tuple[Expression, ...]:
+    """The lines between a definition and its value; none where that is one step."""
+    match right, final:
+        case Apply("sqrt", inside), Apply("sqrt", value):
+            return tuple(Apply("sqrt", each) for each in terms_between(scene, inside, value))
+        case Apply("sqrt", inside), _ if _has_surds_squared(inside):
+            if len({each for each in walk(inside) if _is_square(each)}) == 1:
+                return ()  # x√2
+            inner = tuple(Apply("sqrt", each) for each in terms_between(scene, inside, final))
+            return (*inner, *root_of_a_square(scene, final))
+    if has_quantity(right):
+        return ()
+    try:
+        lines = _between(scene, right, final)
+    except (RestitutionError, TypeError, ValueError, sp.PolynomialError):
+        return ()
+    kept: list[Expression] = []
+    for tree in lines:
+        if tree in (right, final, *kept) or sum(1 for _ in walk(tree)) > _LONGEST:
+            continue
+        kept.append(tree)
+    return tuple(kept)
+
+
+def root_of_a_square(scene: Scene, value: Expression) -> tuple[Expression, ...]:
+    """The root of the square of a value that is a sum of roots, multiplied out and as a square."""
+    if not any(_is_surd(each) for each in _bases(value)):
+        return ()
+    whole = sp.sympify(scene.scalar(value), strict=True)
+    own = _primitive(scene, value)
+    ratio, rest = sp.cancel(whole**2 / own**2).as_coeff_Mul()
+    above = product(number(ratio.p), tree_of(sp.expand(own**2), as_it_is=True), tree_of(rest))
+    worked = above if ratio.q == 1 else Binary("/", above, number(ratio.q))
+    return Apply("sqrt", worked), Apply("sqrt", square(value))
+
+
+def _between(scene: Scene, right: Expression, final: Expression) -> list[Expression]:
+    if _has_surds_squared(right):
+        return [_with_squares(scene, right)] if sum(1 for _ in _terms(right)) > 1 else []
+    squares = sum(map(_is_square_of_sum, walk(right)))
+    if not squares:
+        return _collected(scene, right, final)
+    if squares <= _AT_ONCE:
+        return []
+    terms = [_Term.of(scene, each) for each in _terms(right)]
+    kept = {_primitive(scene, each.left) for each in walk(final) if _is_square_of_sum(each)} - {1}
+    if squares - sum(each.base in kept for each in terms) <= _AT_ONCE:
+        return []
+    if not all(each.is_short for each in terms):
+        return _in_products(scene, right)
+    return _in_terms(terms, sp.sympify(scene.scalar(final), strict=True)) or [
+        _with_squares(scene, right)
+    ]
+
+
+def _collected(scene: Scene, right: Expression, final: Expression) -> list[Expression]:
+    """Many terms over one denominator, where their value is a product of sums."""
+    sums = [each for each in _bases(final) if _is_sum(each) or _is_square_of_sum(each)]
+    if len(sums) < _AT_ONCE + 1 or sum(1 for _ in _terms(right)) == 1:
+        return []
+    above, below = sp.fraction(sp.factor(sp.sympify(scene.scalar(right), strict=True)))
+    factor = sp.Mul(*(each for each in sp.Mul.make_args(above) if not _has_sum(each)))
+    whole = sp.expand(sp.cancel(above / factor))
+    if below.free_symbols or len(whole.args) <= _COLLECTED:
+        return []
+    if factor.as_coeff_Mul()[0].is_negative:
+        factor, whole = -factor, -whole
+    return [_put_together(factor, total(map(_term, _parts(whole))), below)]
+
+
+def _terms(tree: Expression, factor: tuple[Expression, ...] = ()) -> Iterator[Expression]:
+    """The terms of a sum, with brackets of squares multiplied out: m(x² − y²) is mx² and −my²."""
+    match tree:
+        case Negate(operand):
+            for each in _terms(operand, factor):
+                yield negative(each)
+        case Binary("+" | "-" as op, left, right):
+            yield from _terms(left, factor)
+            for each in _terms(right, factor):
+                yield each if op == "+" else negative(each)
+        case Binary("*", left, Binary("+" | "-") as right):
+            yield from _terms(right, (*factor, left))
+        case _:
+            yield product(*factor, tree)
+
+
+@dataclass(frozen=True)
+class _Term:
+    """A term of a sum: a factor, and the square of a sum that goes with it (1 without one)."""
+
+    factor: sp.Expr
+    base: sp.Expr
+
+    @classmethod
+    def of(cls, scene: Scene, tree: Expression) -> _Term:
+        """A term by its tree."""
+        sums = [each for each in factors(tree) if _is_square_of_sum(each)]
+        whole = sp.sympify(scene.scalar(tree), strict=True)
+        if len(sums) != 1:
+            return cls(whole, sp.Integer(1))
+        base = _primitive(scene, sums[0].left)
+        return cls(sp.cancel(whole / base**2), base)
+
+    @property
+    def is_short(self) -> bool:
+        """Whether the square is multiplied out in the head."""
+        return len(sp.Add.make_args(sp.expand(self.base**2))) <= _TERMS_SQUARED
+
+
+def _is_square(tree: Expression) -> TypeGuard[Binary]:
+    return isinstance(tree, Binary) and tree.op == "^" and tree.right == TWO
+
+
+def _is_square_of_sum(tree: Expression) -> TypeGuard[Binary]:
+    """Whether it is the square of what has a sum with letters as a factor."""
+    return _is_square(tree) and any(map(_is_sum, _bases(tree.left)))
+
+
+def _bases(tree: Expression) -> Iterator[Expression]:
+    """The factors of a product or a quotient."""
+    match tree:
+        case Negate(operand):
+            yield from _bases(operand)
+        case Binary("*" | "/", left, right):
+            yield from _bases(left)
+            yield from _bases(right)
+        case _:
+            yield tree
+
+
+def _is_sum(tree: Expression) -> bool:
+    return isinstance(tree, Binary) and tree.op in ("+", "-") and bool(letters(tree))
+
+
+def _primitive(scene: Scene, tree: Expression) -> sp.Expr:
+    """The sums that are factors of a tree above the line."""
+    value = sp.factor_terms(sp.sympify(scene.scalar(tree), strict=True))
+    return sp.Mul(*(each for each in sp.Mul.make_args(value) if each.is_Add))
+
+
+# --- numbers with roots -------------------------------------------------------------------------
+
+
+def _has_surds_squared(tree: Expression) -> bool:
+    """Whether sums of numbers with roots are squared, and no sums of letters."""
+    squares = [node for node in walk(tree) if _is_square(node)]
+    return any(map(_surds_of, squares)) and not any(map(_is_square_of_sum, squares))
+
+
+def _surds_of(square: Expression) -> bool:
+    return any(map(_is_surd, walk(square)))
+
+
+def _is_surd(tree: Expression) -> bool:
+    """Whether it is a sum of numbers with roots."""
+    return (
+        isinstance(tree, Binary)
+        and tree.op in ("+", "-")
+        and not letters(tree)
+        and any(isinstance(each, Apply) and each.function == "sqrt" for each in walk(tree))
+    )
+
+
+def _with_squares(scene: Scene, tree: Expression) -> Expression:
+    """A tree with each square worked out."""
+
+    def change(each: Expression) -> Expression:
+        if not _is_square(each):
+            return each
+        whole = sp.sympify(scene.scalar(each), strict=True)
+        own = _primitive(scene, each.left)
+        value, others = own**2, sp.cancel(whole / own**2)
+        if not own.free_symbols:
+            value, others = sp.factor_terms(sp.expand(whole)).as_independent(
+                *whole.free_symbols, as_Add=False
+            )
+        elif others != 1:
+            ratio, rest = others.as_coeff_Mul()
+            above = product(number(ratio.p), tree_of(rest), total(map(_term, _parts(own**2))))
+            return above if ratio.q == 1 else Binary("/", above, number(ratio.q))
+        value = sp.expand(value)
+        below = sp.ilcm(1, *(term.as_coeff_Mul()[0].q for term in sp.Add.make_args(value)))
+        above = product(tree_of(sp.expand(value * below), as_it_is=True), tree_of(others))
+        return above if below == 1 else Binary("/", above, number(int(below)))
+
+    return rebuilt(tree, change)
+
+
+# --- sums of letters ----------------------------------------------------------------------------
+
+
+def _in_terms(terms: list[_Term], final: sp.Expr) -> list[Expression]:
+    """The common factor of all terms, and in brackets what is left of them, in their order."""
+    fractions = [sp.fraction(sp.together(each.factor)) for each in terms]
+    below = sp.factor(sp.lcm_list([sp.expand(each) for _, each in fractions]))
+    above = [top * sp.factor(sp.cancel(below / bottom)) for top, bottom in fractions]
+    common = sp.factor(sp.gcd_list([sp.expand(each) for each in above]))
+    factor = sp.Mul(*(each for each in sp.Mul.make_args(common) if not _has_sum(each)))
+    rest = [sp.factor(sp.cancel(each / factor)) for each in above]
+    shared = sp.ilcm(1, *(sp.Rational(each.as_coeff_Mul()[0]).q for each in rest))
+    below, rest = below * shared, [each * shared for each in rest]
+    inside = total(
+        _multiplied(each, term.base, first=not n)
+        for n, (each, term) in enumerate(zip(rest, terms, strict=True))
+    )
+    whole = sp.Add(*(each * term.base**2 for each, term in zip(rest, terms, strict=True)))
+    if not factor.free_symbols and not below.free_symbols:
+        return []  # the squares are worked out where they stand
+    lines = [_put_together(factor, inside, below)]
+    collected = sp.expand(whole)
+    if not _divisors(below) <= _divisors(sp.fraction(sp.together(final))[1]):
+        above_ = tree_of(sp.factor(factor * collected))
+        lines.append(Binary("/", above_, tree_of(below)))
+    elif len(sp.Add.make_args(collected)) > _COLLECTED and not below.free_symbols:
+        lines.append(_put_together(factor, total(map(_term, _parts(collected))), below))
+    return lines
+
+
+def _multiplied(factor: sp.Expr, base: sp.Expr, first: bool) -> Expression:
+    """A term with its square multiplied out; in brackets, unless it is added and has no factor."""
+    square = total(_term(each) for each in _parts(base**2))
+    number_, rest = factor.as_coeff_Mul()
+    if base == 1:
+        return _term(factor)
+    front = tree_of(abs(number_) * rest, as_it_is=True)
+    whole = square if front == ONE else _beside(front, square)
+    return Negate(whole) if number_ < 0 else whole
+
+
+def _beside(front: Expression, bracket: Expression) -> Expression:
+    """A factor and a bracket: ratios of angles stand behind it."""
+    own = list(factors(front))
+    ratios = [each for each in own if any(isinstance(node, Apply) for node in walk(each))]
+    return product(*(each for each in own if each not in ratios), bracket, *ratios)
+
+
+def _put_together(factor: sp.Expr, inside: Expression, below: sp.Expr) -> Expression:
+    """A factor, a bracket, and what stands below them."""
+    number_, letters_ = factor.as_coeff_Mul()
+    front = tree_of(letters_)
+    if not below.free_symbols and letters_ != 1:
+        return _beside(product(tree_of(number_ / below), front), inside)
+    whole = _beside(product(tree_of(number_), front), inside)
+    return whole if below == 1 else Binary("/", whole, tree_of(below))
+
+
+def _divisors(below: sp.Expr) -> set[sp.Expr]:
+    """The sums that stand below a line, with their powers."""
+    return {each for each in sp.Mul.make_args(below) if _has_sum(each)}
+
+
+def _has_sum(factor: sp.Expr) -> bool:
+    return bool(factor.as_base_exp()[0].is_Add)
+
+
+def _parts(value: sp.Expr) -> Iterable[sp.Expr]:
+    """The terms of a product of sums, those of the lowest degree first."""
+
+    def degree(term: sp.Expr) -> tuple[int, object]:
+        powers = term.as_powers_dict()
+        return sum(int(powers[s]) for s in term.free_symbols), sp.default_sort_key(term)
+
+    return sorted(sp.Add.make_args(sp.expand(value)), key=degree)
+
+
+def _term(value: sp.Expr) -> Expression:
+    number_, rest = value.as_coeff_Mul()
+    tree = tree_of(abs(number_) * rest, as_it_is=True)
+    return Negate(tree) if number_ < 0 else tree
+
+
+# --- differences of squares ---------------------------------------------------------------------
+
+
+def _in_products(scene: Scene, tree: Expression) -> list[Expression]:
+    """Each difference of two squares as a product, and then what these have in common in front."""
+    terms = list(outer_terms(tree))
+    values = [sp.sympify(scene.scalar(each), strict=True) for each in terms]
+    parts = [sp.fraction(sp.factor(each)) for each in values]
+    below = sp.factor(sp.lcm_list([bottom for _, bottom in parts]))
+    above = [sp.cancel(top * below / bottom) for top, bottom in parts]
+    common = sp.factor(sp.gcd_list(above))
+    sums = [each for each in sp.Mul.make_args(common) if _has_sum(each)]
+    if not sums:
+        return []
+    rest = total(_signed(sp.cancel(each / common)) for each in above)
+    whole = product(*factors(tree_of(common)), rest)
+    last = whole if below == 1 else Binary("/", whole, tree_of(below))
+    sum_ = sp.Mul(*sums) / below
+    return [total(_as_product(scene, each, sum_) for each in terms), last]
+
+
+def _signed(value: sp.Expr) -> Expression:
+    """A sum with its sign in front of it."""
+    whole = sp.factor_terms(value)
+    return negative(tree_of(-whole)) if whole.as_coeff_Mul()[0].is_negative else tree_of(whole)
+
+
+def _as_product(scene: Scene, tree: Expression, common: sp.Expr) -> Expression:
+    """A term, k(x² − y²) as k(x − y)(x + y): first the multiple of what is common."""
+    if isinstance(tree, Negate):
+        return negative(_as_product(scene, tree.operand, common))
+    *front, bracket = factors(tree)
+    match bracket:
+        case Binary("-", left, right) if _is_square(left) and _is_square(right):
+            x, y = (sp.sympify(scene.scalar(each.left), strict=True) for each in (left, right))
+            one, other = sp.factor(x - y), sp.factor(x + y)
+            ratio = sp.cancel(one / common)
+            if any(map(_has_sum, sp.Mul.make_args(sp.fraction(sp.factor(ratio))[1]))):
+                one, other = other, one
+            if sp.factor_terms(sp.cancel(one / common)).as_coeff_Mul()[0].is_negative:
+                one, other = -one, -other
+            bottoms = [sp.fraction(sp.together(each))[1] for each in (one, other)]
+            if not any(each.free_symbols for each in bottoms):
+                return product(*front, tree_of(one), tree_of(other))
+            lead = sp.sympify(scene.scalar(product(*front)), strict=True) * one * bottoms[0]
+            ratio, lead = sp.factor(sp.cancel(lead)).as_coeff_Mul()
+            tops = (number(ratio.p), tree_of(lead), tree_of(sp.cancel(other * bottoms[1])))
+            whole = product(*(each for top in tops for each in factors(top)))
+            return Binary("/", whole, tree_of(ratio.q * sp.Mul(*bottoms)))
+    return tree
+
+
+__all__ = ["terms_between"]

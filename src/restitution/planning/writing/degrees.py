@@ -1,0 +1,135 @@
+"""Components at the start by an angle of the data: ``u cos 60°``, ``5 × 0.6``."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Ref, Relation
+from restitution.explaining.trees import trees_of
+from restitution.expression.tree import (
+    Apply,
+    Degrees,
+    Expression,
+    Name,
+    Polar,
+    walk,
+)
+from restitution.planning.writing.circles import circle_of
+from restitution.planning.writing.forms import negative, product, tree_of
+from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.scene import Scene
+from restitution.vector import Vector
+
+
+def by_degrees(
+    scene: Scene, kind: str, body: str, frame: Frame, value: sp.Expr
+) -> Expression | None:
+    """A component at the start by the angle, a number: ``u cos 60°``, ``5 × 0.6``.
+
+    None without one.
+    """
+    initial = scene.initial(body).value
+    fact = scene.facts.get(f"velocity {body}")
+    if fact is None:
+        return None
+    (link,) = fact.relation.only
+    if isinstance(link.right, Polar):
+        size = scene.scalar(link.right.size)
+    elif initial.x == 0 or initial.y == 0:
+        size = initial.x + initial.y
+        size = -size if scene.model.sign(size) < 0 else size
+    else:
+        return None
+    ratio = tidy(value / size) if size != 0 else size
+    share = _share_from_the_data(scene, link.right, frame.direction(kind), ratio)
+    if share is None:
+        # At a straight wall, angles are measured from it.
+        straight = frame.wall is not None and circle_of(scene, frame.number) is None
+        function = "sin" if straight == (kind == "along") else "cos"
+        share = share_by_degrees(ratio, function) or _share_in_numbers(link.right, size, ratio)
+        if share is not None and not _names_an_angle(scene, frame):
+            share = tree_of(abs(ratio)) if initial.x and initial.y else None
+    if share is None:
+        return None
+    own = product(tree_of(size), share)
+    return negative(own) if scene.model.sign(value) < 0 else own
+
+
+def _names_an_angle(scene: Scene, frame: Frame) -> bool:
+    """Whether a reader has an angle of the directions of a frame, and not their vectors alone."""
+    if not frame.is_slanted:
+        return True
+    refs: list[Ref] = [f"axis {frame.number}", *frame.refs]
+    lines = [scene.desk.line(ref) for ref in refs if isinstance(ref, int)]
+    refs += [ref for line in lines for ref in line.premises]
+    facts = [scene.facts[ref] for ref in refs if isinstance(ref, str) and ref in scene.facts]
+    relations = [each.relation for each in lines] + [each.relation for each in facts]
+    return any(
+        isinstance(node, Degrees | Polar)
+        for relation in relations
+        if isinstance(relation, Relation)
+        for tree in trees_of(relation)
+        for node in walk(tree)
+    )
+
+
+def _share_from_the_data(
+    scene: Scene, velocity: Expression, direction: Vector, ratio: sp.Expr
+) -> Expression | None:
+    """The size of a ratio by the very angle of the data, along or across what that is from."""
+    start = reference_of(scene, velocity)
+    if start is None:
+        return None
+    parts = {"cos": tidy(start.cross(direction)), "sin": tidy(start.dot(direction))}
+    for function, other in parts.items():
+        share = share_by_degrees(ratio, function) if other == 0 else None
+        if share is not None and set(walk(share)) & angles_in(velocity):
+            return share
+    return None
+
+
+def reference_of(scene: Scene, velocity: Expression) -> Vector | None:
+    """The direction from which the angle of a velocity is measured; None where it has none."""
+    if not isinstance(velocity, Polar):
+        return None
+    if isinstance(velocity.wall, Name):
+        fact = scene.facts.get(f"wall {velocity.wall.name}")
+        value = None if fact is None else scene.value(fact.relation.only[-1].right)
+    else:
+        value = Vector(1, 0) if velocity.origin is None else scene.value(velocity.origin)
+    return value if isinstance(value, Vector) else None
+
+
+def angles_in(tree: Expression) -> set[Expression]:
+    """The angles in degrees that a tree has."""
+    return {node for node in walk(tree) if isinstance(node, Degrees)}
+
+
+def _share_in_numbers(velocity: Expression, size: sp.Expr, ratio: sp.Expr) -> Expression | None:
+    """The size of a ratio of an angle that is told by another of its ratios: ``arccos(0.6)``.
+
+    None where a letter is the speed: ``12u/13`` is read off.
+    """
+    match velocity:
+        case Polar(angle=Apply("arcsin" | "arccos" | "arctan")) if (
+            size.is_number and ratio.is_Rational and abs(ratio) not in (0, 1)
+        ):
+            return tree_of(abs(ratio))
+    return None
+
+
+def share_by_degrees(ratio: sp.Expr, function: str) -> Expression | None:
+    """The size of a ratio as the sine or cosine of whole degrees; None where it is none."""
+    if not ratio.is_number or ratio.atoms(sp.sin, sp.cos, sp.tan) or abs(ratio) in (0, 1):
+        return None
+    size = sp.Abs(ratio)
+    angle = (sp.asin if function == "sin" else sp.acos)(size) * 180 / sp.pi
+    if not angle.is_Integer:
+        return None
+    return Apply(function, Degrees(Fraction(int(angle))))
+
+
+__all__ = ["angles_in", "by_degrees", "reference_of", "share_by_degrees"]

@@ -1,0 +1,413 @@
+"""A working while it is written: its lines, what is known by them, and what each rests on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+from typing import Any
+
+from restitution.errors import UnsupportedError
+from restitution.explaining.derivation import (
+    Case,
+    Event,
+    Fact,
+    ItemEnd,
+    Line,
+    Link,
+    Meaning,
+    Move,
+    MoveId,
+    Note,
+    NoteKind,
+    Ref,
+    Relation,
+    Route,
+    Showing,
+    Sign,
+    common_scope,
+    scopes_of,
+)
+from restitution.explaining.trees import statement_of
+from restitution.explaining.trials import names_in
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity
+from restitution.planning.writing.forms import UnwrittenError, alike
+from restitution.vector import Vector
+
+# These moves start from the line that is cited first.
+_FROM_A_LINE = frozenset(
+    (
+        *("put", "rearrange", "cancel", "identity", "combine", "divide", "monotone"),
+        *("roots", "reject", "triangle", "inverse", "value", "answer"),
+    )
+)
+
+
+class NotPlannedError(Exception):
+    """A question, or a shape of equation, for which there is no plan."""
+
+
+UNPLANNED = (NotPlannedError, UnwrittenError, UnsupportedError)
+"""What has no plan, what no line says, and what the story does not tell exactly."""
+
+Scope = frozenset[str | None] | None
+"""The parts in which something holds; None where it holds in all."""
+
+# The moves that say what stands above once more.
+_LAST = frozenset({"answer", "shown"})
+
+
+@dataclass(frozen=True)
+class Source:
+    """A value that is known, as an expression or a vector of them, and what it rests on.
+
+    ``axis`` is what a component rests on beside that, where it is named by the line of centres;
+    ``form`` is how the line writes it in which it comes of the data, where that is another tree.
+    """
+
+    value: Any
+    refs: tuple[Ref, ...] = ()
+    axis: tuple[Ref, ...] = ()
+    form: Expression | None = None
+
+    @property
+    def whole(self) -> tuple[Ref, ...]:
+        """All that it rests on."""
+        return together(self.refs, self.axis)
+
+
+def together(*groups: Iterable[Ref]) -> tuple[Ref, ...]:
+    """Premises without repetitions: facts first, in the order named, then lines by number."""
+    refs = list(dict.fromkeys(ref for group in groups for ref in group))
+    return (
+        *(each for each in refs if isinstance(each, str)),
+        *sorted(each for each in refs if isinstance(each, int)),
+    )
+
+
+def link(left: Expression, right: Expression, sign: Sign = "=", by: MoveId | None = None) -> Link:
+    """``left sign right``."""
+    return Link(left, sign, right, by)
+
+
+def chain(first: Expression, *steps: tuple[Expression, MoveId | None]) -> Relation:
+    """``first = a = b``, in which each later link has its own move; what repeats is left out."""
+    links: list[Link] = []
+    last = first
+    for tree, by in steps:
+        if links and alike(tree, last):
+            # The form of an answer is kept of two that only differ in brackets.
+            links[-1] = Link(links[-1].left, "=", tree, links[-1].by)
+            last = tree
+            continue
+        links.append(Link(last, "=", tree, by if links else None))
+        last = tree
+    return Relation((tuple(links),))
+
+
+def _goes_further(one: Relation | Meaning, other: Relation | Meaning) -> bool:
+    """Whether a chain begins with another, and works it out."""
+    if isinstance(one, Meaning) or isinstance(other, Meaning):
+        return False
+    if len(one.options) != 1 or len(other.options) != 1:
+        return False
+    return one.only[: len(other.only)] == other.only
+
+
+def _is_same(one: Relation | Meaning, other: Relation | Meaning) -> bool:
+    """Whether a line says another.
+
+    A chain says what its ends do, in any order of factors; an inequality may be written from
+    either side.
+    """
+    if one == other:
+        return True
+    if isinstance(one, Meaning) or isinstance(other, Meaning):
+        return False
+    whole, end = (_whole(each) for each in (one, other))
+    if whole is not None and end is not None:
+        return whole.left == end.left and alike(whole.right, end.right)
+    links = (*one.options[0], *other.options[0])
+    if any(each.sign not in ("<", "<=", ">", ">=") for each in links):
+        return False
+    return statement_of(one) == statement_of(other)
+
+
+def _whole(relation: Relation) -> Link | None:
+    """A chain of equations by its ends; None for any other relation."""
+    links = relation.options[0]
+    if len(relation.options) != 1 or any(each.sign != "=" for each in links):
+        return None
+    if any(a.right != b.left for a, b in pairwise(links)):
+        return None
+    return Link(links[0].left, "=", links[-1].right)
+
+
+@dataclass
+class Desk:
+    """The lines of a working so far.
+
+    ``splits`` are the lines of alternatives, and which of them, under which the lines stand that
+    come now; there are none where all solutions are still one. ``route`` is which of
+    the ways to a goal is taken, ``others`` are those that are not.
+    """
+
+    events: tuple[Event, ...]
+    facts: tuple[Fact, ...]
+    route: int = 1
+    lines: list[Line] = field(default_factory=list)
+    ends: list[ItemEnd] = field(default_factory=list)
+    cases: list[Case] = field(default_factory=list)
+    others: list[Route] = field(default_factory=list)
+    notes: list[Note] = field(default_factory=list)
+    shown: list[int] = field(default_factory=list)
+    """Equations between letters that were to be shown: they are quoted from then on."""
+    item: str | None = None
+    part: str | None = None
+    splits: tuple[tuple[int, int], ...] = ()
+    apart: bool = False
+    """Whether the part that is written takes nothing from what another is given in the same words:
+    where it has several solutions, that has them too."""
+    withheld: frozenset[str] = frozenset()
+    """Facts that the part gives further down: they are not in force yet."""
+    early: dict[str, ItemEnd] = field(default_factory=dict)
+    """The ends of items without such facts, by item, where these say more of their answers."""
+    waiting: dict[Any, Any] = field(default_factory=dict)
+    """What a `Solver` without these facts has left to one with them."""
+    paths: Mapping[int, Vector] = field(default_factory=dict)
+    """The paths with which the line of centres of an impact makes an angle that has a letter."""
+    version: int = 0
+    """How often what is known has changed."""
+    _sources: dict[Expression, list[Source]] = field(default_factory=dict)
+    _scopes: dict[Ref, Scope] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self._scopes |= scopes_of(self.facts)
+        # A line may rest on what another part is given in the same words; a fact is cited at home.
+        self._own: dict[Ref, Scope] = {
+            fact.id: None if fact.part is None else frozenset({fact.part}) for fact in self.facts
+        }
+
+    # --- lines ----------------------------------------------------------------------------------
+
+    def write(
+        self,
+        move: Move,
+        premises: Iterable[Ref],
+        relation: Relation | Meaning,
+        shown: Showing = "line",
+    ) -> int:
+        """Writes a line, and returns its number. One that stands already is not written again."""
+        own = tuple(premises)
+        refs = tuple(dict.fromkeys(own)) if move.id in _FROM_A_LINE else together(own)
+        for each in self.lines if move.id not in _LAST else ():
+            if not self.holds(each.number):
+                continue
+            if _is_same(each.relation, relation):
+                return each.number
+            if (
+                each.move == move
+                and _goes_further(each.relation, relation)
+                and set(each.premises) == set(refs)
+            ):
+                return each.number
+        number = len(self.lines) + 1
+        self.lines.append(Line(number, self.item, move, refs, relation, (), shown))
+        self._scopes[number] = common_scope(map(self._scope, refs))
+        return number
+
+    def line(self, number: int) -> Line:
+        """The line with a number."""
+        return self.lines[number - 1]
+
+    def meanings(self, lines: Iterable[int]) -> list[int]:
+        """The lines that say what the letters in some lines stand for: δ is a deflection."""
+        used = {name for line in lines for name in names_in(self.line(line).relation)}
+        return [
+            each.number
+            for each in self.lines
+            if isinstance(each.relation, Meaning) and each.relation.letter in used
+        ]
+
+    def relation(self, number: int) -> Relation:
+        """What a line says; it must not be one that introduces a letter."""
+        own = self.line(number).relation
+        assert isinstance(own, Relation)
+        return own
+
+    def last_link(self, number: int) -> Link:
+        """A line as one link, from its first side to its last."""
+        links = self.relation(number).only
+        return Link(links[0].left, links[0].sign, links[-1].right)
+
+    def under(self, number: int) -> frozenset[Ref]:
+        """A line, and all that it rests on."""
+        refs: set[Ref] = set()
+        pending: list[Ref] = [number]
+        while pending:
+            ref = pending.pop()
+            if ref not in refs:
+                refs.add(ref)
+                pending += self.line(ref).premises if isinstance(ref, int) else ()
+        return frozenset(refs)
+
+    def _scope(self, ref: Ref) -> Scope:
+        return self._scopes.get(ref)
+
+    def holds(self, ref: Ref) -> bool:
+        """Whether what a line rests on is in force in the part that is written."""
+        if self.withheld and self._rests_on(ref) & self.withheld:
+            return False
+        if self.apart:
+            return self._homes(ref) <= {None, self.part}
+        scope = self._own.get(ref, self._scope(ref))
+        return scope is None or self.part in scope
+
+    def _rests_on(self, ref: Ref) -> frozenset[Ref]:
+        """A line and all that it rests on, or a fact alone."""
+        return self.under(ref) if isinstance(ref, int) else frozenset({ref})
+
+    def _homes(self, ref: Ref) -> frozenset[str | None]:
+        """The parts whose own facts a line rests on, or that of a fact."""
+        under = self._rests_on(ref)
+        return frozenset(fact.part for fact in self.facts if fact.id in under)
+
+    def reword(self, number: int, value: Expression) -> None:
+        """Writes the value at the end of a line, and of its items, in another form."""
+        own = self.relation(number).only
+        links = (*own[:-1], replace(own[-1], right=value))
+        self.lines[number - 1] = replace(self.line(number), relation=Relation((links,)))
+        for n, end in enumerate(self.ends):
+            if end.line == number and end.answer.only[-1].right == own[-1].right:
+                last = replace(end.answer.only[-1], right=value)
+                self.ends[n] = replace(end, answer=Relation(((*end.answer.only[:-1], last),)))
+
+    # --- values ---------------------------------------------------------------------------------
+
+    def know(self, quantity: Expression, value: Any, refs: Iterable[Ref]) -> Source:
+        """From here on a quantity, a letter, or a ratio of an angle has a value."""
+        source = Source(value, tuple(refs))
+        self.version += 1
+        self._sources.setdefault(quantity, []).append(source)
+        return source
+
+    def known(self, quantity: Expression) -> Source | None:
+        """The latest value of a quantity, or of a letter, that is in force; None without one."""
+        for each in reversed(self._sources.get(quantity, [])):
+            if all(self.holds(ref) for ref in each.refs):
+                return each
+        return None
+
+    def components(self) -> Iterator[tuple[Expression, Source]]:
+        """The products of a letter and a ratio of an angle, such as v cos θ, that are known."""
+        for quantity in self._sources:
+            match quantity:
+                case Binary("*", Letter(), Apply("cos" | "sin")):
+                    source = self.known(quantity)
+                    if source is not None:
+                        yield quantity, source
+
+    def loosen(self, letter: Expression, source: Source) -> None:
+        """A letter that is known by a line is open again, and the line is an equation for it."""
+        self.version += 1
+        self._sources[letter] = [each for each in self._sources[letter] if each is not source]
+        self.shown += [ref for ref in source.refs if isinstance(ref, int)]
+
+    def forget_components(self, mark: Mark) -> None:
+        """Forgets what components have come to since a mark, of which the lines stay."""
+        self.version += 1
+        for key in list(self._sources):
+            if isinstance(key, Quantity) and key.kind in ("along", "across", "velocity"):
+                self._sources[key] = list(mark.sources.get(key, []))
+
+    # --- solutions apart ---------------------------------------------------------------------
+
+    def fork(self) -> Desk:
+        """A copy, on which another solution goes on."""
+        return replace(
+            self,
+            lines=list(self.lines),
+            ends=list(self.ends),
+            cases=list(self.cases),
+            others=list(self.others),
+            notes=list(self.notes),
+            early=dict(self.early),
+            waiting=dict(self.waiting),
+            shown=list(self.shown),
+            _sources={each: list(own) for each, own in self._sources.items()},
+            _scopes=dict(self._scopes),
+        )
+
+    def take_last(self) -> None:
+        """Takes away the last line, and the values that it gives."""
+        number = len(self.lines)
+        self.version += 1
+        for key, own in self._sources.items():
+            self._sources[key] = [each for each in own if number not in each.whole]
+        del self._scopes[number], self.lines[-1]
+
+    def forget(self, number: int) -> None:
+        """Forgets the values that lines below one give, since they are those of one case."""
+        for key, own in self._sources.items():
+            kept = [e for e in own if all(isinstance(r, str) or r < number for r in e.whole)]
+            self._sources[key] = kept
+        for line in self.lines:
+            self._scopes[line.number] = common_scope(map(self._scope, line.premises))
+
+    def show(self, line: int) -> None:
+        """Has a line printed that was not."""
+        self.lines[line - 1] = replace(self.line(line), shown="line")
+
+    def end(self, item: str, line: int, answer: Relation, shown: bool = False) -> None:
+        """The last line of an item, which is printed."""
+        self.show(line)
+        self.ends.append(ItemEnd(item, line, answer, self.part, shown))
+
+    def is_of_this_part(self, number: int) -> bool:
+        """Whether a line was written for an item of the part that is written now."""
+        own, now = (
+            (item or "").rstrip("0123456789") for item in (self.line(number).item, self.item)
+        )
+        return own == now
+
+    def new_note(self, item: str, kind: NoteKind, reason: str = "", **rest: Any) -> Note:
+        """A note on the item that is next, with these fields."""
+        items = {*(end.item for end in self.ends), *(note.item for note in self.notes)}
+        return Note(item, kind, len(items - {item}), self.part, reason, **rest)
+
+    def note(self, item: str, kind: NoteKind, reason: str = "", **rest: Any) -> None:
+        """What stands in place of an answer: a `Note` with these fields."""
+        self.notes.append(self.new_note(item, kind, reason, **rest))
+
+    # --- trials ---------------------------------------------------------------------------------
+
+    def mark(self) -> Mark:
+        """The state of the desk, to which ``back`` returns."""
+        sources = {key: list(values) for key, values in self._sources.items()}
+        counts = len(self.lines), len(self.ends), len(self.notes), len(self.others)
+        return Mark(*counts, sources, dict(self._scopes), self.splits)
+
+    def back(self, mark: Mark) -> None:
+        """Takes away all that was written since a mark."""
+        self.version += 1
+        del self.lines[mark.lines :]
+        del self.ends[mark.ends :]
+        del self.notes[mark.notes :]
+        self._sources = {key: list(values) for key, values in mark.sources.items()}
+        self._scopes = dict(mark.scopes)
+        self.splits = mark.splits
+        del self.others[mark.others :]
+        self.shown = [each for each in self.shown if each <= mark.lines]
+
+
+@dataclass(frozen=True)
+class Mark:
+    """What stood on a desk at some time."""
+
+    lines: int
+    ends: int
+    notes: int
+    others: int
+    sources: Mapping[Expression, list[Source]]
+    scopes: Mapping[Ref, Scope]
+    splits: tuple[tuple[int, int], ...]

@@ -1,0 +1,254 @@
+"""Tangents of directions by components in letters, where their values would cancel.
+
+Of components such as v = ⅓u sin θ and u cos θ the tangent is ⅓ tan θ. Neither the sine nor the
+cosine is wanted then, nor what they make of the components.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.derivation import Derivation, Line, Link, Move, Ref, Relation
+from restitution.explaining.follower import reader_of
+from restitution.explaining.trees import rebuilt
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.oracle import Oracle
+from restitution.planning.writing.desk import chain
+from restitution.planning.writing.forms import tree_of
+
+_TANGENTS = ("tan", "tan-direction")
+
+
+@dataclass(frozen=True)
+class PutIn:
+    """A line that puts ratios of an angle into a component: ``plain`` is that in letters.
+
+    ``line`` is what says it so: another line, or this one without its end.
+    """
+
+    value: Expression
+    plain: Expression
+    number: int
+    line: Line
+    ratios: tuple[Line, ...]
+
+
+def with_direct_tangents(derivation: Derivation, oracle: Oracle) -> Derivation:
+    """The same working, in which no component is worked out for a tangent in which it cancels."""
+    for line in derivation.lines:
+        if line.move.record in _TANGENTS and line.move.id == "define":
+            shorter = _shortened(derivation, line, oracle)
+            derivation = shorter or derivation
+    return derivation
+
+
+def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation | None:
+    relation = line.relation
+    match relation:
+        case Relation(((Link(left, "=", Binary("/") as quotient), *_),)):
+            value = relation.only[-1].right
+        case _:
+            return None
+    parts = list(components_put_in(derivation, line))
+    if len(parts) != 2 or letters(value):
+        return None
+    plain: Expression = quotient
+    for part in parts:
+        plain = rebuilt(plain, lambda each, part=part: without_value(each, part))  # type: ignore[misc]
+    names = {name for part in parts for name in _angles(part.plain)}
+    if plain == quotient or len(names) != 1 or letters(plain) & letters(value):
+        return None
+    (name,) = names
+    short = _multiple_of_tangent(plain, name)
+    if short is None:
+        return None
+    known = _tangent_line(derivation, name, parts)
+    if known is None:
+        return None
+    numbers: dict[Ref, Ref] = {part.number: part.line.number for part in parts}
+    free = max(each.number for each in derivation.lines) + 1
+    stands = 0 < known.number < line.number
+    known = known if known.number else replace(known, number=free + 1)
+    own = replace(
+        line,
+        number=free,
+        relation=chain(left, (plain, None), (short, "rearrange")),
+        premises=with_others(line.premises, numbers),
+    )
+    put = replace(
+        line,
+        move=Move("put"),
+        relation=chain(left, (value, None)),
+        premises=(own.number, known.number),
+    )
+    lines: list[Line] = []
+    here = derivation.asked.get(line.item or "")
+    for each in derivation.lines:
+        at_home = derivation.asked.get(each.item or "") == here
+        premises = with_others(each.premises, numbers) if at_home else each.premises
+        if premises != each.premises and each.move.id == "inverse":
+            # The sign of a component in letters is that of a ratio of the angle.
+            ranges = [ref for ref in known.premises if isinstance(ref, str)]
+            premises = tuple(dict.fromkeys((*premises, *ranges)))
+        if each.number == line.number:
+            lines += [own, put] if stands else [own, known, put]
+        elif each.number == known.number and not stands:
+            continue
+        elif each.number in numbers:
+            shorter = next(part.line for part in parts if part.number == each.number)
+            lines += [shorter] if shorter.number == each.number else []
+        else:
+            lines.append(replace(each, premises=premises))
+    for part in parts:
+        once_needed(lines, derivation, part)
+    whole = replace(derivation, lines=tuple(lines))
+    read = reader_of(whole, oracle)
+    touched = {own.number, known.number, put.number, *numbers.values()}
+    touched |= {each.number for each in _users(derivation, {part.number for part in parts})}
+    return whole if all(read.accepts(read.lines[n]) for n in touched) else None  # type: ignore[index]
+
+
+def once_needed(lines: list[Line], derivation: Derivation, part: PutIn) -> None:
+    """Puts a component that another part needs, with its ratios, before the line that does."""
+    own = derivation.line(part.number)
+    first = next((n for n, each in enumerate(lines) if part.number in each.premises), None)
+    if own is None or own.number == part.line.number or first is None:
+        return
+    lines.insert(first, replace(own, item=lines[first].item))
+
+
+def with_others(premises: tuple[Ref, ...], numbers: dict[Ref, Ref]) -> tuple[Ref, ...]:
+    """Premises with some lines replaced."""
+    return tuple(dict.fromkeys(numbers.get(each, each) for each in premises))
+
+
+def components_put_in(derivation: Derivation, line: Line) -> Iterator[PutIn]:
+    """The components in a tangent into which ratios were put for it alone."""
+    part = derivation.asked.get(line.item or "")
+    for ref in line.premises:
+        own = derivation.line(ref) if isinstance(ref, int) else None
+        if own is None or not isinstance(own.relation, Relation) or len(own.relation.options) > 1:
+            continue
+        users = [
+            each
+            for each in _users(derivation, {own.number})
+            if each is not line and derivation.asked.get(each.item or "") == part
+        ]
+        if any(each.move.id != "inverse" for each in users) or _is_end(derivation, own.number):
+            continue
+        links = own.relation.only
+        numbers = [each for each in own.premises if isinstance(each, int)]
+        cited = [each for number in numbers if (each := derivation.line(number)) is not None]
+        ratios = tuple(each for each in cited if _is_ratio(each))
+        if not ratios:
+            continue
+        if own.move.id == "put" and len(links) == 1:
+            base = derivation.line(own.premises[0]) if isinstance(own.premises[0], int) else None
+            match None if base is None else base.relation:
+                case Relation(((*_, last),)) as above if above.only[0].left == links[0].left:
+                    assert base is not None
+                    yield PutIn(links[0].right, last.right, own.number, base, ratios)
+        elif own.move.id == "law" and len(links) == 2 and links[-1].by == "put":
+            rest = {each.number for each in ratios}
+            shorter = replace(
+                own,
+                relation=Relation((links[:1],)),
+                premises=tuple(each for each in own.premises if each not in rest),
+            )
+            yield PutIn(links[-1].right, links[0].right, own.number, shorter, ratios)
+
+
+def _users(derivation: Derivation, numbers: set[int]) -> list[Line]:
+    return [each for each in derivation.lines if numbers & set(each.premises)]
+
+
+def _is_end(derivation: Derivation, number: int) -> bool:
+    """Whether a line is what was asked, or one of cases."""
+    cases = {n for case in derivation.cases for n in (case.line, *case.lines)}
+    return number in cases or any(item.line == number for item in derivation.items)
+
+
+def _is_ratio(line: Line) -> bool:
+    """Whether a line gives a sine, cosine or tangent of a letter."""
+    match line.relation:
+        case Relation(((Link(Apply("sin" | "cos" | "tan", Letter()), "="), *_),)):
+            return True
+    return False
+
+
+def without_value(tree: Expression, part: PutIn) -> Expression:
+    """A component in letters for its value; its size for the size of that."""
+    if tree == part.value:
+        return part.plain
+    match part.value, part.plain:
+        case Negate(value), Negate(plain) if tree == value:
+            return plain
+    return tree
+
+
+def _angles(tree: Expression) -> set[str]:
+    """The letters of which sines and cosines stand in a tree."""
+    return {
+        name
+        for each in walk(tree)
+        if isinstance(each, Apply) and each.function in ("sin", "cos")
+        for name in letters(each.argument)
+    }
+
+
+def _multiple_of_tangent(quotient: Expression, name: str) -> Expression | None:
+    """A quotient as a number times the tangent of an angle, or over it; None where it is none."""
+    if has_quantity(quotient):
+        return None
+    value, angle = in_letters(quotient), sp.Symbol(name)
+    for ratio in (sp.tan(angle), 1 / sp.tan(angle)):
+        factor = sp.cancel(sp.together(value * sp.cos(angle) / sp.sin(angle)))
+        if ratio != sp.tan(angle):
+            factor = sp.cancel(sp.together(value * sp.sin(angle) / sp.cos(angle)))
+        if factor.is_number:
+            return tree_of(tidy(factor * ratio))
+    return None
+
+
+def _tangent_line(derivation: Derivation, name: str, parts: list[PutIn]) -> Line | None:
+    """The line that gives the tangent of an angle: one that stands, or one by another ratio."""
+    ratios = {each.number: each for part in parts for each in part.ratios}
+    tangent = Apply("tan", Letter(name))
+    for each in derivation.lines:
+        match each.relation:
+            case Relation(((Link(left, "="), *_),)) if left == tangent:
+                above = each.number <= max(ratios) and not letters(each.relation.only[-1].right)
+                if above or each.move.id == "triangle":
+                    return each
+    source = next((each for each in ratios.values() if each.move.id == "triangle"), None)
+    if source is None or not isinstance(source.premises[0], int):
+        return None  # the angle is one of the data
+    first = derivation.line(source.premises[0])
+    match None if first is None else first.relation:
+        case Relation(((Link(Apply(kind, Letter()), "="), *_),)) as relation:
+            size = in_letters(relation.only[-1].right)
+        case _:
+            return None
+    if not size.is_number or kind not in ("sin", "cos"):
+        return None
+    other = sp.sqrt(1 - size**2)
+    worth = size / other if kind == "sin" else other / size
+    relation = chain(tangent, (tree_of(tidy(worth)), None))
+    return Line(0, source.item, Move("triangle"), source.premises, relation)
+
+
+__all__ = ["with_direct_tangents"]

@@ -1,0 +1,442 @@
+"""Trees of the lines of a working: from values in their textbook form, and put together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.trees import rebuilt
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    Pi,
+    Unit,
+    is_zero,
+)
+from restitution.planning.writing.polynomials import cancelled
+from restitution.render import layout as lay
+from restitution.vector import Vector
+from restitution.work import remembered
+
+ZERO = Number(Fraction(0))
+ONE = Number(Fraction(1))
+TWO = Number(Fraction(2))
+
+
+class UnwrittenError(Exception):
+    """A value has no form in which a line could say it."""
+
+
+def number(value: int | Fraction) -> Expression:
+    """A rational number as a tree."""
+    exact = Fraction(value)
+    if exact < 0:
+        return Negate(number(-exact))
+    if exact.denominator == 1:
+        return Number(exact)
+    return Binary("/", Number(Fraction(exact.numerator)), Number(Fraction(exact.denominator)))
+
+
+def neat(value: Any) -> Any:
+    """A value in its usual form, in which ratios of 2θ and ½θ are not written by those of θ."""
+    own = sp.sympify(value, strict=True)
+    multiples = {
+        atom.args[0]
+        for atom in own.atoms(sp.sin, sp.cos, sp.tan)
+        if not atom.args[0].is_Symbol and len(atom.args[0].free_symbols) == 1
+    }
+    if not multiples:
+        return _with_tangents(tidy(own))
+    names = {
+        multiple: sp.Dummy("angle", number, positive=True)
+        for number, multiple in enumerate(sorted(multiples, key=sp.default_sort_key))
+    }
+    functions = {
+        atom: type(atom)(names[atom.args[0]])
+        for atom in own.atoms(sp.sin, sp.cos, sp.tan)
+        if atom.args[0] in names
+    }
+    back = {dummy: angle for angle, dummy in names.items()}
+    return tidy(own.xreplace(functions)).xreplace(back)
+
+
+def _with_tangents(value: Any) -> Any:
+    """Tan 26° for sin 26°/cos 26°, in products of numbers."""
+    if not isinstance(value, sp.Expr) or value.is_Atom:
+        return value
+    if not any(not each.free_symbols for each in value.atoms(sp.cos)):
+        return value
+    if not isinstance(value, sp.Mul):
+        return value.func(*map(_with_tangents, value.args))
+    powers = value.as_powers_dict()
+    for sine in [each for each in powers if isinstance(each, sp.sin) and not each.free_symbols]:
+        cosine = sp.cos(sine.args[0])
+        if powers[sine] * powers.get(cosine, 0) == -1:
+            tangent = sp.tan(sine.args[0], evaluate=False)
+            value = value / sine ** powers[sine] / cosine ** powers[cosine]
+            value = value * tangent ** powers[sine]
+    return value
+
+
+def tree_of(value: Any, *, angle: bool = False, as_it_is: bool = False) -> Expression:
+    """The tree of a value, with its terms and factors in the order that textbooks use.
+
+    A vector has its components with **i** and **j**; an ``angle`` is in degrees. Raises
+    UnwrittenError where a line cannot say the value.
+    """
+    if isinstance(value, Vector | tuple):
+        return vector(*(tree_of(each, as_it_is=as_it_is) for each in value))
+    return _tree_of(sp.sympify(value, strict=True), angle, as_it_is)
+
+
+@remembered(4096)
+def _tree_of(own: sp.Expr, angle: bool, as_it_is: bool) -> Expression:
+    if own.has(sp.zoo, sp.nan):
+        raise UnwrittenError(own)
+    own = own if as_it_is else neat(own)
+    names = {_parted(symbol.name): symbol.name for symbol in own.free_symbols}
+    return _from_layout(lay.from_sympy(own, degrees=angle), names)
+
+
+def in_tangents(value: sp.Expr) -> sp.Expr:
+    """A quotient with sine over cosine as the tangent."""
+    for ratio in value.atoms(sp.sin):
+        (argument,) = ratio.args
+        put = cancelled(value.subs(ratio, sp.Symbol("_t") * sp.cos(argument)))
+        if not put.has(sp.cos(argument)):
+            value = put.subs(sp.Symbol("_t"), sp.tan(argument))
+    return value
+
+
+def _parted(name: str) -> tuple[str, str]:
+    symbol = lay.letter(name)
+    return symbol.name, symbol.subscript
+
+
+def _from_layout(layout: Any, names: dict[tuple[str, str], str]) -> Expression:
+    def of(each: Any) -> Expression:
+        return _from_layout(each, names)
+
+    match layout:
+        case lay.Number(digits):
+            return Number(Fraction(digits))
+        case lay.Letter("pi", ""):
+            return Pi()
+        case lay.Letter(name, subscript):
+            return Letter(names.get((name, subscript), name))
+        case lay.Sum(terms):
+            return _sum_of([(sign, of(each)) for sign, each in terms])
+        case lay.Product(factors):
+            return product(*(of(factor) for factor in factors))
+        case lay.Fraction(above, below):
+            return Binary("/", of(above), of(below))
+        case lay.Root(inside, 2):
+            return Apply("sqrt", of(inside))
+        case lay.Power(base, exponent):
+            return Binary("^", of(base), of(exponent))
+        case lay.Function(name, argument, exponent):
+            applied = Apply(name, of(argument))
+            return applied if exponent is None else Binary("^", applied, of(exponent))
+        case lay.Brackets(inside, "||"):
+            return Apply("abs", of(inside))
+        case lay.Brackets(inside):
+            return of(inside)
+        case lay.Degrees(inside):
+            match of(inside):
+                case Number(value):
+                    return Degrees(value)
+                case Binary("/", Number(whole), Number(part)):
+                    return Degrees(whole / part)
+    raise UnwrittenError(layout)
+
+
+def _sum_of(terms: list[tuple[str, Expression]]) -> Expression:
+    (sign, first), *rest = terms
+    total = first if sign == "+" else Negate(first)
+    for sign, each in rest:
+        total = Binary("+" if sign == "+" else "-", total, each)
+    return total
+
+
+# --- putting together --------------------------------------------------------------------------
+
+
+def product(*factors: Expression) -> Expression:
+    """Factors side by side: without ones, with its sign in front, and 0 if one of them is 0."""
+    minus = False
+    kept: list[Expression] = []
+    for each in factors:
+        while isinstance(each, Negate):
+            minus, each = not minus, each.operand
+        if is_zero(each):
+            return ZERO
+        if each != ONE:
+            kept.append(each)
+    kept.sort(key=lambda each: not is_rational(each))  # 2w, not w × 2
+    total: Expression = kept[0] if kept else ONE
+    for each in kept[1:]:
+        total = Binary("*", total, each)
+    return Negate(total) if minus else total
+
+
+def is_rational(tree: Expression) -> bool:
+    """Whether a tree is a number or a fraction of two."""
+    match tree:
+        case Number() | Binary("/", Number(), Number()):
+            return True
+    return False
+
+
+def factors(tree: Expression) -> list[Expression]:
+    """The factors of a product, however they are bracketed; its sign is one."""
+    if isinstance(tree, Negate):
+        return [Negate(ONE), *factors(tree.operand)]
+    if isinstance(tree, Binary) and tree.op == "*":
+        return [*factors(tree.left), *factors(tree.right)]
+    return [tree]
+
+
+def factors_above(tree: Expression) -> Iterator[Expression]:
+    """The factors of a product, and of what stands above in a quotient, but for a sign."""
+    match tree:
+        case Binary("*", left, right):
+            yield from factors_above(left)
+            yield from factors_above(right)
+        case Binary("/", above, _):
+            yield from factors_above(above)
+        case Negate(operand):
+            yield from factors_above(operand)
+        case _:
+            yield tree
+
+
+def total(terms: Iterable[Expression]) -> Expression:
+    """Terms added up: zeros are left out, what is negative is subtracted."""
+    own: Expression | None = None
+    for term in terms:
+        if is_zero(term):
+            continue
+        if own is None:
+            own = term
+        elif isinstance(term, Negate):
+            own = Binary("-", own, term.operand)
+        else:
+            own = Binary("+", own, term)
+    return ZERO if own is None else own
+
+
+def outer_terms(tree: Expression) -> Iterator[Expression]:
+    """The terms of a sum as they stand, each with its sign."""
+    match tree:
+        case Negate(operand):
+            yield from map(negative, outer_terms(operand))
+        case Binary("+" | "-" as op, left, right):
+            yield from outer_terms(left)
+            yield from outer_terms(right) if op == "+" else map(negative, outer_terms(right))
+        case _:
+            yield tree
+
+
+def negative(tree: Expression) -> Expression:
+    """A tree with the other sign."""
+    if is_zero(tree):
+        return tree
+    if isinstance(tree, Negate):
+        return tree.operand
+    return Negate(tree)
+
+
+def difference(left: Expression, right: Expression) -> Expression:
+    """One less another; a sum that is taken away stands in brackets."""
+    if is_zero(right):
+        return left
+    if is_zero(left):
+        return negative(right)
+    if isinstance(right, Negate):
+        return Binary("+", left, right.operand)
+    return Binary("-", left, right)
+
+
+def vector(x: Expression, y: Expression) -> Expression:
+    """``x i + y j``, without a part that is 0."""
+    return total((product(x, Unit("i")), product(y, Unit("j"))))
+
+
+def coordinates(tree: Expression) -> tuple[Expression, Expression] | None:
+    """What stands with **i** and with **j** in ``x i + y j``; None of another tree."""
+    match tree:
+        case Unit(axis):
+            return (ONE, ZERO) if axis == "i" else (ZERO, ONE)
+        case Negate(operand):
+            own = coordinates(operand)
+            return None if own is None else (negative(own[0]), negative(own[1]))
+        case Binary("*", size, Unit(axis)):
+            return (size, ZERO) if axis == "i" else (ZERO, size)
+        case Binary("+" | "-" as op, left, right):
+            one, other = coordinates(left), coordinates(right)
+            if one is None or other is None:
+                return None
+            join = difference if op == "-" else lambda a, b: total((a, b))
+            return join(one[0], other[0]), join(one[1], other[1])
+    return None
+
+
+def square(tree: Expression) -> Expression:
+    """A tree squared."""
+    if isinstance(tree, Negate):
+        tree = tree.operand
+    if is_zero(tree):
+        return tree
+    return Binary("^", tree, Number(Fraction(2)))
+
+
+def swept(tree: Expression) -> Expression:
+    """A tree without terms that are 0, factors that are 1, and signs that cancel.
+
+    Nothing is multiplied out and no numbers are put together.
+    """
+
+    def change(each: Expression) -> Expression:
+        match each:
+            case Negate(operand):
+                return negative(operand)
+            case Binary("*", left, right):
+                return product(left, right)
+            case Binary("+", left, right):
+                return total((left, right))
+            case Binary("-", left, right):
+                return difference(left, right)
+            case Binary("/", left, right):
+                return _quotient(left, right)
+            case Binary("^", left, right):
+                if right == ONE:
+                    return left
+                return square(left) if right == Number(Fraction(2)) else each
+        return each
+
+    return rebuilt(tree, change)
+
+
+def _quotient(above: Expression, below: Expression) -> Expression:
+    if is_zero(above):
+        return ZERO
+    if below == ONE:
+        return above
+    if isinstance(above, Negate) and isinstance(below, Negate):
+        return Binary("/", above.operand, below.operand)
+    if isinstance(above, Negate):
+        return Negate(_quotient(above.operand, below))
+    if isinstance(below, Negate):
+        return Negate(_quotient(above, below.operand))
+    return Binary("/", above, below)
+
+
+# --- comparing ----------------------------------------------------------------------------------
+
+
+def alike(a: Expression, b: Expression) -> bool:
+    """Whether two expressions differ in nothing but brackets and the order of factors and terms.
+
+    ``e (u sin α)`` and ``e u sin α`` are alike, so are ``√3/2 u`` and ``√3 u/2``, and ``1 + e`` and
+    ``e + 1``; ``½ (4u)`` and ``2u`` are not, nor are ``d/(u/2)`` and ``2d/u``; of numbers a
+    product is not its value.
+    """
+    if is_rational(a.operand if isinstance(a, Negate) else a):
+        return a == b
+    return _shape(a) == _shape(b)
+
+
+def _shape(tree: Expression) -> str:
+    """An expression as text in which brackets and order make no difference."""
+    match tree:
+        case Negate() | Binary("*" | "/"):
+            return repr(_factors(tree))
+        case Binary("+" | "-"):
+            return repr(sorted(_terms(tree, 1)))
+        case Binary(op, left, right):
+            return f"({_shape(left)} {op} {_shape(right)})"
+        case Apply(function, argument):
+            return f"{function}({_shape(argument)})"
+    return repr(tree)
+
+
+def _terms(tree: Expression, sign: int) -> Iterator[tuple[int, list[str], list[str]]]:
+    """The terms of a sum, each as its sign and its factors."""
+    match tree:
+        case Binary("+" | "-" as op, left, right):
+            yield from _terms(left, sign)
+            yield from _terms(right, sign if op == "+" else -sign)
+        case _:
+            own, above, below = _factors(tree)
+            yield sign * own, above, below
+
+
+def reordered(a: Expression, b: Expression) -> bool:
+    """Whether two sums, or two quotients of sums with one divisor, have the same terms."""
+    match a, b:
+        case Binary("/", above, below), Binary("/", other, divisor) if below == divisor:
+            return reordered(above, other)
+    terms, others = (
+        [_factors(signed_term) for signed_term in _signed_terms(tree)] for tree in (a, b)
+    )
+    return len(terms) > 1 and sorted(terms) == sorted(others)
+
+
+def _signed_terms(tree: Expression) -> Iterator[Expression]:
+    match tree:
+        case Binary("+", left, right):
+            yield from _signed_terms(left)
+            yield from _signed_terms(right)
+        case Binary("-", left, right):
+            yield from _signed_terms(left)
+            yield Negate(right)
+        case _:
+            yield tree
+
+
+def _factors(tree: Expression) -> tuple[int, list[str], list[str]]:
+    """The sign of a product, and its factors above and below the line, sorted."""
+    sign, above, below = 1, list[str](), list[str]()
+
+    def take(each: Expression, up: list[str], down: list[str]) -> None:
+        nonlocal sign
+        match each:
+            case Negate(operand):
+                sign = -sign
+                take(operand, up, down)
+            case Binary("*", left, right):
+                take(left, up, down)
+                take(right, up, down)
+            case Binary("/", left, Binary("/") as right):
+                take(left, up, down)
+                down.append(_shape(right))
+            case Binary("/", left, right):
+                take(left, up, down)
+                take(right, down, up)
+            case _ if each != ONE:
+                up.append(_shape(each))
+
+    take(tree, above, below)
+    return sign, sorted(above), sorted(below)
+
+
+def tangents_opened(tree: Expression) -> Expression:
+    """A tree with the tangents of double angles by those of the single ones."""
+
+    def change(each: Expression) -> Expression:
+        match each:
+            case Apply("tan", Binary("*", Number(Fraction(numerator=2, denominator=1)), angle)):
+                own = Apply("tan", angle)
+                return Binary("/", product(TWO, own), difference(ONE, square(own)))
+        return each
+
+    return swept(rebuilt(tree, change))

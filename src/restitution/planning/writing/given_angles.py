@@ -1,0 +1,26 @@
+"""Angles of velocities to walls and lines that the facts give: no tangent has to find them."""
+
+from __future__ import annotations
+
+from restitution.explaining.derivation import Ref
+from restitution.expression.tree import Expression, Letter, Quantity, has_quantity, letters
+from restitution.planning.writing.scene import Scene
+
+
+def given_angle(scene: Scene, angle: Quantity) -> tuple[Expression, tuple[Ref, ...]] | None:
+    """What an angle is given as, in numbers or in letters for angles, and the facts.
+
+    None where it is not given, or as a letter alone: that is its name.
+    """
+    for each in scene.given:
+        left, right = each.link.left, each.link.right
+        if left != angle or each.link.sign != "=" or isinstance(right, Letter):
+            continue
+        roles = scene.model.unknowns.roles
+        of_angles = all(name in roles and roles[name].kind == "angle" for name in letters(right))
+        if of_angles and not has_quantity(right):
+            return right, each.refs
+    return None
+
+
+__all__ = ["given_angle"]

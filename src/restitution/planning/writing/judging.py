@@ -1,0 +1,249 @@
+"""What a line needs: premises tried with the follower, without those it can do without."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+import sympy as sp
+
+from restitution.explaining.derivation import (
+    Derivation,
+    Line,
+    Meaning,
+    Move,
+    Note,
+    Ref,
+    Relation,
+    Showing,
+)
+from restitution.explaining.excluding import excludes
+from restitution.explaining.moves import MOST_COMPARED
+from restitution.explaining.quotients import NotComparableError
+from restitution.explaining.setting import Known
+from restitution.explaining.trials import Trial, known_of_letters, setting_of
+from restitution.expression.tree import letters
+from restitution.oracle import BeyondError, Oracle
+from restitution.planning.writing.desk import Desk
+from restitution.planning.writing.forms import ZERO
+from restitution.problem import Problem
+from restitution.solving.letters import roles
+
+
+@dataclass
+class Judge:
+    """Reads lines of a desk as the follower does."""
+
+    problem: Problem
+    desk: Desk
+    _last: tuple[Line | None, Trial] | None = None
+    _known: dict[str, Known | None] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.facts = {fact.id: fact for fact in self.desk.facts}
+
+    # --- reading --------------------------------------------------------------------------------
+
+    def _trial(self) -> Trial:
+        """What may be cited of the lines that stand now."""
+        last = self.desk.lines[-1] if self.desk.lines else None
+        if self._last is None or self._last[0] is not last:
+            start = Derivation(self.desk.facts, tuple(self.desk.lines), (), self.desk.events)
+            setting = setting_of(start, Oracle(roles(self.problem)))
+            if self._last is not None and self._last[1].setting.meanings != setting.meanings:
+                self._known.clear()
+            self._last = last, Trial(setting, self._cited, self._known_of)
+        return self._last[1]
+
+    def _cited(self, ref: Ref) -> Relation | Meaning | None:
+        """What a premise says: of alternatives, the one under which the next lines stand."""
+        if isinstance(ref, str):
+            fact = self.facts.get(ref)
+            return None if fact is None else fact.relation
+        own = self.desk.line(ref).relation
+        for line, option in self.desk.splits:
+            if line == ref and isinstance(own, Relation):
+                return Relation((own.options[option],))
+        return own
+
+    def _known_of(self, ref: str) -> Known | None:
+        if ref not in self._known:
+            self._known[ref] = known_of_letters(ref, self._trial().setting)
+        return self._known[ref]
+
+    def _says(self, ref: Ref) -> bool:
+        """Whether there is such a premise."""
+        return isinstance(ref, int) or ref in self.facts or self._known_of(ref) is not None
+
+    def follows(self, move: Move, refs: Iterable[Ref], relation: Relation) -> bool:
+        """Whether the follower accepts a line."""
+        cited = tuple(refs)
+        try:
+            return all(map(self._says, cited)) and self._trial().follows(move, cited, relation)
+        except (NotComparableError, BeyondError):
+            return False
+
+    def proves(self, refs: Sequence[Ref], relation: Relation) -> bool:
+        """Whether what is cited makes a relation certain, however many premises that takes."""
+        try:
+            return self._trial().proves(refs, relation)
+        except (NotComparableError, BeyondError):
+            return False
+
+    def excludes(self, note: Note, unknown: bool = False, *, quickly: bool = False) -> bool:
+        """Whether what a note rests on cannot hold; ``unknown`` where that is not compared."""
+        step = self._trial().step(Move("reject"), note.premises)
+        return excludes(note, step, unknown, quickly=quickly)
+
+    def known(self, names: Iterable[str]) -> tuple[Ref, ...]:
+        """What may be cited of the range of letters."""
+        bounds = (ref for name in sorted(names) for ref in self.bounds(name))
+        return tuple(ref for ref in bounds if self._says(ref))
+
+    def _right(self, move: Move, refs: Sequence[Ref], relation: Relation) -> bool:
+        if move.id in _BY_ORACLE:
+            return self.proves(refs, relation)
+        return self.follows(move, refs, relation)
+
+    def needed(
+        self,
+        move: Move,
+        pool: Iterable[Ref],
+        relation: Relation,
+        sure: Iterable[Ref] = (),
+    ) -> tuple[Ref, ...] | None:
+        """Premises of which a line needs every one; None where it does not follow from all.
+
+        Of the others, those that are named last are left out first. Lines that are ``sure`` are
+        not tried one by one, and where they are enough nothing else is tried.
+        """
+        refs = tuple(each for each in dict.fromkeys(pool) if self._says(each))
+        certain = {each for each in sure if not self._is_spare(each)}
+        if not self._right(move, refs, relation):
+            return None
+        doubted = [ref for ref in reversed(refs) if ref not in certain]
+        own = self._trial().needed(move, refs, relation, doubted, self._right)
+        if move.id in _BY_ORACLE and self._compared(own) > MOST_COMPARED:
+            return None
+        return own
+
+    def enough(
+        self,
+        move: Move,
+        own: Iterable[Ref],
+        relation: Relation,
+        others: Iterable[Ref] = (),
+    ) -> tuple[Ref, ...] | None:
+        """Premises of its own with which a line follows, and as few of some others as it takes.
+
+        None where it does not follow from all of them.
+        """
+        first = tuple(dict.fromkeys(own))
+        if self.follows(move, first, relation):
+            return first
+        return self.needed(move, (*first, *others), relation, first)
+
+    def _is_spare(self, ref: Ref) -> bool:
+        """Whether a premise may be one too many wherever it is named.
+
+        What is known of letters may be; and a line that says that something is zero, of which no
+        factor is needed.
+        """
+        if isinstance(ref, str):
+            return True
+        own = self.desk.line(ref).relation
+        return isinstance(own, Relation) and own.options[0][-1].right == ZERO
+
+    def standing(self, relation: Relation) -> int | None:
+        """The line in force that says a relation, if there is one."""
+        lines = (line for line in self.desk.lines if line.relation == relation)
+        return next((line.number for line in lines if self.desk.holds(line.number)), None)
+
+    def _compared(self, refs: Sequence[Ref]) -> int:
+        return sum(
+            not (isinstance(ref, int) and isinstance(self.desk.line(ref).relation, Meaning))
+            for ref in refs
+        )
+
+    def write(
+        self,
+        moves: Iterable[Move],
+        pool: Iterable[Ref],
+        relation: Relation,
+        sure: Iterable[Ref] = (),
+        shown: Showing = "line",
+    ) -> int | None:
+        """Writes a line by the first move that makes it of what is cited; None without one.
+
+        One that stands already is not judged again.
+        """
+        standing = self.standing(relation)
+        if standing is not None:
+            return standing
+        refs = list(pool)
+        for move in moves:
+            own = self.needed(move, refs, relation, sure)
+            if own is not None:
+                return self.desk.write(move, own, relation, shown)
+        return None
+
+    # --- bounds of letters ----------------------------------------------------------------------
+
+    def ranges_given(self, name: str) -> list[Ref]:
+        """The inequalities in force that are given of a letter."""
+        return [
+            fact.id
+            for fact in self.desk.facts
+            if fact.kind == "range"
+            and self.desk.holds(fact.id)
+            and fact.id.startswith("given")
+            and name in _letters(fact.relation)
+        ]
+
+    def bounds(self, name: str) -> tuple[Ref, ...]:
+        """The bounds of a letter as premises say them: ``e >= 0``, ``e <= 1``, ``acute: alpha``."""
+        role = roles(self.problem).get(name)
+        if role is None:
+            return ()
+        facts = self.ranges_given(name)
+        if role.kind == "angle":
+            return (*facts, *_of_angle(name, role.low, role.high, role.closed))
+        refs: list[Ref] = []
+        for end, sign, closed in (
+            (role.low, ">", role.closed[0]),
+            (role.high, "<", role.closed[1]),
+        ):
+            if end is None or (role.kind == "positive" and sign == ">" and end == 0):
+                continue
+            if not end.is_Rational:
+                continue
+            refs.append(f"{name} {sign}{'=' if closed else ''} {end}")
+        return (*facts, *refs)
+
+
+def _of_angle(
+    name: str, low: sp.Expr | None, high: sp.Expr | None, closed: tuple[bool, bool]
+) -> tuple[Ref, ...]:
+    if low is None or high is None:
+        return ()
+    if low == 0 and high == sp.pi / 2 and not any(closed):
+        return (f"acute: {name}",)
+    signs = ["<=" if each else "<" for each in closed]
+    ends = [sp.deg(each) for each in (low, high)]
+    if not all(end.is_Rational for end in ends):
+        return ()
+    return (f"{ends[0]}° {signs[0]} {name} {signs[1]} {ends[1]}°",)
+
+
+def _letters(relation: Relation) -> frozenset[str]:
+    return frozenset(
+        name
+        for links in relation.options
+        for link in links
+        for side in (link.left, link.right)
+        for name in letters(side)
+    )
+
+
+# These ask what is certain, not what a step makes.
+_BY_ORACLE = ("sign", "compare")

@@ -1,0 +1,48 @@
+"""Quotients of numbers that keep their roots below, where without them the numbers are long."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.expression.tree import Apply, Binary, Expression, Number, letters, walk
+from restitution.planning.writing.forms import product, swept, tree_of
+from restitution.planning.writing.scene import Scene
+
+# Whole numbers from here on are longer than those of a quotient with roots below.
+_LONG = 1000
+
+
+def in_shorter_form(scene: Scene, quotient: Expression, final: Expression) -> Expression:
+    """What a quotient comes to: with roots below, where without them whole numbers are long.
+
+    ``2(103 + 10√3)/(3(361 − 20√3))`` is as exact as ``2(37783 + 5670√3)/387363``.
+    """
+    match quotient:
+        case Binary("/", above, below) if _is_long(final):
+            first, second = (sp.factor_terms(sp.expand(scene.scalar(e))) for e in (above, below))
+        case _:
+            return final
+    (p, one), (q, other) = (
+        each.as_independent(*each.free_symbols, as_Add=False) for each in (first, second)
+    )
+    if one != other:
+        return final
+    (p, first), (q, second) = (sp.expand(each).as_content_primitive() for each in (p, q))
+    share = sp.Rational(p / q)
+    shorter = Binary(
+        "/",
+        product(tree_of(sp.Integer(share.p)), tree_of(first)),
+        product(tree_of(sp.Integer(share.q)), tree_of(second)),
+    )
+    return final if _is_long(shorter) else swept(shorter)
+
+
+def _is_long(number: Expression) -> bool:
+    """Whether a number with roots has whole numbers of four or more figures."""
+    nodes = list(walk(number))
+    roots = any(isinstance(node, Apply) and node.function == "sqrt" for node in nodes)
+    values = (node.value for node in nodes if isinstance(node, Number))
+    return roots and not letters(number) and any(abs(each) >= _LONG for each in values)
+
+
+__all__ = ["in_shorter_form"]

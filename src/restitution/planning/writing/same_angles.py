@@ -1,0 +1,142 @@
+"""One angle by two names: the later one is the earlier one, or what that leaves of 180°."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from restitution.explaining.derivation import Meaning, Move, Ref
+from restitution.expression.tree import Apply, Letter, Name, Quantity, Unit, walk
+from restitution.planning.writing.desk import chain
+from restitution.planning.writing.scene import Scene
+
+
+def write_same_angle(scene: Scene, asked: Quantity, letter: str, meaning: Ref) -> int | None:
+    """The line that an angle is one that has a letter and a tangent; None where it is none."""
+    for own, number in _others(scene, asked):
+        bodies = tuple(sorted(_bodies(asked) | _bodies(own.quantity)))
+        event = max(_stages(asked), default=0)
+        match asked, own.quantity:
+            case (
+                Quantity("angle", (_, Quantity("line_of_centres", (), int(impact)))),
+                Quantity("angle", (_, Name())),
+            ):
+                event = impact
+        relation = chain(Letter(letter), (Letter(own.letter), None))
+        move = Move("define", "difference", event, bodies)
+        pool = [*_components(scene, bodies, event), meaning, number]
+        refs = scene.judge.needed(move, pool, relation, (meaning, number))
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
+    return None
+
+
+def _others(scene: Scene, asked: Quantity) -> Iterator[tuple[Meaning, int]]:
+    """The angles of the same velocity that have a letter, and a tangent in some line."""
+    for line in scene.desk.lines:
+        own = line.relation
+        if not isinstance(own, Meaning) or own.quantity == asked or own.angle is not None:
+            continue
+        if not isinstance(own.quantity, Quantity) or not scene.desk.holds(line.number):
+            continue
+        kinds = {_kind(asked), _kind(own.quantity)}
+        alike = kinds in ({"two", "line"}, {"direction", "fixed"}, {"line", "fixed"})
+        if alike and _moving(asked) & _moving(own.quantity) and _tangent(scene, own.letter):
+            yield own, line.number
+
+
+def _kind(angle: Quantity) -> str:
+    """Between what an angle is: two velocities, one and the line of centres, or a direction."""
+    match angle:
+        case Quantity("direction", (Name(),), int()):
+            return "direction"
+        case Quantity("angle", (Quantity("velocity"), Quantity("velocity"))):
+            return "two"
+        case Quantity("angle", (Quantity("velocity"), Quantity("line_of_centres"))):
+            return "line"
+        case Quantity("angle", (Quantity("velocity"), Name() | Unit())):
+            return "fixed"
+    return "other"
+
+
+def _moving(angle: Quantity) -> set[tuple[str, int]]:
+    """The bodies of whose velocities an angle is, with the events after which they are meant."""
+    match angle:
+        case Quantity("direction", (Name(body),), int(stage)):
+            return {(body, stage)}
+    return {
+        (node.arguments[0].name, node.stage)
+        for node in walk(angle)
+        if isinstance(node, Quantity)
+        and node.kind == "velocity"
+        and isinstance(node.arguments[0], Name)
+        and isinstance(node.stage, int)
+    }
+
+
+def _bodies(angle: object) -> set[str]:
+    return {body for body, _ in _moving(angle)} if isinstance(angle, Quantity) else set()
+
+
+def _stages(angle: Quantity) -> set[int]:
+    return {stage for _, stage in _moving(angle)} or {0}
+
+
+def _tangent(scene: Scene, letter: str) -> int | None:
+    """The line in force that gives the tangent of an angle."""
+    tree = Apply("tan", Letter(letter))
+    for line in reversed(scene.desk.lines):
+        if isinstance(line.relation, Meaning) or len(line.relation.options) != 1:
+            continue
+        first = line.relation.only[0]
+        if scene.desk.holds(line.number) and first.left == tree and first.sign == "=":
+            return line.number
+    return None
+
+
+def tangent_by_the_same(scene: Scene, letter: str, line: int) -> int | None:
+    """The tangent of an angle, by the line that it is another one."""
+    other = scene.desk.last_link(line).right
+    known = _tangent(scene, other.name) if isinstance(other, Letter) else None
+    if known is None:
+        return None
+    relation = chain(Apply("tan", Letter(letter)), (scene.desk.last_link(known).right, None))
+    refs = scene.judge.enough(Move("put"), (known, line), relation)
+    return None if refs is None else scene.desk.write(Move("put"), refs, relation)
+
+
+def angle_by_the_same(scene: Scene, line: int) -> int | None:
+    """The line that an angle is another one, with the value of that; None where it is open."""
+    link = scene.desk.last_link(line)
+    for own in reversed(scene.desk.lines):
+        if own.move.id != "inverse" or not scene.desk.holds(own.number):
+            continue
+        value = scene.desk.last_link(own.number)
+        if value.left == link.right and value.sign == "=":
+            relation = chain(link.left, (value.right, None))
+            refs = scene.judge.enough(Move("put"), (line, own.number), relation)
+            return None if refs is None else scene.desk.write(Move("put"), refs, relation)
+    return None
+
+
+def _components(scene: Scene, bodies: tuple[str, ...], event: int) -> Iterator[Ref]:
+    """What is known of the components of bodies after an event, and of the lines they are along."""
+    for fact in scene.facts:
+        kind, _, name = fact.partition(" ")
+        if (kind == "velocity" and name in bodies) or kind == "wall" or fact == f"axis {event}":
+            yield fact
+    letters_ = {component.symbol.name for component in scene.model.components.values()}
+    for line in scene.desk.lines:
+        if not scene.desk.holds(line.number):
+            continue
+        if isinstance(line.relation, Meaning):
+            if line.relation.letter in letters_:
+                yield line.number
+        elif len(line.relation.options) == 1 and line.move.id != "law":
+            left = line.relation.only[0].left
+            if isinstance(left, Letter) and left.name in letters_:
+                yield line.number
+        elif line.move.record in ("unchanged", "restitution-wall"):
+            yield line.number
+
+
+__all__ = ["angle_by_the_same", "tangent_by_the_same", "write_same_angle"]

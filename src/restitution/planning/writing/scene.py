@@ -1,0 +1,582 @@
+"""One part of a question, ready to be written: values in letters, frames, facts as equations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property, lru_cache
+from typing import Any, Literal
+
+import sympy as sp
+
+from restitution.components.models import Model
+from restitution.explaining.derivation import Fact, Link, Meaning, Move, Ref, Relation
+from restitution.explaining.facts import staged
+from restitution.explaining.trees import rebuilt
+from restitution.expression.evaluate import Evaluator
+from restitution.expression.quantities import ANGLES
+from restitution.expression.tree import (
+    Apply,
+    AtTime,
+    Expression,
+    Letter,
+    Name,
+    Polar,
+    Quantity,
+    Unit,
+    walk,
+)
+from restitution.planning.writing.angle_ratios import RECIPROCALS, write_other_ratio, write_ratios
+from restitution.planning.writing.changes import by_its_change
+from restitution.planning.writing.desk import Desk, NotPlannedError, Source, together
+from restitution.planning.writing.forms import neat, tree_of
+from restitution.planning.writing.frames import Frame, frame_of
+from restitution.planning.writing.judging import Judge
+from restitution.planning.writing.polynomials import expanded
+from restitution.problem import Arrival, Find, Part, Problem, Show, trees, trees_of_step
+from restitution.solving import facts as solve_facts
+from restitution.solving.conditions import Equation
+from restitution.solving.solution import PartSolution
+from restitution.vector import Vector
+
+# A letter is put in so often, since what is put in for others may hold it.
+_MOST = 4
+_GIVEN = frozenset(("sin", "cos", "tan", *RECIPROCALS))
+_RATIOS = (sp.sin, sp.cos, sp.tan)
+
+
+@dataclass(frozen=True)
+class GivenEquation:
+    """A given fact as an equation: ``residuals`` are zero.
+
+    In ``link`` letters stand no more for what the statement lets them be; ``lets`` says so.
+    """
+
+    fact: Fact
+    link: Link
+    residuals: tuple[sp.Expr, ...]
+    lets: tuple[Ref, ...] = ()
+
+    @property
+    def refs(self) -> tuple[Ref, ...]:
+        """What the letters of the fact are, and the fact."""
+        return (*self.lets, self.fact.id)
+
+
+@dataclass
+class Scene:
+    """A part, its story in the letters of components, and the desk on which it is written.
+
+    ``others`` are the models of all solutions of the part, where there are several.
+    """
+
+    problem: Problem
+    part: Part
+    solution: PartSolution
+    model: Model
+    desk: Desk
+    others: tuple[Model, ...] = ()
+    frames: dict[int, Frame] = field(default_factory=dict)
+    free: set[sp.Symbol] = field(default_factory=set)
+    """Letters that an item leaves open, though facts tie them to others."""
+    sided: int = 0
+    """How many solutions there are beside **j**, where each has one mirrored along **i**."""
+    turned: bool = False
+    """Whether letters are told by those in which the answers are to be given."""
+    ties: dict[str, Relation] = field(default_factory=dict)
+    """What the facts say of such letters, by the id of the fact, as lines say it."""
+    find_frame: Callable[[Scene, int], Frame] | None = None
+    of_offsets: tuple[GivenEquation, ...] = ()
+    """What offsets say of angles of lines of centres that have letters."""
+    kept: frozenset[sp.Symbol] = frozenset()
+    """Angles of which no ratio is put in for now."""
+    _initial: dict[str, Source] = field(default_factory=dict)
+    _put: dict[sp.Expr, tuple[sp.Expr, tuple[Ref, ...]]] = field(default_factory=dict)
+    _unknown: dict[sp.Expr, frozenset[sp.Symbol]] = field(default_factory=dict)
+    _at: tuple[object, ...] | None = None
+    _names: tuple[int, Mapping[str, sp.Symbol]] | None = None
+    _worths: dict[Expression, sp.Expr] = field(default_factory=dict)
+    _gaps: dict[tuple[Expression, Expression], sp.Expr] = field(default_factory=dict)
+
+    # --- the story ------------------------------------------------------------------------------
+
+    @cached_property
+    def facts(self) -> dict[str, Fact]:
+        """The facts of the question by id."""
+        return {fact.id: fact for fact in self.desk.facts}
+
+    @cached_property
+    def judge(self) -> Judge:
+        """Who reads the lines as the follower does."""
+        return Judge(self.problem, self.desk)
+
+    @cached_property
+    def speaks_of_times(self) -> bool:
+        """Whether the question asks or tells when something happens."""
+        return any(
+            isinstance(node, Quantity) and (node.kind == "time" or isinstance(node.stage, AtTime))
+            for tree in trees(self.problem)
+            for node in walk(tree)
+        )
+
+    @cached_property
+    def asked(self) -> frozenset[Expression]:
+        """Everything in what the part asks and what it is to show."""
+        return frozenset(
+            node
+            for item, now in self.problem.asked(self.part)
+            for tree in trees_of_step(item if isinstance(item, Show) else Find((item,)))
+            for node in walk(staged(self.problem, tree, now))
+        )
+
+    @cached_property
+    def asked_alone(self) -> frozenset[Expression]:
+        """What the part asks for by itself, as lines say it."""
+        return frozenset(
+            staged(self.problem, tree, now)
+            for item, now in self.problem.asked(self.part)
+            if not isinstance(item, Show)
+            for tree in trees_of_step(Find((item,)))
+        )
+
+    @property
+    def events(self) -> int:
+        """How many events are told."""
+        return len(self.model.story.happenings)
+
+    def frame(self, number: int) -> Frame:
+        """The frame of an impact; of directions in letters, with what is known of these."""
+        if number not in self.frames:
+            if self.find_frame is not None:
+                self.frames[number] = self.find_frame(self, number)
+            else:
+                self.frames[number] = frame_of(self.model, self.facts, number)
+        own = self.frames[number]
+        if not any(sp.sympify(each, strict=True).free_symbols for each in own.n):
+            return own
+        (n, n_refs), (t, t_refs) = self.put(own.n), self.put(own.t)
+        if own.write is not None:
+            return replace(own, n=n, t=t)  # the line is written with what is known
+        return replace(own, n=n, t=t, sources=together(own.sources, n_refs, t_refs))
+
+    def bodies(self, number: int) -> tuple[str, ...]:
+        """The bodies in an event."""
+        return self.model.happening(number).bodies
+
+    def spheres(self, number: int) -> tuple[str, ...]:
+        """The spheres in an event."""
+        return tuple(body for body in self.bodies(number) if body in self.model.story.spheres)
+
+    def last_event(self, body: str, stage: int) -> int:
+        """The latest event of a body up to a stage that changed its velocity; 0 without one."""
+        latest = self.model.story.latest(body, stage)
+        while latest is not None and isinstance(latest.step, Arrival):
+            latest = self.model.story.latest(body, latest.number - 1)
+        return 0 if latest is None else latest.number
+
+    def value(self, tree: Expression) -> Any:
+        """What a tree is worth, in letters: a number, a Vector or an Angle."""
+        return self.model.story.evaluator(self.events).value(tree)
+
+    def vector(self, tree: Expression) -> Vector:
+        """What a tree is worth, as a vector; 0 is the one of no length."""
+        return self.model.story.evaluator(self.events).vector(tree)
+
+    def scalar(self, tree: Expression) -> sp.Expr:
+        """What a tree is worth, as a number; angles in radians."""
+        return sp.sympify(self.model.story.evaluator(self.events).scalar(tree), strict=True)
+
+    @property
+    def first(self) -> Model:
+        """The model by whose signs lines are turned: solutions share it until they part."""
+        return self.others[0] if self.others else self.model
+
+    def worth(self, tree: Expression, others: Mapping[str, sp.Symbol] | None = None) -> sp.Expr:
+        """What a tree of a line is worth; components, and ``others``, are letters."""
+        if others:
+            return self._worth_of(tree, {**self._named_letters(), **others})
+        names = self._named_letters()
+        if tree not in self._worths:
+            self._worths[tree] = self._worth_of(tree, names)
+        return self._worths[tree]
+
+    def _worth_of(self, tree: Expression, names: Mapping[str, sp.Symbol]) -> sp.Expr:
+        letter = self.model.unknowns.letter
+        evaluator = Evaluator(
+            self.model.story.field, lambda name: names[name] if name in names else letter(name)
+        )
+        return sp.sympify(evaluator.scalar(tree), strict=True)
+
+    def _named_letters(self) -> Mapping[str, sp.Symbol]:
+        """The unknowns and the letters of components by name; what rests on fewer is dropped."""
+        final = self.model.final
+        if self._names is None or self._names[0] != len(final):
+            self._worths.clear()
+            self._gaps.clear()
+            names = {each.name: each for each in final}
+            names |= {e.symbol.name: e.symbol for e in self.model.components.values()}
+            self._names = len(final), names
+        return self._names[1]
+
+    def gap(self, left: Expression, right: Expression) -> sp.Expr:
+        """What one side of a line is worth more than the other."""
+        one, other = self.worth(left), self.worth(right)
+        if (left, right) not in self._gaps:
+            self._gaps[left, right] = one - other
+        return self._gaps[left, right]
+
+    def velocity(self, body: str, stage: int) -> Vector:
+        """A velocity, in letters."""
+        return self.model.story.velocity(body, stage)
+
+    # --- what is unknown ------------------------------------------------------------------------
+
+    def final(self, symbol: sp.Symbol) -> sp.Expr:
+        """The value of an unknown in the data."""
+        return self.model.final[symbol]
+
+    def unknown(self, value: Any) -> frozenset[sp.Symbol]:
+        """The unknowns in a value that have no value on the desk yet."""
+        if isinstance(value, Vector):
+            return self.unknown(value.x) | self.unknown(value.y)
+        own = sp.sympify(value, strict=True)
+        if not own.free_symbols:
+            return frozenset()
+        state = self._state()
+        if own in self._unknown:
+            return self._unknown[own]
+        open_ = self._unknown_in(self.with_values(own)[0])
+        if state == self._state():  # to put values in may write lines
+            self._unknown[own] = open_
+        return open_
+
+    def _unknown_in(self, put: sp.Expr) -> frozenset[sp.Symbol]:
+        """The unknowns of an expression in which the rest is put in."""
+        open_ = frozenset(filter(self._is_unknown, put.free_symbols))
+        if not open_ or put.is_Symbol:
+            return open_
+        return open_ & frozenset(expanded(put).free_symbols)  # some may cancel
+
+    def _is_unknown(self, symbol: sp.Symbol) -> bool:
+        return (
+            symbol in self.model.final and symbol not in self.free and not self._by_ratios(symbol)
+        )
+
+    def _state(self) -> tuple[object, ...]:
+        """On what it depends what is unknown; what was kept in another state is dropped."""
+        state = (
+            self.desk.version,
+            self.desk.part,
+            len(self.model.final),
+            frozenset(self.free),
+            self.kept,
+        )
+        if self._at != state:
+            self._at = state
+            self._put.clear()
+            self._unknown.clear()
+        return state
+
+    def _by_ratios(self, symbol: sp.Symbol) -> bool:
+        """Whether an angle is known by the ratios that the data give."""
+        return self._ratio_fact(symbol) is not None
+
+    def put(self, value: Any) -> tuple[Any, tuple[Ref, ...]]:
+        """A value with everything put in that stands on the desk, and what that rests on."""
+        if isinstance(value, Vector):
+            x, y = (self.put(each) for each in value)
+            return Vector(x[0], y[0]), together(x[1], y[1])
+        own = sp.sympify(value, strict=True)
+        changed, refs = self.with_values(own)
+        return (own, ()) if changed is own else (neat(changed), refs)
+
+    def with_values(self, value: Any) -> tuple[sp.Expr, tuple[Ref, ...]]:
+        """The same of a number, as it comes, without a search for its usual form.
+
+        It is the same object where nothing is put in.
+        """
+        own = sp.sympify(value, strict=True)
+        if not own.free_symbols:
+            return own, ()
+        state = self._state()
+        if own not in self._put:
+            put = self._with_values(own)
+            if state != self._state():
+                return put  # to put them in wrote lines
+            self._put[own] = put
+        return self._put[own]
+
+    def _with_values(self, own: sp.Expr) -> tuple[sp.Expr, tuple[Ref, ...]]:
+        refs: list[Ref] = []
+        times: dict[sp.Basic, int] = {}
+        own, whole = self._with_components(own)
+        refs += whole
+        for _ in range(12):
+            changes: dict[sp.Basic, sp.Expr] = {}
+            ratios, bare = _ratios_and_letters(own)
+            if times and any(times.get(each, 0) >= _MOST for each in bare):
+                raise NotPlannedError("letters that are known by each other")
+            for symbol in bare:
+                source = None if self._is_basic(symbol) else self.desk.known(Letter(symbol.name))
+                if source is not None:
+                    changes[symbol] = source.value
+                    refs += source.refs
+            if changes:
+                for each in changes:
+                    times[each] = times.get(each, 0) + 1
+                own = own.xreplace(changes)
+                continue
+            for each in ratios:
+                if each.free_symbols & self.kept:
+                    continue
+                source = self._ratio(each) or self._angle(each)
+                if source is not None:
+                    changes[each] = source.value
+                    refs += source.refs
+            if not changes:
+                break
+            own = own.xreplace(changes)
+        return own, together(refs)
+
+    def _with_components(self, own: sp.Expr) -> tuple[sp.Expr, Sequence[Ref]]:
+        """With the products v cos θ that are known put in whole, where nothing else has v and θ."""
+        refs: list[Ref] = []
+        for tree, source in self.desk.components():
+            component = self.scalar(tree)
+            put = own.subs(component, source.value)
+            if put != own and not component.free_symbols & put.free_symbols:
+                own, refs = put, [*refs, *source.refs]
+        return own, refs
+
+    def _is_basic(self, symbol: sp.Basic) -> bool:
+        """Whether a part says everything in terms of a letter, whatever other parts find it is."""
+        return symbol.name in self.model.unknowns.roles and symbol not in self.model.final
+
+    def _ratio(self, ratio: sp.Expr) -> Source | None:
+        """The number that a sine, cosine or tangent is by the data, written down when wanted."""
+        (argument,) = ratio.args
+        if not argument.is_Symbol:
+            return None
+        if self._is_basic(argument) and self._ratio_fact(argument) is None:
+            return None
+        tree = Apply(type(ratio).__name__, Letter(argument.name))
+        known = self.desk.known(tree)
+        if known is None and self._ratio_fact(argument) is not None:
+            write_ratios(self, argument)
+            known = self.desk.known(tree)
+        if known is None and self._by_an_inverse(argument):
+            write_other_ratio(self, argument, type(ratio).__name__)
+            known = self.desk.known(tree)
+        return known
+
+    def _by_an_inverse(self, symbol: sp.Basic) -> bool:
+        """Whether an angle is known as the inverse of a ratio only."""
+        known = self.desk.known(Letter(str(symbol)))
+        return known is not None and bool(
+            sp.sympify(known.value, strict=True).atoms(sp.atan, sp.asin, sp.acos)
+        )
+
+    def _angle(self, ratio: sp.Expr) -> Source | None:
+        """A ratio of angles that are known, as numbers or by others."""
+        changes = {}
+        refs: list[Ref] = []
+        for symbol in ratio.free_symbols:
+            source = None if self._is_basic(symbol) else self.desk.known(Letter(symbol.name))
+            if source is not None:
+                changes[symbol] = source.value
+                refs += source.refs
+        return Source(ratio.xreplace(changes), tuple(refs)) if changes else None
+
+    def _ratio_fact(self, symbol: sp.Basic) -> Fact | None:
+        """The fact that gives a sine, cosine or tangent of an angle as a number."""
+        return self.ratio_facts.get(str(symbol))
+
+    @cached_property
+    def ratio_facts(self) -> Mapping[str, Fact]:
+        """Facts such as tan α = 3/4, by the letter."""
+        facts: dict[str, Fact] = {}
+        for fact in self.desk.facts:
+            if fact.kind != "given" or not self.desk.holds(fact.id):
+                continue
+            match fact.relation.options:
+                case (((Link(Apply(kind, Letter(name)), "=", right)),),) if kind in _GIVEN:
+                    if not self.scalar(right).free_symbols and f"let {name}" not in self.facts:
+                        facts[name] = fact
+        return facts
+
+    # --- facts ----------------------------------------------------------------------------------
+
+    @cached_property
+    def given(self) -> tuple[GivenEquation, ...]:
+        """The given equations in force, but for ratios of angles in numbers."""
+        equations: list[GivenEquation] = []
+        ratios = {ratio_fact.id for ratio_fact in self.ratio_facts.values()}
+        for fact in self.desk.facts:
+            if fact.kind != "given" or fact.id in ratios or not self.desk.holds(fact.id):
+                continue
+            if len(fact.relation.options) > 1 or len(fact.relation.only) > 1:
+                continue  # an inequality
+            (link,) = fact.relation.only
+            residuals = tuple(self._residuals(link))
+            if residuals:
+                lets = self.lets_in(link)
+                own = by_its_change(self.opened(link))
+                equations.append(GivenEquation(fact, own, residuals, lets))
+        return (*equations, *self.of_offsets)
+
+    def lets_in(self, link: Link) -> tuple[Ref, ...]:
+        """The facts that let letters of a link stand for something."""
+        names = [each.name for side in (link.left, link.right) for each in _letters_of(side)]
+        nodes = [each for side in (link.left, link.right) for each in walk(side)]
+        return tuple(
+            f"let {name}"
+            for name in dict.fromkeys(names)
+            if self._stands_for(name, names, names.count(name) == nodes.count(_tangent_of(name)))
+        )
+
+    def _stands_for(self, name: str, names: Sequence[str], in_tangents: bool) -> bool:
+        """Whether a letter of a fact is replaced: an angle is not, where others are beside it.
+
+        It is where it stands in its tangent alone. A letter of a component after an impact is the
+        unknown itself.
+        """
+        fact = self.facts.get(f"let {name}")
+        if fact is None or name in {e.symbol.name for e in self.model.components.values()}:
+            return False
+        quantity = fact.relation.only[0].left
+        angle = isinstance(quantity, Quantity) and quantity.kind in ANGLES
+        return not angle or in_tangents or set(names) == {name}
+
+    def opened(self, link: Link) -> Link:
+        """A link in which each letter of the statement for something is replaced by that."""
+        lets = self.lets_in(link)
+
+        def change(tree: Expression) -> Expression:
+            name = f"let {tree.name}" if isinstance(tree, Letter) else ""
+            fact = self.facts[name] if name in lets else None
+            return tree if fact is None else rebuilt(fact.relation.only[0].left, change)
+
+        left, right = (rebuilt(each, change) for each in (link.left, link.right))
+        return Link(left, link.sign, right, link.by)
+
+    def _residuals(self, link: Link) -> Iterable[sp.Expr]:
+        story = self.model.story
+        if link.sign == "=":
+            left, right = self.value(link.left), self.value(link.right)
+            for each in solve_facts.equal(story, left, right, None):
+                if isinstance(each, Equation):
+                    yield sp.sympify(each.value, strict=True)
+        elif link.sign in ("perpendicular to", "parallel to"):
+            a, b = (story.direction(each, self.events) for each in (link.left, link.right))
+            yield a.dot(b) if link.sign == "perpendicular to" else a.cross(b)
+
+    # --- data -----------------------------------------------------------------------------------
+
+    def data(self, name: str) -> Source:
+        """A fact of the statement as a value: ``mass A``, ``e 1``."""
+        fact = self.facts.get(name)
+        if fact is None:
+            raise NotPlannedError(f"{name} is not given")
+        (link,) = fact.relation.only
+        value = self.value(link.right)
+        put, refs = self.put(value)
+        return Source(put, together((name,), refs))
+
+    def mass(self, body: str) -> Source:
+        """The mass of a sphere; a letter of its own, where it is not given."""
+        if f"mass {body}" in self.facts:
+            return self.data(f"mass {body}")
+        tree = Quantity("mass", (Name(body),))
+        known = self.desk.known(tree)
+        if known is None:
+            symbol = sp.sympify(self.model.story.mass(body), strict=True)
+            let = self.desk.write(Move("let"), (), Meaning(symbol.name, tree))
+            known = self.desk.know(tree, symbol, (let,))
+        value, refs = self.put(known.value)
+        return Source(value, together(known.refs, refs))
+
+    def coefficient(self, number: int) -> Source:
+        """The coefficient of restitution of an event."""
+        return self.data(f"e {number}")
+
+    def initial(self, body: str) -> Source:
+        """The velocity of a sphere at the start."""
+        if f"velocity {body}" not in self.facts:
+            return self._sought(body)
+        if body not in self._initial:
+            self._initial[body] = self._initial_of(body)
+        return self._initial[body]
+
+    def _sought(self, body: str) -> Source:
+        """A velocity at the start that is to be found: by its line, or in letters."""
+        known = self.desk.known(Quantity("velocity", (Name(body),), 0))
+        if known is not None:
+            return known
+        x, y = (self.sought(body, axis) for axis in ("i", "j"))
+        return Source(Vector(x.value, y.value), together(x.refs, y.refs))
+
+    def sought(self, body: str, axis: Literal["i", "j"]) -> Source:
+        """The letter for a component of a velocity at the start that is to be found.
+
+        Raises NotPlannedError where the component is no letter.
+        """
+        velocity = self.velocity(body, 0)
+        value = sp.sympify(velocity.x if axis == "i" else velocity.y, strict=True)
+        if not value.is_Symbol:
+            raise NotPlannedError(f"the velocity of {body} at the start is not given")
+        quantity = Quantity("along", (Quantity("velocity", (Name(body),), 0), Unit(axis)))
+        line = self.desk.write(Move("let"), (), Meaning(value.name, quantity))
+        return Source(value, (line,))
+
+    def _initial_of(self, body: str) -> Source:
+        name = f"velocity {body}"
+        fact = self.facts[name]
+        (link,) = fact.relation.only
+        walls = [
+            f"wall {node.name}"
+            for node in walk(link.right)
+            if isinstance(node, Name) and f"wall {node.name}" in self.facts
+        ]
+        velocity = self.velocity(body, 0)
+        if isinstance(link.right, Polar):
+            velocity = self._by_multiple(link.right, velocity)
+        return Source(velocity, (name, *walls))
+
+    def _by_multiple(self, polar: Polar, velocity: Vector) -> Vector:
+        """Components of a velocity at 2θ by the sine and cosine of that, as it is given."""
+        angle, size = (self.scalar(each) for each in (polar.angle, polar.size))
+        letters = angle.free_symbols
+        if len(letters) != 1 or angle in letters or not (angle / next(iter(letters))).is_Rational:
+            return velocity
+        forms = [sign * size * f(angle) for f in (sp.cos, sp.sin) for sign in (1, -1)]
+
+        def of(component: sp.Expr) -> sp.Expr:
+            for form in forms:
+                if self.model.identically_zero(sp.expand_trig(form) - component):
+                    return form
+            return component
+
+        return Vector(*(of(sp.sympify(each, strict=True)) for each in velocity))
+
+    def tree(self, value: Any) -> Expression:
+        """The tree of a value."""
+        return tree_of(value)
+
+
+@lru_cache(maxsize=4096)
+def _ratios_and_letters(x: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[sp.Symbol, ...]]:
+    """The ratios of angles in an expression, and the letters outside of them."""
+    ratios = x.atoms(*_RATIOS)
+    bare = x.xreplace(dict.fromkeys(ratios, sp.Integer(1))) if ratios else x
+    return (
+        tuple(sorted(ratios, key=lambda each: each.sort_key())),
+        tuple(sorted(bare.free_symbols, key=lambda each: each.name)),
+    )
+
+
+def _tangent_of(name: str) -> Expression:
+    return Apply("tan", Letter(name))
+
+
+def _letters_of(tree: Expression) -> Iterable[Letter]:
+    return (node for node in walk(tree) if isinstance(node, Letter))

@@ -1,0 +1,74 @@
+"""Directions as vectors: of whole numbers over a length, in the shortest form, as trees."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.expression.tree import Binary, Expression
+from restitution.planning.writing.forms import tree_of, vector
+from restitution.vector import Vector
+
+
+def whole_direction(direction: Vector) -> tuple[Vector, sp.Expr]:
+    """A unit vector as a vector of whole numbers, where there is one, and its length."""
+    x, y = direction
+    if x == 0 or y == 0 or not sp.sympify(y / x, strict=True).is_Rational:
+        return direction, sp.Integer(1)
+    ratio = sp.Rational(y / x)
+    size = sp.sqrt(ratio.p**2 + ratio.q**2)
+    sign = 1 if x.is_positive else -1
+    return Vector(sign * sp.Integer(ratio.q), sign * sp.Integer(ratio.p)), size
+
+
+def plain_direction(direction: Vector) -> Vector:
+    """The shortest vector in a direction: of whole numbers, or with one root, if there is one."""
+    x, y = (tidy(sp.expand(each)) for each in direction)
+    if y != 0 and sp.sympify(x / y, strict=True).is_Rational:
+        ratio = sp.Rational(x / y)
+        sign = 1 if y > 0 else -1
+        return Vector(sp.Integer(sign * ratio.p), sp.Integer(sign * ratio.q))
+    if y != 0 and (surd := sp.sympify(tidy(x / y), strict=True)).is_number:
+        part, root = surd.as_coeff_Mul()
+        if root.is_Pow and root.exp == sp.Rational(1, 2) and root.base.is_Integer:
+            return _with_a_root(part, root, 1 if y > 0 else -1)
+    common = _content((x, y))
+    return Vector(tidy(x / common), tidy(y / common))
+
+
+def _with_a_root(part: sp.Rational, root: sp.Expr, sign: int) -> Vector:
+    """A vector with the ratio of a rational number times a root, in its shorter form."""
+    p, q = sp.Integer(part.p), sp.Integer(part.q)
+    common = sp.gcd(p * root.base, q)
+    forms = [(p * root, q), (p * root.base / common, q * root / common)]
+    x, y = min(forms, key=lambda each: float(abs(each[0]) + abs(each[1])))
+    return Vector(sign * x, sign * y)
+
+
+def _content(parts: Iterable[sp.Expr]) -> sp.Expr:
+    """The rational number that all terms of some numbers are multiples of."""
+    terms = [t for each in parts for t in sp.Add.make_args(sp.expand(each)) if t != 0]
+    factors = [abs(term.as_coeff_Mul()[0]) for term in terms]
+    return sp.gcd_list(factors) if factors else sp.Integer(1)
+
+
+def unit_tree(direction: Vector) -> Expression:
+    """A unit vector as a whole number of **i** and **j** over its length, or in letters over it."""
+    whole, length = _over_its_root(direction) or whole_direction(direction)
+    tree = vector(*map(tree_of, whole))
+    return tree if length == 1 else Binary("/", tree, tree_of(length))
+
+
+def _over_its_root(direction: Vector) -> tuple[Vector, sp.Expr] | None:
+    """A vector and the root of letters that both its parts have below; None without such a one."""
+    roots = [
+        {each for each in part.atoms(sp.Pow) if each.exp == -sp.S.Half and each.free_symbols}
+        for part in direction
+    ]
+    if len(roots[0]) != 1 or roots[0] != roots[1]:
+        return None
+    (root,) = roots[0]
+    whole = Vector(*(part / root for part in direction))
+    return None if any(part.atoms(sp.Pow) & roots[0] for part in whole) else (whole, 1 / root)
