@@ -90,13 +90,13 @@ def _journey(body: str, since: int, event: Event) -> Iterator[Link]:
     velocity = Quantity("velocity", (name,), since)
     flight = Binary("-", late, early)
     yield Link(Binary("-", last, first), "=", Binary("*", velocity, flight))
-    ways, paces = [], []
+    lengths, paces = [], []
     for axis in "ij":
         a, b, pace = (Quantity("along", (e, _unit(axis))) for e in (last, first, velocity))
-        ways.append(Binary("-", a, b))
+        lengths.append(Binary("-", a, b))
         paces.append(pace)
-        yield Link(ways[-1], "=", Binary("*", pace, flight))
-    yield Link(Binary("*", ways[1], paces[0]), "=", Binary("*", ways[0], paces[1]))
+        yield Link(lengths[-1], "=", Binary("*", pace, flight))
+    yield Link(Binary("*", lengths[1], paces[0]), "=", Binary("*", lengths[0], paces[1]))
 
 
 def _several_ways(step: Step, event: Event) -> Iterator[Link]:
@@ -105,12 +105,12 @@ def _several_ways(step: Step, event: Event) -> Iterator[Link]:
         own = [e.number for e in step.setting.events if body in e.bodies[:2]]
         stages = [0, *(each for each in own if each < event.number), event.number]
         for first, axis in product(range(len(stages) - 2), "ij"):
-            ways: list[Expression] = []
+            lengths: list[Expression] = []
             for early, late in pairwise(stages[first:]):
                 flight = Binary("-", Quantity("time", (), late), Quantity("time", (), early))
-                ways.append(Binary("*", _along("velocity", body, early, axis), flight))
+                lengths.append(Binary("*", _along("velocity", body, early, axis), flight))
             ends = (_along("position", body, each, axis) for each in (stages[-1], stages[first]))
-            yield Link(Binary("-", *ends), "=", _sum(ways))
+            yield Link(Binary("-", *ends), "=", _sum(lengths))
 
 
 def _along(kind: str, body: str, stage: int, axis: str) -> Quantity:

@@ -79,7 +79,7 @@ def side_along(given: Arrangement, step: Impact, axis: Expression) -> int | None
 def with_lines_of_centres(given: Arrangement) -> Problem:
     """The problem in which spheres that lie on one axis have it as their line of centres.
 
-    It is that only where none is told, and it leads from the first to the second: they stay in
+    It is that only where none is given, and it leads from the first to the second: they stay in
     their order.
     """
     problem = given.problem
@@ -89,7 +89,7 @@ def with_lines_of_centres(given: Arrangement) -> Problem:
     if axis is None:
         return problem
 
-    def told(step: Step) -> Step:
+    def with_its_line(step: Step) -> Step:
         if step not in open_ or not isinstance(step, Impact):
             return step
         side = side_along(given, step, axis)
@@ -97,7 +97,9 @@ def with_lines_of_centres(given: Arrangement) -> Problem:
             return step
         return replace(step, along=axis if side > 0 else Negate(axis))
 
-    parts = tuple(replace(part, steps=tuple(map(told, part.steps))) for part in problem.parts)
+    parts = tuple(
+        replace(part, steps=tuple(map(with_its_line, part.steps))) for part in problem.parts
+    )
     return replace(problem, parts=parts)
 
 

@@ -130,8 +130,8 @@ def _serves(result: ItemResult, late: tuple[Fact, ...]) -> bool:
     item = result.item
     match item.expression if isinstance(item, Value) else None:
         case Quantity("energy" | "energy_lost" | "total_energy_lost" | "impulse" as kind):
-            said = (tree for each in late for tree in trees_of(each.relation))
-            nodes = (node for tree in said for node in walk(tree))
+            sides = (tree for each in late for tree in trees_of(each.relation))
+            nodes = (node for tree in sides for node in walk(tree))
             return any(isinstance(node, Quantity) and node.kind == kind for node in nodes)
     return True
 

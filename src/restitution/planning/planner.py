@@ -339,12 +339,12 @@ def _drafts(
     ``early`` the part is that without the facts below these items.
     """
     problem, own = solution.problem, part.part
-    told = problem
+    stated = problem
     if early is not None:
-        told, part = early.problem, early.part
+        stated, part = early.problem, early.part
     protected = protected_letters(part.part)
     models = [
-        model(told, part.part, branch, part.roles, protected, question=problem, paths=desk.paths)
+        model(stated, part.part, branch, part.roles, protected, question=problem, paths=desk.paths)
         for branch in part.branches
     ]
     if turned:

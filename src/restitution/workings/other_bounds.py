@@ -56,14 +56,14 @@ def other_bounds(solution: Solution, derivation: Derivation) -> dict[int, Senten
         ]
         bounds += _other_ends(solution, derivation, line)
         reached = list(_other_walls(solution, derivation, line))
-        said = [_said_of_walls(naming, line, reached)] if reached else []
+        notes = [_note_of_walls(naming, line, reached)] if reached else []
         if bounds:
-            laid = tuple(naming.relation(Relation(((each,),))) for each in bounds)
-            said.insert(0, say("range.also", bounds=laid))
-        if said:
-            both = len(said) > 1
+            relations = tuple(naming.relation(Relation(((each,),))) for each in bounds)
+            notes.insert(0, say("range.also", bounds=relations))
+        if notes:
+            both = len(notes) > 1
             sentences[line.number] = (
-                say("range.both", one=said[0], two=said[1]) if both else said[0]
+                say("range.both", one=notes[0], two=notes[1]) if both else notes[0]
             )
     return sentences
 
@@ -108,7 +108,7 @@ Reached = tuple[Event, tuple[Link, ...]]
 """The event of a wall, and that the place there lies between its ends."""
 
 
-def _said_of_walls(naming: Naming, line: Line, reached: Sequence[Reached]) -> Sentence:
+def _note_of_walls(naming: Naming, line: Line, reached: Sequence[Reached]) -> Sentence:
     """That the body which comes first to such a wall comes there between its ends."""
     assert isinstance(line.relation, Relation)
     body = reached[0][0].bodies[0]

@@ -524,14 +524,16 @@ class Reasons:
                 whole, sense = (above[0].left, sense) if part is None or not turn else (part, turn)
             letter_ = Letter(name)
             letter = self._naming.layout(letter_)
-            said, itself = growth_said(whole, name, sense, ends, self._roles, self._naming.layout)
+            growth_, itself = growth_said(
+                whole, name, sense, ends, self._roles, self._naming.layout
+            )
             far = _far_end(line.relation, above[0].left, name, sense, ends)
             if far is not None and self._is_no_range(line):
                 less = less_than_its_limit(whole, name, sense, ends, self._roles)
                 if less is not None:
                     yield say("derived.fact", fact=self._laid(less))
                     return
-            yield said
+            yield growth_
             limit: tuple[Expression | None, Expression | None] = far, None
             near: tuple[Sentence, ...] = ()
             if name in positive and far is not None:
@@ -582,8 +584,8 @@ class Reasons:
         ends = [
             link
             for ref in line.premises
-            if isinstance(ref, str) and isinstance(said := self._reason(ref, line), Relation)
-            for link in said.options[0]
+            if isinstance(ref, str) and isinstance(reason := self._reason(ref, line), Relation)
+            for link in reason.options[0]
         ]
         names = [node.name for node in walk(worth) if isinstance(node, Letter)]
         for name in sorted(letters(worth) - letters(bound)):

@@ -103,8 +103,8 @@ class ShapeReasons:
                         inside == angle and not letters(value)
                     ):
                         other = in_letters(Apply(ratio, bound))
-                        way = FLIPPED[sign_] if ratio == "cos" else sign_
-                        chain_ = (link, Link(value, way, tree_of(other)))
+                        sign = FLIPPED[sign_] if ratio == "cos" else sign_
+                        chain_ = (link, Link(value, sign, tree_of(other)))
                         last = Link(tree_of(other), "=", Apply(ratio, bound))
                         yield say(
                             "derived.fact", fact=self._naming.relation(Relation(((*chain_, last),)))

@@ -98,7 +98,7 @@ class Surroundings:
     @cached_property
     def stopped(self) -> frozenset[tuple[str | None, int | None]]:
         """The bodies that the part is to show at rest, each with the number of the event before."""
-        found: set[tuple[str | None, int | None]] = set()
+        at_rest: set[tuple[str | None, int | None]] = set()
         for step, now, _ in self.problem.timeline(self.part):
             relation = step.relation if isinstance(step, Show) else None
             operands = relation.operands if isinstance(relation, Compare) else ()
@@ -106,8 +106,8 @@ class Surroundings:
                 match staged(tree, self.problem, self.part, now):
                     case Quantity("speed" | "velocity", (Name(body),), int(stage)):
                         if other == Number(Fraction(0)):
-                            found.add((body, stage))
-        return frozenset(found)
+                            at_rest.add((body, stage))
+        return frozenset(at_rest)
 
     def _is_no_time(self, candidate: Candidate) -> bool:
         """Whether a time is zero in a story that begins with that event."""
