@@ -82,7 +82,7 @@ SAYS = {
         RIGHT_ANGLE + "find energy_lost in terms of m, U, e",
         [
             "tan²θ = e   (as required)   (1)",
-            "From (1):\n    sin²θ = e/(1 + e)\n    cos²θ = 1/(1 + e)",
+            "From (1):\n    cos²θ = 1/(1 + e)",
             "As θ is acute, this holds for e > 0 only.",
         ],
     ),
@@ -125,8 +125,8 @@ SAYS = {
     ),
     # v = √2(1 − 2e)u/6 along the line, u/√2 across it.
     "the square that is not negative stands in the line that is cited": (
-        REST.format(angle="45°", m="2m", e="") + "find range of speed(A)",
-        ["speed of A ≥ √2 u/2, as (√2(1 − 2e)u/6)² ≥ 0"],
+        REST.format(angle="45°", m="2m", e="") + "show speed(A) >= 1/2 sqrt(2) u",
+        ["speed of A ≥ ½√2 u, as (√2(1 − 2e)u/6)² ≥ 0"],
     ),
     # tan δ = (1 + e)/(3 − e) is at most 1/√3: √3(1 + e) ≤ 3 − e.
     "terms are collected before a sum with roots divides": (
@@ -258,7 +258,7 @@ SAYS = {
             "A hits B: offset d, e = 1\ngiven d > 0, velocity(A, 0) perpendicular to velocity(A)\n"
             "find d"
         ),
-        ["d = ±", "as d is positive"],
+        ["tan φ = ±√3/3", "tan φ = √3/3, as φ is acute"],
     ),
     # Of w = ±4u/5 the law of restitution, w = e(u + 4u/5), leaves one.
     "a component is not called positive without a reason": (
