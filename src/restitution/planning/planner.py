@@ -73,7 +73,12 @@ from restitution.planning.writing.direct_tangents import with_direct_tangents
 from restitution.planning.writing.either_side import on_one_side, write_other_side
 from restitution.planning.writing.facts_once import with_facts_once
 from restitution.planning.writing.forms import tree_of
-from restitution.planning.writing.gathering import gathered, numbered_anew, without_unprinted_angles
+from restitution.planning.writing.gathering import (
+    gathered,
+    numbered_anew,
+    without_idle_arctangents,
+    without_unprinted_angles,
+)
 from restitution.planning.writing.given_terms import turn_round
 from restitution.planning.writing.scene import Scene
 from restitution.problem import (
@@ -142,7 +147,8 @@ def _finished(problem: Problem, desk: Desk) -> Derivation:
         whole = pruned(shortened(whole, oracle))
     for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):
         whole = mended(whole, oracle)
-    return gathered(with_facts_once(without_unprinted_angles(whole)))
+    whole = without_idle_arctangents(without_unprinted_angles(whole))
+    return gathered(with_facts_once(whole))
 
 
 def _not_planned(error: Exception) -> NotPlannedError:

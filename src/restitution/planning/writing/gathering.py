@@ -10,10 +10,19 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Sequence
 from dataclasses import replace
 
-from restitution.explaining.derivation import Derivation, Line, Meaning, Note, Relation
+from restitution.explaining.derivation import Derivation, Line, Link, Meaning, Note, Relation
 from restitution.explaining.offset_angles import letter_of_offset
 from restitution.explaining.trees import trees_of
-from restitution.expression.tree import Letter, Name, Quantity, letters
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    letters,
+    walk,
+)
 
 _LAWS = frozenset({"unchanged", "momentum", "restitution", "restitution-wall"})
 # So many lines stand between a letter and its use where it is introduced too early.
@@ -403,3 +412,37 @@ def without_unprinted_angles(derivation: Derivation) -> Derivation:
         return line
 
     return replace(derivation, lines=tuple(map(mended, derivation.lines)))
+
+
+def without_idle_arctangents(derivation: Derivation) -> Derivation:
+    """The same working without the lines that only turn a tangent round on the way to a sum.
+
+    Where the arctangent stands in every line that rests on such a line, nobody needs it.
+    """
+    ends = {each.line for each in derivation.items}
+    ends |= {each.line for each in derivation.cases}
+    ends |= {number for note in derivation.notes for number in note.lines}
+
+    def mended(line: Line) -> Line:
+        match line.move.id, line.relation:
+            case "inverse", Relation(((Link(Letter(), "=", Apply("arctan") as angle),),)):
+                pass
+            case _:
+                return line
+        later = [each for each in derivation.lines if line.number in each.premises]
+        sums = all(_sums_up(each, angle) for each in later)
+        if not later or not sums or line.number in ends:
+            return line
+        return replace(line, shown="silent")
+
+    return replace(derivation, lines=tuple(map(mended, derivation.lines)))
+
+
+def _sums_up(line: Line, angle: Expression) -> bool:
+    """Whether a line is one of a sum of angles, in which an arctangent stands."""
+    if not isinstance(line.relation, Relation):
+        return False
+    trees = (node for tree in trees_of(line.relation) for node in walk(tree))
+    return any(
+        isinstance(node, Binary) and node.op in "+-" and angle in walk(node) for node in trees
+    )
