@@ -299,6 +299,10 @@ def mistaken(number: int, seed: int) -> list[AlteredScript]:
         statement = text(random.choice(paths))
         hand = hand_of(random, statement) if random.random() < 0.5 else None
         try:
+            if any(
+                item.error for _, item in restitution.solve(restitution.parse(statement)).items()
+            ):
+                continue  # a script of a question without an answer has no marks
             found = list(mistaken_scripts(statement, random, hand))
         except (RestitutionError, NotPlannedError, IndexError, StopIteration):
             continue

@@ -68,6 +68,13 @@ sphere B: mass M, at rest
 A hits B: along i
 find tan(direction(A)), tan(deflection(A))
 """
+SENT_BACK = """
+sphere A: mass 2m, velocity u at alpha
+sphere B: mass m, velocity u at beta from -i
+given sin(alpha) = 3/5, tan(beta) = 4/3
+A hits B: along i, e = 1/2
+find deflection(B)
+"""
 TURNED_DOWN = """
 sphere A: mass 1, velocity 2i
 sphere B: mass 3, at rest
@@ -119,6 +126,7 @@ SAYS = [
     # 2 × 3 = 2v + w and w − v = 3/2: w = 3
     (ACROSS, "B came in the direction of 𝐣"),
     (ACROSS, "tan δ = 3u/u = 3 DM1 δ = arctan 3"),
+    (SENT_BACK, "= 135° − arctan(4/3)"),
     (ONE_ANGLE, "δ = θ − α"),
     (ONE_ANGLE, "tan δ = (tan θ − tan α)/(1 + tan θ tan α)"),
     (TURNED_DOWN, "as the angle from 𝐢 to 𝐯_A is negative"),
@@ -127,6 +135,7 @@ SAYS = [
     (DOWN_AN_AXIS, "P moves in the direction of 𝐣: angle from 𝐢 to 𝐯_P = 90°"),
 ]
 SAYS_NOT = [
+    (SENT_BACK, "β = arctan(4/3)"),
     (ALL_OF_E, "as α = 60°"),
     (ONE_ANGLE, "β"),
     (FASTER, "Conservation of momentum"),

@@ -211,7 +211,7 @@ find energy_lost/energy(0) in terms of alpha
 SAYS = [
     (SHARE, "(kinetic energy lost)/(kinetic energy before the impact) = 16.875/50"),
     (SHARE, "½ × 0.25 × 20² = 50 J"),
-    (SHARE_BOUNDED, "0.375m_P u² sin²α/(½m_P u²) ≥ 0.3"),
+    (SHARE_BOUNDED, "⅜m_P u² sin²α/(½m_P u²) ≥ 3/10"),
     (TURNED, "β = α + δ"),
     (TURNED, "tan β = (⅓ + ½)/(1 − ⅓ × ½) = 1"),
     (TURNED_AGAIN, "tan β = 2 tan α/(1 − tan²α)"),
@@ -222,7 +222,7 @@ SAYS = [
     (NO_MOMENTUM, "= 𝟎"),
     (TOUCHING, "From the centre of A to the centre of B: the line of centres is parallel to"),
     (CUSHION, "Substituting for tan α in (1): x-coordinate of P at the impact = 27/7 m"),
-    (LATE, "θ = arctan(5(√70 − 4)/27) Let δ be the angle of deflection of B."),
+    (LATE, "δ = 180° − 45° − arctan(5(√70 − 4)/27) = 135° − arctan(5(√70 − 4)/27)"),
     (LOSS_GIVEN, "72mu²(1 − e²)/5 = 0.6 × (29mu²/2)"),
     (
         ASIDE,

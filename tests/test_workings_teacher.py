@@ -129,7 +129,7 @@ SAYS = {
             "A hits B: along i\npart a\nfind velocity(B)\n"
             "part b\ngiven e = 1/2\nfind velocity(A)"
         ),
-        ["(b)", "w = 2 + 4e", "Since e = ½:\n    w = 4", "= 2mv + 4m", "v = 1"],
+        ["(b)", "w = 2 + 4e", "Since e = ½:\n    w = 4", "4 − v = ½(4 + 2)", "v = 1"],
     ),
     # 4 = −5x/... : v = (x − 18)/10 by both laws, and 9 = 2(x − v).
     "a component of the data by an impulse": (

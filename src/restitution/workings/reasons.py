@@ -46,7 +46,7 @@ from restitution.workings.multipliers import multipliers_of
 from restitution.workings.naming import Naming
 from restitution.workings.plain_signs import are_squares, positive_letters
 from restitution.workings.right_angles import RightAngles
-from restitution.workings.seen import growth_said, less_than_its_limit
+from restitution.workings.seen import growth_said, less_than_its_limit, shown
 from restitution.workings.shape_reasons import DOWN, UP, ZERO, ShapeReasons, is_short
 from restitution.workings.signs_of_factors import signs_of_factors
 from restitution.workings.sources import Sources, bound_broken, root_of_a_square
@@ -590,7 +590,7 @@ class Reasons:
         names = [node.name for node in walk(worth) if isinstance(node, Letter)]
         for name in sorted(letters(worth) - letters(bound)):
             sense = way_of(worth, name, ends, Relation(((Link(worth, sign_, bound),),)))
-            if names.count(name) > 1 and sense:
+            if names.count(name) > 1 and shown(worth, name, sense, ends, self._roles) is not None:
                 layout = self._naming.layout
                 yield growth_said(worth, name, sense, ends, self._roles, layout)[0]
 

@@ -590,11 +590,13 @@ class Solver:
         squared = [each for each in put if sp.diff(each, symbol, 2) != 0]
         if not squared:
             return False
-        # Of several solutions each would need the laws anew, unless that is where they part.
+        # Of several solutions each would need the laws anew: that is worth it where they part in
+        # the sense, and the laws would leave two letters in one equation.
         signs = {each.sign(each.in_data(symbol)) for each in self.scene.others}
-        return (bool(signs) and not signs >= {-1, 1}) or not all(
-            _is_plain_square(x, symbol) for x in squared
-        )
+        unknowns = {x for each in left for x in self._open(each)} - self._letters.keys()
+        parted = signs >= {-1, 1} and len(unknowns) > 1
+        plain = all(_is_plain_square(each, symbol) for each in squared)
+        return not plain or (bool(signs) and not parted)
 
     def _closes(self, number: int, symbol: sp.Symbol) -> bool:
         """Solves a line for its unknown, if there is a way now; there may be one later."""
