@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from math import prod
 from typing import Literal
 
 from sympy import Rational, pi
@@ -225,33 +226,31 @@ def _ratio_of_leads(world: World, line: Quotient, expected: Quotient) -> Quotien
 
 def _ratio_with_a_divisor(world: World, line: Quotient, expected: Quotient) -> Quotient | None:
     """K where one of two is the other times what is printed below a line and has roots in it."""
-    if not world.squares:
-        return None
-    one, roots = line.above.ring.one, set(world.squares)
-    for divisor in dict.fromkeys(world.denominators):
-        if len(divisor) < 2 or roots.isdisjoint(world.keys(divisor)):
-            continue
-        for a, b in ((divisor, one), (one, divisor)):
-            sides = [
-                world.reduced(Quotient(each.above * times, one))
-                for each, times in ((line, a), (expected, b))
-            ]
-            k = _ratio_of_leads(world, *sides)
-            if k is not None:
-                above, below = k.above * b * expected.below, k.below * a * line.below
-                return Quotient(*without_common(above, below))
-    return None
+    roots = set(world.squares)
+    divisors = (
+        divisor
+        for divisor in dict.fromkeys(world.denominators)
+        if len(divisor) > 1 and not roots.isdisjoint(world.keys(divisor))
+    )
+    return _ratio_with(world, line, expected, divisors) if roots else None
 
 
 def _ratio_with_a_root(world: World, line: Quotient, expected: Quotient) -> Quotient | None:
     """K where one of two is the other times roots that stand in it: their squares are no roots."""
-    one = line.above.ring.one
     keys = world.keys(line.above, expected.above)
     roots = [n for n, key in keys.items() if key[0] == "root" and not key[1].is_ground]
-    for own in (roots, *([n] for n in roots if len(roots) > 1)) if roots else ():
-        factor = one
-        for n in own:
-            factor *= line.above.ring.gens[n]
+    sets = (roots, *([n] for n in roots if len(roots) > 1)) if roots else ()
+    gens = line.above.ring.gens
+    products = (prod((gens[n] for n in own), start=line.above.ring.one) for own in sets)
+    return _ratio_with(world, line, expected, products)
+
+
+def _ratio_with(
+    world: World, line: Quotient, expected: Quotient, factors: Iterable[PolyElement]
+) -> Quotient | None:
+    """K where one of two is the other times one of some factors."""
+    one = line.above.ring.one
+    for factor in factors:
         for a, b in ((factor, one), (one, factor)):
             sides = [
                 world.reduced(Quotient(each.above * times, one))
