@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from restitution.explaining.derivation import Meaning, Move, Ref, Relation
+from restitution.explaining.derivation import Move, Ref, Relation
 from restitution.explaining.trees import exchanged
 from restitution.expression.tree import Expression, Letter, letters, walk
 from restitution.planning.writing.desk import chain
@@ -52,11 +52,7 @@ def _by_a_letter(scene: Scene, line: int) -> tuple[int, int] | None:
         put: dict[Expression, Expression] = {value.right: value.left}
         relation = chain(own.relation.only[0].left, (exchanged(link.right, put), None))
         pool: list[Ref] = [each for each in own.premises if each != ref]
-        pool += [
-            each.number
-            for each in scene.desk.lines
-            if isinstance(each.relation, Meaning) and each.relation.letter == value.left.name
-        ]
+        pool += scene.desk.introducing({value.left.name})
         refs = scene.judge.needed(own.move, dict.fromkeys(pool), relation)
         return (
             None if refs is None else (scene.desk.write(own.move, refs, relation), inverse.number)

@@ -294,10 +294,7 @@ def _with_its_first_letter(scene: Scene, term: Term, line: int) -> Term:
 
 def _is_to_a_wall(scene: Scene, letter: Expression) -> bool:
     """Whether a letter stands for an angle to a wall."""
-    assert isinstance(letter, Letter)
-    meanings = (line.relation for line in scene.desk.lines if isinstance(line.relation, Meaning))
-    own = next((each.quantity for each in meanings if each.letter == letter.name), None)
-    match own:
+    match scene.desk.meant(letter):
         case Quantity("angle", sides):
             return any(isinstance(side, Name) for side in sides)
     return False

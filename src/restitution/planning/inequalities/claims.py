@@ -297,7 +297,7 @@ class Claims:
                 return None
         mark = self.worths.mark()
         number, angle, extent = self.worths.lettered(lines[0], angle)
-        quantity, tangent = self.worths.meant(angle), Apply("tan", angle)
+        quantity, tangent = self.scene.desk.meant(angle), Apply("tan", angle)
         links: list[Link] = []
         for link in relation.only:
             sides = [

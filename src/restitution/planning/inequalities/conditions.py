@@ -13,7 +13,6 @@ from restitution.explaining.derivation import (
     FLIPPED,
     Fact,
     Link,
-    Meaning,
     Move,
     Ref,
     Relation,
@@ -211,11 +210,7 @@ class Conditions:
         if not ahead or stripped is None:
             return None
         letter = Letter(component.symbol.name)
-        lets = [
-            each.number
-            for each in scene.desk.lines
-            if isinstance(each.relation, Meaning) and each.relation.letter == letter.name
-        ]
+        lets = scene.desk.introducing({letter.name})
         first = Relation(((Link(letter, sign, ZERO),),))
         line = self.judge.write((Move("compare"),), [fact.id, *lets, *frame.refs], first)
         if line is None:

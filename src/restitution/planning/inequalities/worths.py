@@ -103,7 +103,7 @@ class Worths:
         if isinstance(angle, Letter):
             if self.is_of_statement(angle):
                 return line, angle, self.judge.bounds(angle.name)
-            quantity = self.meant(angle)
+            quantity = self.scene.desk.meant(angle)
             if not isinstance(quantity, Quantity):
                 return line, angle, ()
             name, let = self.letter_for(quantity)
@@ -123,14 +123,6 @@ class Worths:
     def is_of_statement(self, tree: Expression) -> bool:
         """Whether the statement has a letter for a quantity."""
         return isinstance(tree, Letter) and f"let {tree.name}" in self.scene.facts
-
-    def meant(self, tree: Expression) -> Expression:
-        """What a letter that the working introduces stands for; any other tree itself."""
-        if isinstance(tree, Letter):
-            for line in self.scene.desk.lines:
-                if isinstance(line.relation, Meaning) and line.relation.letter == tree.name:
-                    return line.relation.quantity
-        return tree
 
     @staticmethod
     def _extent(name: str, angle: Quantity) -> str:

@@ -14,7 +14,7 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Meaning, Move, Ref
+from restitution.explaining.derivation import Move, Ref
 from restitution.explaining.trees import exchanged
 from restitution.expression.tree import (
     Apply,
@@ -147,9 +147,8 @@ def _same_angle(
     if refs is None:
         return None
     lines = scene.desk.lines
-    for n, each in enumerate(lines):
-        if isinstance(each.relation, Meaning) and each.relation.letter == letter:
-            lines[n] = replace(each, shown="silent")
+    for number in scene.desk.introducing({letter}):
+        lines[number - 1] = replace(scene.desk.line(number), shown="silent")
     return other, scene.desk.write(Move("inverse"), refs, relation, "silent")
 
 

@@ -17,7 +17,7 @@ import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact import tidy
-from restitution.explaining.derivation import Meaning, Move, Route
+from restitution.explaining.derivation import Move, Route
 from restitution.expression.tree import Letter, Name, Quantity, walk
 from restitution.planning.angles.deflections import turned_at_a_wall
 from restitution.planning.angles.unknown_blows import take_blow
@@ -658,11 +658,7 @@ class Solver:
             if len(open_) != 1:
                 return False
             frame, letter = scene.frame(number), Letter(component.symbol.name)
-            lets = (
-                each.number
-                for each in scene.desk.lines
-                if isinstance(each.relation, Meaning) and each.relation.letter == letter.name
-            )
+            lets = scene.desk.introducing({letter.name})
             read = scene.judge.write(
                 (Move("define", "component", number, (body,)),),
                 (*source.whole, *frame.refs, *lets),

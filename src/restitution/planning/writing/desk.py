@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
@@ -222,12 +222,24 @@ class Desk:
 
     def meanings(self, lines: Iterable[int]) -> list[int]:
         """The lines that say what the letters in some lines stand for: δ is a deflection."""
-        used = {name for line in lines for name in names_in(self.line(line).relation)}
+        return self.introducing({n for line in lines for n in names_in(self.line(line).relation)})
+
+    def introducing(self, names: Collection[str]) -> list[int]:
+        """The lines that introduce some letters."""
         return [
             each.number
             for each in self.lines
-            if isinstance(each.relation, Meaning) and each.relation.letter in used
+            if isinstance(each.relation, Meaning) and each.relation.letter in names
         ]
+
+    def meant(self, tree: Expression) -> Expression:
+        """What a letter that the working introduces stands for; any other tree itself."""
+        if isinstance(tree, Letter):
+            for number in self.introducing({tree.name}):
+                own = self.line(number).relation
+                assert isinstance(own, Meaning)
+                return own.quantity
+        return tree
 
     def relation(self, number: int) -> Relation:
         """What a line says; it must not be one that introduces a letter."""

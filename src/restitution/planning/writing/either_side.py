@@ -233,7 +233,7 @@ def write_sides(scene: Scene, number: int) -> int | None:
 
 def _has_a_side(scene: Scene, link: Link) -> bool:
     """Whether a line is about a direction or a vector, which a mirror turns."""
-    match _meant(scene, link.left):
+    match scene.desk.meant(link.left):
         case Quantity("direction", (Name(),)) | Quantity("velocity" | "line_of_centres"):
             return True
         case Quantity("impulse", arguments):
@@ -241,18 +241,9 @@ def _has_a_side(scene: Scene, link: Link) -> bool:
     return False
 
 
-def _meant(scene: Scene, subject: Expression) -> Expression:
-    """What a letter of the working stands for."""
-    if isinstance(subject, Letter):
-        for line in scene.desk.lines:
-            if isinstance(line.relation, Meaning) and line.relation.letter == subject.name:
-                return line.relation.quantity
-    return subject
-
-
 def _mirrored(scene: Scene, link: Link) -> Expression:
     """The right side of a link, mirrored along **i**."""
-    match _meant(scene, link.left):
+    match scene.desk.meant(link.left):
         case Quantity("direction", (Name(),), int()):
             return link.right.operand if isinstance(link.right, Negate) else Negate(link.right)
     value = scene.vector(link.right)
