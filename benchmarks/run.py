@@ -227,7 +227,7 @@ def measured(name: str, repeat: int) -> Measured:
 def _stories(work: Callable[[], object]) -> int | None:
     """How often a story is told; None where there is no such class any more."""
     try:
-        from restitution.solving.story import Story
+        from restitution.solving.story.forward import Story
     except ImportError:
         return None
     count = 0
@@ -289,9 +289,9 @@ def following(repeat: int) -> None:
     from derivations import FOLDER, oracle_of, read_derivation
 
     from restitution import solve
-    from restitution.explaining.derivation import Relation
-    from restitution.explaining.follower import follow
-    from restitution.explaining.tracing import Tracer
+    from restitution.explaining.following.follower import follow
+    from restitution.explaining.following.tracing import Tracer
+    from restitution.explaining.lines.derivation import Relation
 
     ratios, followed, recognised = [], [], []
     for path in sorted(FOLDER.glob("*.txt")):

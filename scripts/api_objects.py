@@ -15,7 +15,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, Literal, get_args, get_origin, get_type_hints, is_typeddict
 
-from restitution.explaining import stored
+from restitution.explaining.lines import stored
 from restitution.export import objects
 from restitution.practice.marking import objects as marking
 

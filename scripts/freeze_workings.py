@@ -25,10 +25,10 @@ from restitution.language import parse
 from restitution.render.text import to_text as in_a_line
 from restitution.solving import solve
 from restitution.workings import Explanation, explain, to_html, to_latex, to_markdown, to_text
-from restitution.workings.principles import about
-from restitution.workings.steps import Row, Step
-from restitution.workings.text import inline
-from restitution.workings.typst import to_markup
+from restitution.workings.rendering.principles import about
+from restitution.workings.rendering.steps import Row, Step
+from restitution.workings.rendering.text import inline
+from restitution.workings.rendering.typst import to_markup
 
 QUESTIONS = Path(__file__).resolve().parent.parent / "tests" / "questions"
 EXAMPLES = Path(restitution.examples.__file__).parent

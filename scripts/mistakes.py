@@ -22,13 +22,13 @@ from restitution.drawing import scenes
 from restitution.drawing.scene import Arc, Arrow, Label, Line, Polyline, Scene
 from restitution.drawing.svg import abreast
 from restitution.errors import RestitutionError
-from restitution.explaining.consequences import AlteredWorld, ChangedItem, altered_worlds
-from restitution.explaining.misconceptions import MISCONCEPTIONS, SLIPS, Misconception
+from restitution.explaining.mistakes.consequences import AlteredWorld, ChangedItem, altered_worlds
+from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS, SLIPS, Misconception
 from restitution.export.units import Units
 from restitution.problem import Given, Impact
 from restitution.render.layout import Words
 from restitution.shapes import Circle
-from restitution.solving.solution import ItemResult, Solution
+from restitution.solving.equations.solution import ItemResult, Solution
 from restitution.vector import Vector
 
 ROOT = Path(__file__).parents[1]

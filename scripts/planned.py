@@ -14,14 +14,14 @@ from pathlib import Path
 
 import restitution.examples
 from restitution.errors import RestitutionError
-from restitution.explaining.derivation import Derivation
-from restitution.explaining.follower import follow
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.solving import Solution, solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 TESTS = Path(__file__).parents[1] / "tests"
 LIST = TESTS / "planned.txt"

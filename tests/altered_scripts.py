@@ -14,9 +14,9 @@ import numpy as np
 import sympy as sp
 from derived_scripts import planned
 
-from restitution.explaining.derivation import Event
-from restitution.explaining.misconceptions import LawAt, VariantAt, laws_at, variants_at
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.derivation import Event
+from restitution.explaining.lines.trees import exchanged
+from restitution.explaining.mistakes.misconceptions import LawAt, VariantAt, laws_at, variants_at
 from restitution.expression.tree import (
     Binary,
     Expression,

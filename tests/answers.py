@@ -19,7 +19,7 @@ from restitution.expression import read_expression
 from restitution.expression.evaluate import evaluate
 from restitution.oracle.roles import Role
 from restitution.solving import ItemResult, Solution
-from restitution.solving.numbers import UndefinedError, at, sample
+from restitution.solving.algebra.numbers import UndefinedError, at, sample
 
 
 @dataclass(frozen=True)

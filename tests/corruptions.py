@@ -10,8 +10,15 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 
-from restitution.explaining.derivation import Derivation, ItemEnd, Line, Link, Meaning, Relation
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    ItemEnd,
+    Line,
+    Link,
+    Meaning,
+    Relation,
+)
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,

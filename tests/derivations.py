@@ -19,8 +19,9 @@ from typing import Any
 
 from answers import _differs
 
-from restitution.explaining.arrangement import events_of
-from restitution.explaining.derivation import (
+from restitution.explaining.data.arrangement import events_of
+from restitution.explaining.data.facts import facts_of
+from restitution.explaining.lines.derivation import (
     Case,
     Derivation,
     ItemEnd,
@@ -28,9 +29,8 @@ from restitution.explaining.derivation import (
     Link,
     Move,
 )
-from restitution.explaining.facts import facts_of
-from restitution.explaining.marks import Mark
-from restitution.explaining.notation import read_meaning, read_relation
+from restitution.explaining.lines.marks import Mark
+from restitution.explaining.lines.notation import read_meaning, read_relation
 from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import Expression, has_quantity
 from restitution.expression.writing import write_expression
@@ -38,7 +38,7 @@ from restitution.language.reading import parse
 from restitution.oracle import Oracle
 from restitution.problem import Problem, Range
 from restitution.solving import ItemResult
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 FOLDER = Path(__file__).with_name("derivations")
 _SHORT = re.compile(r"\b([cs])\((\w+), (\d+)(?:@(\d+))?\)")

@@ -20,8 +20,15 @@ from handwriting import Hand
 
 import restitution
 from restitution.errors import RestitutionError
-from restitution.explaining.derivation import Derivation, Line, Link, Meaning, Relation, of_part
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Line,
+    Link,
+    Meaning,
+    Relation,
+    of_part,
+)
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -38,7 +45,7 @@ from restitution.practice.reading.working import MAX_LENGTH
 from restitution.practice.worlds.sampling import true_worlds
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
-from restitution.solving.solution import Solution
+from restitution.solving.equations.solution import Solution
 
 POOL = "vwpqabchrsynzfkdtVWTH"
 NEEDED = frozenset({"law", "define", "answer", "shown", "value", "fact", "let", "roots", "reject"})

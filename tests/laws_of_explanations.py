@@ -13,14 +13,8 @@ from statements import EXAMPLES, QUESTIONS, explained, law, solved
 
 from restitution.export.sheet import Options, entry, to_pdf
 from restitution.render.text import width
-from restitution.workings import (
-    PartExplanation,
-    to_html,
-    to_latex,
-    to_markdown,
-    to_text,
-)
-from restitution.workings.principles import about
+from restitution.workings import PartExplanation, to_html, to_latex, to_markdown, to_text
+from restitution.workings.rendering.principles import about
 
 SOME = [*EXAMPLES, *QUESTIONS[::6]]
 

@@ -14,7 +14,7 @@ from restitution.drawing.labels import place
 from restitution.drawing.path import path_scene
 from restitution.drawing.scene import Arrow, Disc, Dot, RoundWall, Scene, StraightWall
 from restitution.render.text import to_text
-from restitution.solving.story import Story
+from restitution.solving.story.forward import Story
 from restitution.staging.plan import Leg, Plan, Stop, Straight
 from restitution.staging.planning import lay_out
 from restitution.staging.values import motion

@@ -8,17 +8,17 @@ from dataclasses import fields, is_dataclass
 from fractions import Fraction
 from typing import Any
 
-from restitution.explaining.awarding import awarded
-from restitution.explaining.derivation import Derivation, Line, Meaning, Relation
-from restitution.explaining.saying import Sentence, Slot
-from restitution.explaining.trees import trees_of
+from restitution.explaining.awarding.awards import awarded
+from restitution.explaining.lines.derivation import Derivation, Line, Meaning, Relation
+from restitution.explaining.lines.saying import Sentence, Slot
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import Number, Quantity, walk
 from restitution.render import layout as lay
 from restitution.solving import Solution
 from restitution.workings import to_text
 from restitution.workings.derived import explanation_of
-from restitution.workings.explanation import Explanation
-from restitution.workings.steps import Step
+from restitution.workings.rendering.explanation import Explanation
+from restitution.workings.rendering.steps import Step
 
 
 def _printed(solution: Solution, derivation: Derivation) -> Explanation:

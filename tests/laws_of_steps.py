@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from restitution.explaining.derivation import Derivation, Line, Link, Meaning, Relation
-from restitution.explaining.notation import write_relation
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Meaning, Relation
+from restitution.explaining.lines.notation import write_relation
 from restitution.expression.tree import (
     Apply,
     Binary,

@@ -12,14 +12,14 @@ from plain_physics import ImpossibleWorldError, World
 
 from restitution.components.letters import protected_letters
 from restitution.components.telling import model
-from restitution.explaining.awarding import awarded, marks_of
-from restitution.explaining.derivation import Derivation, Fact, Line, Link, Meaning, Relation
-from restitution.explaining.facts import staged
-from restitution.explaining.follower import follow
-from restitution.explaining.marks import Style
-from restitution.explaining.notation import write_meaning, write_relation
-from restitution.explaining.storing import from_json, to_json
-from restitution.explaining.trees import rebuilt, trees_of
+from restitution.explaining.awarding.awards import awarded, marks_of
+from restitution.explaining.data.facts import staged
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation, Fact, Line, Link, Meaning, Relation
+from restitution.explaining.lines.marks import Style
+from restitution.explaining.lines.notation import write_meaning, write_relation
+from restitution.explaining.lines.storing import from_json, to_json
+from restitution.explaining.lines.trees import rebuilt, trees_of
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -37,8 +37,8 @@ from restitution.expression.tree import (
 from restitution.problem import Value
 from restitution.solving import Solution
 from restitution.workings.derived import explanation_of
-from restitution.workings.measured import Measures
-from restitution.workings.text import to_text
+from restitution.workings.naming.measured import Measures
+from restitution.workings.rendering.text import to_text
 
 Law = Callable[[Solution, Derivation], list[str]]
 

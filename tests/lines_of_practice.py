@@ -13,7 +13,7 @@ from restitution.expression.tree import Expression
 from restitution.practice.script import Claim, Decimal
 from restitution.practice.worlds.sampling import true_worlds
 from restitution.practice.worlds.world import World
-from restitution.solving.solution import Solution
+from restitution.solving.equations.solution import Solution
 
 _SIGN = re.compile(r"<=|>=|=|<|>")
 _DECIMAL = re.compile(r"(?<![\w.])\d+\.\d+")

@@ -21,7 +21,7 @@ from statistics import median
 from typing import Any
 
 import restitution
-from restitution.solving.solution import Solution
+from restitution.solving.equations.solution import Solution
 
 ROOT = Path(__file__).parents[1]
 SCRIPTS = ROOT / "tests" / "scripts"

@@ -14,8 +14,8 @@ import sympy as sp
 from altered_scripts import AlteredScript, _Impact, _quantities, _text, impacts, only_values
 from handwriting import Hand
 
-from restitution.explaining.misconceptions import LawAt, VariantAt, laws_at
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.trees import exchanged
+from restitution.explaining.mistakes.misconceptions import LawAt, VariantAt, laws_at
 from restitution.expression.tree import (
     Apply,
     Binary,

@@ -14,10 +14,10 @@ import mpmath as mp
 from plain_physics import ImpossibleWorldError, World, cross, dot, plus, scaled, size
 
 from restitution import problem as p
-from restitution.explaining.derivation import Derivation, Line, Link, Meaning, Relation
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Meaning, Relation
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression import tree as t
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 NOTHING = mp.mpf(10) ** -40
 _ORDERS = {

@@ -22,8 +22,8 @@ from derived_scripts import (
     senses_of,
 )
 
-from restitution.explaining.derivation import Derivation, Link, Relation, of_part
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.derivation import Derivation, Link, Relation, of_part
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import Apply, Binary, Expression, Negate, Number
 from restitution.practice.worlds.sampling import true_worlds
 

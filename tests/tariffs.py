@@ -9,9 +9,9 @@ from pathlib import Path
 
 from derivations import FOLDER, derivation_of, read_derivation
 
-from restitution.explaining.awarding import awarded, marks_of
-from restitution.explaining.derivation import Derivation, of_part
-from restitution.explaining.marks import STYLES, Style
+from restitution.explaining.awarding.awards import awarded, marks_of
+from restitution.explaining.lines.derivation import Derivation, of_part
+from restitution.explaining.lines.marks import STYLES, Style
 from restitution.language.reading import parse
 
 FILE = Path(__file__).with_name("tariffs.txt")

@@ -9,13 +9,14 @@ import sympy as sp
 from restitution import work
 from restitution.errors import UnsupportedError
 from restitution.language import parse
-from restitution.solving import algebra, solve
-from restitution.solving import polynomials as plain
-from restitution.solving.letters import ACUTE, COEFFICIENT, POSITIVE, REAL
-from restitution.solving.number_fields import split_over_numbers
-from restitution.solving.real_roots import roots
-from restitution.solving.resultants import resultant
-from restitution.solving.signs import definite, rational_below, vanishing
+from restitution.solving import solve
+from restitution.solving.algebra import polynomials as plain
+from restitution.solving.algebra import systems as algebra
+from restitution.solving.algebra.number_fields import split_over_numbers
+from restitution.solving.algebra.real_roots import roots
+from restitution.solving.algebra.resultants import resultant
+from restitution.solving.algebra.signs import definite, rational_below, vanishing
+from restitution.solving.story.letters import ACUTE, COEFFICIENT, POSITIVE, REAL
 
 x, y, m = sp.symbols("x y m", positive=True)
 e = sp.Symbol("e", nonnegative=True)

@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 
 from restitution import parse, solve
-from restitution.solving.cosines import gathered, has_cosines, without_cosines
+from restitution.solving.algebra.cosines import gathered, has_cosines, without_cosines
 
 DEGREE = sp.pi / 180
 

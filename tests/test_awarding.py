@@ -11,13 +11,13 @@ from pathlib import Path
 import pytest
 from derivations import FOLDER, derivation_of, oracle_of, read_derivation
 
-from restitution.explaining.awarding import awarded, marks_of, rule_of
-from restitution.explaining.derivation import MOVES, Derivation
-from restitution.explaining.follower import follow
-from restitution.explaining.mark_rules import RULES
-from restitution.explaining.marks import STYLES, Style, written
-from restitution.explaining.principles import RECORDS
-from restitution.explaining.storing import from_json
+from restitution.explaining.awarding.awards import awarded, marks_of, rule_of
+from restitution.explaining.awarding.mark_rules import RULES
+from restitution.explaining.following.follower import follow
+from restitution.explaining.laws.principles import RECORDS
+from restitution.explaining.lines.derivation import MOVES, Derivation
+from restitution.explaining.lines.marks import STYLES, Style, written
+from restitution.explaining.lines.storing import from_json
 from restitution.export.contract import derivations, with_derivations
 from restitution.language.reading import parse
 from restitution.planning.planner import plan

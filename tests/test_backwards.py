@@ -15,7 +15,7 @@ import sympy as sp
 from restitution.language import parse
 from restitution.oracle.roles import POSITIVE, REAL
 from restitution.solving import Solution, solve
-from restitution.solving.stages import fixed_besides, solve_in_stages
+from restitution.solving.equations.stages import fixed_besides, solve_in_stages
 from restitution.workings import explain, to_text
 
 Pair = tuple[float, float]

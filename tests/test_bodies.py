@@ -9,7 +9,7 @@ import pytest
 
 import restitution
 from restitution.errors import ImpossibleError
-from restitution.solving.solution import ItemResult
+from restitution.solving.equations.solution import ItemResult
 
 CLASH = "given speed(A, 0) = 70\n"
 

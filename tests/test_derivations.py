@@ -19,10 +19,10 @@ from derivations import (
 
 import restitution.examples
 from restitution.errors import StatementError
-from restitution.explaining.derivation import Derivation, Relation
-from restitution.explaining.facts import facts_of
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import read_relation, write_relation
+from restitution.explaining.data.facts import facts_of
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation, Relation
+from restitution.explaining.lines.notation import read_relation, write_relation
 from restitution.expression.writing import write_expression
 from restitution.language.reading import parse
 from restitution.problem import Problem

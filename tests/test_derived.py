@@ -14,12 +14,12 @@ from playwright.sync_api import Page
 
 import restitution.examples
 from restitution.errors import StatementError
-from restitution.explaining.arrangement import events_of
-from restitution.explaining.derivation import Derivation
-from restitution.explaining.facts import facts_of
-from restitution.explaining.layouts import Forms, of_tree
-from restitution.explaining.saying import Sentence, Slot
-from restitution.explaining.sentences import SENTENCES
+from restitution.explaining.data.arrangement import events_of
+from restitution.explaining.data.facts import facts_of
+from restitution.explaining.lines.derivation import Derivation
+from restitution.explaining.lines.layouts import Forms, of_tree
+from restitution.explaining.lines.saying import Sentence, Slot
+from restitution.explaining.lines.sentences import SENTENCES
 from restitution.expression import read_expression
 from restitution.expression.tree import Letter, Quantity, walk
 from restitution.language import parse
@@ -31,15 +31,21 @@ from restitution.render.text import width
 from restitution.solving import solve
 from restitution.workings import explain
 from restitution.workings.derived import explanation_of
-from restitution.workings.explanation import Explanation
-from restitution.workings.html import STYLE, to_body, to_html
-from restitution.workings.markup import columns, to_latex, to_markdown
-from restitution.workings.measured import Measures, as_decimal, percentage, rounded, with_unit
-from restitution.workings.naming import Naming
-from restitution.workings.principles import about
-from restitution.workings.steps import Step
-from restitution.workings.text import to_text
-from restitution.workings.typst import PREAMBLE, to_markup
+from restitution.workings.naming.measured import (
+    Measures,
+    as_decimal,
+    percentage,
+    rounded,
+    with_unit,
+)
+from restitution.workings.naming.quantities import Naming
+from restitution.workings.rendering.explanation import Explanation
+from restitution.workings.rendering.html import STYLE, to_body, to_html
+from restitution.workings.rendering.markup import columns, to_latex, to_markdown
+from restitution.workings.rendering.principles import about
+from restitution.workings.rendering.steps import Step
+from restitution.workings.rendering.text import to_text
+from restitution.workings.rendering.typst import PREAMBLE, to_markup
 
 FILES = sorted(FOLDER.glob("*.txt"))
 EACH = pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)

@@ -7,7 +7,7 @@ import pytest
 from restitution.errors import StatementError
 from restitution.language import parse
 from restitution.solving import solve
-from restitution.solving.given_directions import with_given_directions
+from restitution.solving.story.given_directions import with_given_directions
 from restitution.workings import explain, to_text
 
 WALL = (

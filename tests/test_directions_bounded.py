@@ -8,13 +8,13 @@ from dataclasses import replace
 import pytest
 from workings import planned
 
-from restitution.explaining.derivation import Derivation, Line, Relation
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import read_relation, write_relation
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation, Line, Relation
+from restitution.explaining.lines.notation import read_relation, write_relation
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.solving import solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 SPHERES = """
 sphere A: mass {m}, velocity {a}i + {b}j

@@ -9,14 +9,7 @@ from laws_of_explanations import marks_of
 
 from restitution.language import parse
 from restitution.solving import solve
-from restitution.workings import (
-    Explanation,
-    explain,
-    to_html,
-    to_latex,
-    to_markdown,
-    to_text,
-)
+from restitution.workings import Explanation, explain, to_html, to_latex, to_markdown, to_text
 
 
 def told(text: str) -> Explanation:

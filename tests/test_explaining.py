@@ -11,9 +11,13 @@ import pytest
 from derivations import FOLDER, derivation_of, oracle_of, read_derivation
 
 from restitution.errors import StatementError
-from restitution.explaining.algebra import World
-from restitution.explaining.definitions import WORKED_OUT
-from restitution.explaining.derivation import (
+from restitution.explaining.data.facts import facts_of
+from restitution.explaining.definitions.at_events import WORKED_OUT
+from restitution.explaining.following.follower import follow
+from restitution.explaining.following.tracing import Tracer, explain_line
+from restitution.explaining.laws.principles import RECORDS
+from restitution.explaining.lines.algebra import World
+from restitution.explaining.lines.derivation import (
     Derivation,
     Event,
     Meaning,
@@ -21,27 +25,23 @@ from restitution.explaining.derivation import (
     Relation,
     whole_of,
 )
-from restitution.explaining.facts import facts_of
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import (
+from restitution.explaining.lines.notation import (
     read_meaning,
     read_relation,
     read_tree,
     write_meaning,
     write_relation,
 )
-from restitution.explaining.principles import RECORDS
-from restitution.explaining.quotients import NotComparableError
-from restitution.explaining.sentences import SENTENCES
-from restitution.explaining.storing import from_json, to_json
-from restitution.explaining.tracing import Tracer, explain_line
+from restitution.explaining.lines.quotients import NotComparableError
+from restitution.explaining.lines.sentences import SENTENCES
+from restitution.explaining.lines.storing import from_json, to_json
 from restitution.language.reading import parse
 from restitution.oracle.roles import ACUTE, POSITIVE
 from restitution.workings.derived import explanation_of
-from restitution.workings.html import to_html
-from restitution.workings.markup import to_latex, to_markdown
-from restitution.workings.text import to_text
-from restitution.workings.typst import to_markup
+from restitution.workings.rendering.html import to_html
+from restitution.workings.rendering.markup import to_latex, to_markdown
+from restitution.workings.rendering.text import to_text
+from restitution.workings.rendering.typst import to_markup
 
 NAMES = {"A": "sphere", "B": "sphere", "W": "wall"}
 FILES = sorted(FOLDER.glob("*.txt"))

@@ -14,10 +14,10 @@ from derivations import FOLDER, oracle_of, read_derivation
 from numbers_of_workings import BeyondError, Judge, worlds
 from plain_physics import ImpossibleWorldError
 
-from restitution.explaining.derivation import Derivation, Line, Link, Meaning, Relation
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import write_relation
-from restitution.explaining.trees import rebuilt, trees_of
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Meaning, Relation
+from restitution.explaining.lines.notation import write_relation
+from restitution.explaining.lines.trees import rebuilt, trees_of
 from restitution.expression.tree import (
     Apply,
     Binary,

@@ -6,12 +6,12 @@ import pytest
 from derivations import derivation_of, names_of, oracle_of
 
 from restitution.errors import StatementError
-from restitution.explaining.algebra import World
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import read_relation, read_tree
-from restitution.explaining.quotients import NotComparableError
-from restitution.explaining.storing import from_json, to_json
-from restitution.explaining.tracing import Tracer
+from restitution.explaining.following.follower import follow
+from restitution.explaining.following.tracing import Tracer
+from restitution.explaining.lines.algebra import World
+from restitution.explaining.lines.notation import read_relation, read_tree
+from restitution.explaining.lines.quotients import NotComparableError
+from restitution.explaining.lines.storing import from_json, to_json
 from restitution.language.reading import parse
 from restitution.oracle.roles import POSITIVE
 

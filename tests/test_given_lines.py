@@ -10,7 +10,7 @@ from workings import planned
 
 from restitution import parse, solve
 from restitution.errors import RestitutionError
-from restitution.explaining.derivation import Note
+from restitution.explaining.lines.derivation import Note
 from restitution.workings import explain, to_text
 from restitution.workings.derived import explanation_of
 

@@ -10,8 +10,8 @@ from pages import minding
 
 import restitution as r
 from restitution.errors import StatementError, UnsupportedError
-from restitution.explaining.listing import about_mistake, all_mistakes
-from restitution.explaining.misconceptions import MISCONCEPTIONS, SLIPS
+from restitution.explaining.mistakes.listing import about_mistake, all_mistakes
+from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS, SLIPS
 from restitution.export.player.beside import of_mistake
 
 WALL = """\

@@ -7,15 +7,15 @@ from pathlib import Path
 
 import pytest
 
-from restitution.explaining.derivation import Event
-from restitution.explaining.misconceptions import (
+from restitution.explaining.lines.derivation import Event
+from restitution.explaining.lines.sentences import SENTENCES
+from restitution.explaining.lines.usual_mistakes import PHRASES, USUAL_MISTAKES
+from restitution.explaining.mistakes.misconceptions import (
     MISCONCEPTIONS,
     SLIPS,
     alteration,
     variants_at,
 )
-from restitution.explaining.sentences import SENTENCES
-from restitution.explaining.usual_mistakes import PHRASES, USUAL_MISTAKES
 from restitution.expression.tree import Quantity, walk
 
 WALLS = (

@@ -12,10 +12,10 @@ import sympy as sp
 
 import restitution as r
 from restitution.errors import StatementError, UnsupportedError
-from restitution.explaining.altered import altered
-from restitution.explaining.arrangement import events_of
-from restitution.explaining.consequences import altered_world, altered_worlds, applying
-from restitution.explaining.misconceptions import (
+from restitution.explaining.data.arrangement import events_of
+from restitution.explaining.mistakes.altered import altered
+from restitution.explaining.mistakes.consequences import altered_world, altered_worlds, applying
+from restitution.explaining.mistakes.misconceptions import (
     MISCONCEPTIONS,
     alteration,
     laws_at,

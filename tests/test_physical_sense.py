@@ -10,7 +10,7 @@ import sympy
 
 import restitution
 from restitution.errors import ContradictionError, ImpossibleError, MissingError
-from restitution.solving.solution import ItemResult
+from restitution.solving.equations.solution import ItemResult
 
 
 def answer(text: str) -> ItemResult:

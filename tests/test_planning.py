@@ -13,7 +13,7 @@ from laws_of_workings import answers, complaints, false_lines, storing
 from numbers_of_workings import BeyondError, worlds
 from planned import LIST, listed, planned, statements
 
-from restitution.explaining.derivation import Derivation
+from restitution.explaining.lines.derivation import Derivation
 from restitution.planning.routes import choice
 from restitution.solving import Solution
 

@@ -6,18 +6,18 @@ from dataclasses import replace
 
 from laws_of_workings import answers as wrong_answers
 
-from restitution.explaining.awarding import awarded
-from restitution.explaining.derivation import Derivation, Relation
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import read_relation, write_relation
+from restitution.explaining.awarding.awards import awarded
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation, Relation
+from restitution.explaining.lines.notation import read_relation, write_relation
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.problem import Problem
 from restitution.solving import solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.workings.derived import explanation_of
-from restitution.workings.text import to_text
+from restitution.workings.rendering.text import to_text
 
 DIRECT = """
 point N: (10, 10)

@@ -10,16 +10,16 @@ from functools import cache
 
 import pytest
 
-from restitution.explaining.derivation import Derivation, Relation
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import read_relation, write_relation
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation, Relation
+from restitution.explaining.lines.notation import read_relation, write_relation
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.solving import solve
-from restitution.solving.letters import roles
-from restitution.solving.solution import Solution
+from restitution.solving.equations.solution import Solution
+from restitution.solving.story.letters import roles
 
 STATEMENTS = {
     "directions along both axes": """

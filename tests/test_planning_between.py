@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from restitution.explaining.follower import follow
+from restitution.explaining.following.follower import follow
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.workings.derived import explanation_of
-from restitution.workings.text import to_text
+from restitution.workings.rendering.text import to_text
 
 SPHERES = """
 sphere A: mass {a}, velocity {u}

@@ -7,17 +7,17 @@ from functools import cache
 
 import pytest
 
-from restitution.explaining.arrangement import events_of
-from restitution.explaining.derivation import Derivation, Line, Move
-from restitution.explaining.facts import facts_of
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import read_meaning, read_relation
+from restitution.explaining.data.arrangement import events_of
+from restitution.explaining.data.facts import facts_of
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation, Line, Move
+from restitution.explaining.lines.notation import read_meaning, read_relation
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.problem import Problem
 from restitution.solving import solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.workings import to_text
 from restitution.workings.derived import explanation_of
 

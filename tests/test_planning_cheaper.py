@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from test_planning_closing import lines, planned, said
 
-from restitution.explaining.awarding import awarded
-from restitution.explaining.derivation import Derivation
+from restitution.explaining.awarding.awards import awarded
+from restitution.explaining.lines.derivation import Derivation
 from restitution.workings import explain, to_text
 from restitution.workings.derived import explanation_of
 

@@ -10,15 +10,15 @@ import pytest
 from corruptions import corruptions
 from workings import planned
 
-from restitution.explaining.awarding import awarded
-from restitution.explaining.derivation import Derivation, Line, Relation
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import read_relation, write_relation
+from restitution.explaining.awarding.awards import awarded
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation, Line, Relation
+from restitution.explaining.lines.notation import read_relation, write_relation
 from restitution.oracle import Oracle
 from restitution.problem import Problem
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.workings.derived import explanation_of
-from restitution.workings.text import to_text
+from restitution.workings.rendering.text import to_text
 
 INSIDE = """
 wall C: circle centre (0, 0) radius 5a

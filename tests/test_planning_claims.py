@@ -9,16 +9,16 @@ from functools import cache
 import pytest
 import sympy as sp
 
-from restitution.explaining.derivation import Derivation, Relation
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import read_relation, write_relation
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation, Relation
+from restitution.explaining.lines.notation import read_relation, write_relation
 from restitution.expression.tree import Degrees, rational
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.problem import Problem
 from restitution.solving import solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.workings import to_text
 from restitution.workings.derived import explanation_of
 

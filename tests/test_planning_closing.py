@@ -10,15 +10,15 @@ import pytest
 import sympy as sp
 from answers import _differs
 
-from restitution.explaining.derivation import Derivation, Line
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import write_relation
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation, Line
+from restitution.explaining.lines.notation import write_relation
 from restitution.expression.writing import write_expression
 from restitution.language.reading import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import Solution, solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 
 @cache

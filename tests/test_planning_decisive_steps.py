@@ -11,15 +11,15 @@ import re
 import pytest
 from laws_of_steps import STEPS
 
-from restitution.explaining.follower import follow
+from restitution.explaining.following.follower import follow
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import solve
-from restitution.solving.letters import roles
 from restitution.solving.printed_terms import in_printed_terms
+from restitution.solving.story.letters import roles
 from restitution.workings.derived import explanation_of
-from restitution.workings.text import to_text
+from restitution.workings.rendering.text import to_text
 
 WALL = "wall W: along i\nsphere P: velocity 2u at theta to W\nP hits W\n"
 TWO = "sphere A: mass {a}, velocity {u}\nsphere B: mass {b}, {v}\nA hits B: along i{e}\n"

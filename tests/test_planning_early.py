@@ -6,13 +6,13 @@ import re
 
 import pytest
 
-from restitution.explaining.derivation import Derivation
-from restitution.explaining.follower import follow
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.workings import explain, to_text
 
 SPHERES = """

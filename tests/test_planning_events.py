@@ -6,14 +6,14 @@ from collections.abc import Mapping
 
 import pytest
 
-from restitution.explaining.derivation import Relation
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import write_relation
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Relation
+from restitution.explaining.lines.notation import write_relation
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 STORIES: Mapping[str, tuple[str, list[str]]] = {
     "two walls at right angles": (

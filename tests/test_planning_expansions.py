@@ -6,12 +6,12 @@ from functools import cache
 
 import pytest
 
-from restitution.explaining.follower import follow
+from restitution.explaining.following.follower import follow
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.workings import explain, to_text
 
 TURNED_AT_A_WALL = """

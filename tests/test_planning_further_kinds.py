@@ -5,19 +5,19 @@ from __future__ import annotations
 import pytest
 from laws_of_workings import answers, complaints, printed_results
 
-from restitution.explaining.arrangement import events_of
-from restitution.explaining.derivation import Derivation, Line, Move, Relation
-from restitution.explaining.facts import facts_of
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import read_relation
-from restitution.explaining.trees import trees_of
+from restitution.explaining.data.arrangement import events_of
+from restitution.explaining.data.facts import facts_of
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation, Line, Move, Relation
+from restitution.explaining.lines.notation import read_relation
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import walk
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.solving import solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.workings import to_text
 from restitution.workings.derived import explanation_of
 

@@ -7,14 +7,14 @@ from fractions import Fraction
 
 import pytest
 
-from restitution.explaining.derivation import Derivation, Meaning, Relation
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import write_relation
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation, Meaning, Relation
+from restitution.explaining.lines.notation import write_relation
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 
 def working(statement: str) -> Derivation:

@@ -10,18 +10,18 @@ from dataclasses import replace
 import pytest
 from workings import planned
 
-from restitution.explaining.arrangement import events_of
-from restitution.explaining.awarding import awarded
-from restitution.explaining.derivation import Derivation, Link, Relation
-from restitution.explaining.facts import facts_of
-from restitution.explaining.follower import follow
-from restitution.explaining.trials import on_either_side
+from restitution.explaining.awarding.awards import awarded
+from restitution.explaining.data.arrangement import events_of
+from restitution.explaining.data.facts import facts_of
+from restitution.explaining.following.follower import follow
+from restitution.explaining.following.trials import on_either_side
+from restitution.explaining.lines.derivation import Derivation, Link, Relation
 from restitution.expression.tree import Negate
 from restitution.language import parse
 from restitution.oracle import Oracle
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.workings.derived import explanation_of
-from restitution.workings.text import to_text
+from restitution.workings.rendering.text import to_text
 
 STATEMENTS = {
     "an angle by the energy that is lost": """

@@ -7,10 +7,10 @@ from functools import cache
 
 import pytest
 
-from restitution.explaining.derivation import Derivation
-from restitution.explaining.follower import Complaint, follow
-from restitution.explaining.notation import write_relation
-from restitution.explaining.storing import from_json, to_json
+from restitution.explaining.following.follower import Complaint, follow
+from restitution.explaining.lines.derivation import Derivation
+from restitution.explaining.lines.notation import write_relation
+from restitution.explaining.lines.storing import from_json, to_json
 from restitution.expression.tree import letters
 from restitution.language import parse
 from restitution.oracle import Oracle
@@ -20,7 +20,7 @@ from restitution.planning.routes.order import Solver
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.scene import Scene
 from restitution.solving import Solution, solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.workings import explain, to_text
 from restitution.workings.derived import explanation_of
 

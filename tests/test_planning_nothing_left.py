@@ -7,10 +7,10 @@ from dataclasses import replace
 import pytest
 from workings import planned
 
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import read_relation, write_relation
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.notation import read_relation, write_relation
 from restitution.oracle import Oracle
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 STOPPED = """
 sphere A: mass m, velocity u i

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from test_planning_closing import planned, said
 
-from restitution.explaining.awarding import awarded
-from restitution.explaining.derivation import Derivation
+from restitution.explaining.awarding.awards import awarded
+from restitution.explaining.lines.derivation import Derivation
 from restitution.workings import explain, to_text
 
 PAIR = "sphere A: mass 3, velocity 4i - j\nsphere B: mass 2, velocity i + j\n"

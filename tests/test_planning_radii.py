@@ -6,15 +6,15 @@ from dataclasses import replace
 
 from workings import planned
 
-from restitution.explaining.awarding import awarded
-from restitution.explaining.derivation import Derivation, Relation
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import read_relation, write_relation
+from restitution.explaining.awarding.awards import awarded
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation, Relation
+from restitution.explaining.lines.notation import read_relation, write_relation
 from restitution.oracle import Oracle
 from restitution.problem import Problem
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.workings.derived import explanation_of
-from restitution.workings.text import to_text
+from restitution.workings.rendering.text import to_text
 
 AT_REST = """
 sphere A: mass 2, radius 5, at (0, 1), velocity 3i

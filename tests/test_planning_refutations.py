@@ -8,15 +8,15 @@ from functools import cache
 
 import pytest
 
-from restitution.explaining.derivation import Derivation, Link
-from restitution.explaining.follower import Complaint, follow
-from restitution.explaining.storing import from_json, to_json
+from restitution.explaining.following.follower import Complaint, follow
+from restitution.explaining.lines.derivation import Derivation, Link
+from restitution.explaining.lines.storing import from_json, to_json
 from restitution.expression.tree import Letter, rational
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import Solution, solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.workings import explain, to_text
 
 WALL = """

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from workings import planned
 
-from restitution.explaining.derivation import Relation
-from restitution.explaining.notation import write_relation
+from restitution.explaining.lines.derivation import Relation
+from restitution.explaining.lines.notation import write_relation
 
 TWICE = """
 sphere A: mass 1, velocity 5i + 2j

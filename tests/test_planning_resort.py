@@ -9,11 +9,11 @@ from functools import cache
 import pytest
 from planned import listed, statements
 
-from restitution.explaining.awarding import awarded, marks_of
-from restitution.explaining.derivation import Derivation, Line, Link, Relation
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import read_relation, write_relation
-from restitution.explaining.storing import from_json, to_json
+from restitution.explaining.awarding.awards import awarded, marks_of
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.lines.notation import read_relation, write_relation
+from restitution.explaining.lines.storing import from_json, to_json
 from restitution.language import parse, read
 from restitution.oracle import Oracle
 from restitution.planning import planner
@@ -22,7 +22,7 @@ from restitution.planning.routes import order
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.scene import Scene
 from restitution.solving import Solution, solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.workings import explain, to_text
 
 PAIR = """

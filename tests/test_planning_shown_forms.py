@@ -10,13 +10,13 @@ import pytest
 import sympy as sp
 from workings import planned
 
-from restitution.explaining.derivation import Link
-from restitution.explaining.notation import read_relation
+from restitution.explaining.lines.derivation import Link
+from restitution.explaining.lines.notation import read_relation
 from restitution.oracle import Role
 from restitution.oracle.roles import ACUTE, COEFFICIENT, POSITIVE
 from restitution.workings import to_text
 from restitution.workings.derived import explanation_of
-from restitution.workings.seen import shown
+from restitution.workings.reasons.seen import shown
 
 # A statement, what its working says, and what it does not say: lines, or parts of them.
 CASES = {

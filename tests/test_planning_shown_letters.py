@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from restitution.explaining.derivation import Relation
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import write_relation
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Relation
+from restitution.explaining.lines.notation import write_relation
 from restitution.language.reading import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 WALL = "wall W: along i\nsphere P: mass 1/2, velocity {velocity}\nP hits W{e}\n"
 BALL = WALL.format(velocity="6 at alpha to W", e="")

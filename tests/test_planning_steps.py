@@ -8,16 +8,16 @@ import pytest
 from laws_of_steps import STEPS
 from test_planning_closing import lines, moves, planned, said
 
-from restitution.explaining.derivation import Derivation, Line, Link, Move, Relation
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import read_relation, write_relation
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Move, Relation
+from restitution.explaining.lines.notation import read_relation, write_relation
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import Solution, solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.workings.derived import explanation_of
-from restitution.workings.text import to_text
+from restitution.workings.rendering.text import to_text
 
 TARGET = "sphere A: mass m, velocity {velocity}\nsphere B: mass {mass}, at rest\n"
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from restitution.explaining.derivation import Derivation, Relation
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import write_relation
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation, Relation
+from restitution.explaining.lines.notation import write_relation
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 
 def working(statement: str) -> Derivation:

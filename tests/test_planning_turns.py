@@ -12,8 +12,8 @@ import pytest
 from derivations import oracle_of
 from workings import planned
 
-from restitution.explaining.derivation import Relation
-from restitution.explaining.follower import follow
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Relation
 from restitution.expression.tree import Binary
 from restitution.language import parse
 from restitution.planning.planner import plan

@@ -12,9 +12,9 @@ from functools import cache
 import pytest
 import sympy as sp
 
-from restitution.explaining.derivation import Derivation, Link, Relation
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import read_relation, read_tree, write_relation
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation, Link, Relation
+from restitution.explaining.lines.notation import read_relation, read_tree, write_relation
 from restitution.expression.evaluate import Evaluator
 from restitution.expression.tree import Expression, Letter, Quantity, has_quantity
 from restitution.language import parse
@@ -23,8 +23,8 @@ from restitution.planning.planner import plan
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import alike
 from restitution.solving import solve
-from restitution.solving.letters import roles
-from restitution.solving.solution import Solution
+from restitution.solving.equations.solution import Solution
+from restitution.solving.story.letters import roles
 from restitution.vector import Vector
 
 STATEMENTS = {

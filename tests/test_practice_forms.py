@@ -8,7 +8,7 @@ from functools import cache
 import pytest
 
 import restitution
-from restitution.solving.solution import Solution
+from restitution.solving.equations.solution import Solution
 
 WAYS = ((3, 4, 5), (4, 3, 5), (-3, 4, 5), (5, 12, 13), (4, -3, 5), (12, 5, 13))
 

@@ -16,7 +16,7 @@ from restitution.practice.judging.judging import bench_of, judge
 from restitution.practice.judging.verdicts import Judge
 from restitution.practice.letters.declaring import letters_from_mapping
 from restitution.practice.reading.working import read_working
-from restitution.solving.solution import Solution
+from restitution.solving.equations.solution import Solution
 
 _FOLDER = Path(__file__).parent / "judged"
 _VERDICTS = {

@@ -35,7 +35,7 @@ from restitution.practice.script import (
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.sampling import true_worlds
 from restitution.problem import Problem
-from restitution.solving.solution import Solution
+from restitution.solving.equations.solution import Solution
 
 SPHERES = """\
 sphere A: mass 3, velocity 4i - 3j

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import restitution
-from restitution.explaining.arrangement import events_of
-from restitution.explaining.misconceptions import variants_at
+from restitution.explaining.data.arrangement import events_of
+from restitution.explaining.mistakes.misconceptions import variants_at
 from restitution.expression import read_expression
 from restitution.practice.judging.deduction import deduced_from
 from restitution.practice.judging.entries import Entry

@@ -24,10 +24,10 @@ from restitution.practice.worlds.sampling import true_worlds
 from restitution.practice.worlds.timing import retimed
 from restitution.practice.worlds.world import World, stacked
 from restitution.problem import Compare, Show, Value
-from restitution.solving.numbers import FIELD
-from restitution.solving.solution import Branch
-from restitution.solving.story import Story
-from restitution.solving.unknowns import Numbers
+from restitution.solving.algebra.numbers import FIELD
+from restitution.solving.equations.solution import Branch
+from restitution.solving.story.forward import Story
+from restitution.solving.story.unknowns import Numbers
 from restitution.vector import Vector
 
 EXAMPLES = sorted((Path(r.__file__).parent / "examples").glob("*.impact"))

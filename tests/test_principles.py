@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 
 from restitution import examples
-from restitution.explaining.saying import say
+from restitution.explaining.lines.saying import say
 from restitution.language import parse
 from restitution.solving import solve
 from restitution.workings import explain
-from restitution.workings.principles import about
+from restitution.workings.rendering.principles import about
 
 SOME = (
     "brought-to-rest",

@@ -8,14 +8,14 @@ import pytest
 import sympy as sp
 from answers import disagreements, expected
 
-from restitution.explaining.follower import follow
-from restitution.explaining.notation import read_relation
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.notation import read_relation
 from restitution.export.answers import answers
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.workings import explain, to_text
 
 WALL = "wall W: along i\nsphere P: mass m, velocity u at theta to W\nP hits W\n"

@@ -267,7 +267,7 @@ def altered_of(statement: str) -> list[AlteredScript]:
 
 @cache
 def restitution_mistakes() -> frozenset[str]:
-    from restitution.explaining.misconceptions import MISCONCEPTIONS
+    from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 
     return frozenset(MISCONCEPTIONS)
 

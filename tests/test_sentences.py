@@ -11,9 +11,9 @@ import pytest
 
 import restitution.examples
 from restitution import examples
-from restitution.explaining.marks import Mark, written
-from restitution.explaining.saying import Sentence, operand, say, slots_of, topic_of, words_of
-from restitution.explaining.sentences import SENTENCES
+from restitution.explaining.lines.marks import Mark, written
+from restitution.explaining.lines.saying import Sentence, operand, say, slots_of, topic_of, words_of
+from restitution.explaining.lines.sentences import SENTENCES
 from restitution.language import parse
 from restitution.render import layout as lay
 from restitution.render.text import to_text
@@ -25,8 +25,8 @@ NOT_FOR_READERS = {
     "sentences.py",
     "principles.py",
     "algebra.py",
-    "awarding.py",
-    "definitions.py",
+    "at_events.py",
+    "awards.py",
     "derivation.py",
     "facts.py",
     "follower.py",
@@ -58,8 +58,9 @@ PACKAGE = SOURCE / "workings"
 MODULES = {
     path: ast.parse(path.read_text(encoding="utf-8"))
     for folder in (PACKAGE, SOURCE / "components", SOURCE / "explaining")
-    for path in sorted(folder.glob("*.py"))
-    if folder.name != "explaining" or path.name not in NOT_FOR_READERS | OF_MISTAKES
+    for path in sorted(folder.rglob("*.py"))
+    if folder.name != "explaining"
+    or (path.parent.name != "moves" and path.name not in NOT_FOR_READERS | OF_MISTAKES)
 }
 
 # Two words that are no sentence: how statements are written, markup, and what errors call things.

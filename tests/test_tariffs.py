@@ -6,8 +6,8 @@ import pytest
 from derivations import oracle_of
 from tariffs import Tariff, by_rule, near, off_by, read_tariffs
 
-from restitution.explaining.derivation import Derivation
-from restitution.explaining.follower import follow
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation
 from restitution.language.reading import parse
 from restitution.planning.planner import plan
 from restitution.planning.writing.desk import NotPlannedError

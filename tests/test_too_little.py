@@ -8,7 +8,7 @@ import sympy as sp
 from restitution import solve
 from restitution.expression.enclosed import Enclosed
 from restitution.language import parse
-from restitution.solving.forms import open_in
+from restitution.solving.algebra.forms import open_in
 
 LINE = "the line of centres of A and B"
 WRITTEN = "(write 'A hits B: along …')"

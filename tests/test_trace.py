@@ -6,14 +6,14 @@ import re
 
 import pytest
 
-from restitution.explaining.follower import follow
+from restitution.explaining.following.follower import follow
 from restitution.export.trace import trace
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.solving import solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 STATEMENT = """
 wall W: along i

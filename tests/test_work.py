@@ -9,7 +9,7 @@ import pytest
 import restitution as r
 from restitution import work
 from restitution.errors import ImpossibleError, TimeLimitError, UnsupportedError
-from restitution.solving.story import Story
+from restitution.solving.story.forward import Story
 
 CORNER = """
 sphere P: mass 2, velocity 4i - 3j

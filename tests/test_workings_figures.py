@@ -8,7 +8,7 @@ from fractions import Fraction
 import pytest
 
 from restitution.expression.tree import Apply, Binary, Negate, Number
-from restitution.workings.figures import Figures
+from restitution.workings.naming.figures import Figures
 
 
 def as_number(tree) -> float:

@@ -11,7 +11,7 @@ from functools import cache
 import pytest
 from workings import planned
 
-from restitution.explaining.awarding import awarded, marks_of
+from restitution.explaining.awarding.awards import awarded, marks_of
 from restitution.language import parse
 from restitution.solving import solve
 from restitution.workings import explain, to_text

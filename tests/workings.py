@@ -6,14 +6,14 @@ from functools import cache
 
 from laws_of_workings import answers as wrong_answers
 
-from restitution.explaining.derivation import Derivation
-from restitution.explaining.follower import follow
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.problem import Problem
 from restitution.solving import solve
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 
 @cache

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
         UnsupportedError,
     )
     from restitution.experiments import experiment, experiment_plan
-    from restitution.explaining.consequences import solve_as
+    from restitution.explaining.mistakes.consequences import solve_as
     from restitution.export.player import play
     from restitution.gas import Gas
     from restitution.impact import impact
@@ -111,7 +111,7 @@ _NAMES_OF_MODULES = {
     "practice.questions.generate": ("PracticeQuestion", "practice_question"),
     "problem": ("Point", "Problem", "Sphere", "Wall"),
     "solving": ("solve",),
-    "explaining.consequences": ("solve_as",),
+    "explaining.mistakes.consequences": ("solve_as",),
     "vector": ("Vector",),
     "wording": ("question",),
 }

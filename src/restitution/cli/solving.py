@@ -136,7 +136,7 @@ def require_together(asked: Solving) -> None:
 def require_mistake(name: str) -> None:
     """Raises RefusedError for a mistake that is not there."""
     from restitution.errors import StatementError
-    from restitution.explaining.misconceptions import misconception
+    from restitution.explaining.mistakes.misconceptions import misconception
 
     try:
         misconception(name)

@@ -12,9 +12,9 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.expression.enclosed import UndefinedError
 from restitution.oracle.roles import POSITIVE, REAL, Role
-from restitution.solving.numbers import FIELD, at, plain_sign
-from restitution.solving.solution import Branch
-from restitution.solving.state import Sign
+from restitution.solving.algebra.numbers import FIELD, at, plain_sign
+from restitution.solving.equations.solution import Branch
+from restitution.solving.story.state import Sign
 
 _BEFORE = ("a", "b", "c", "d", "p", "q", "f", "g", "x", "y")
 

@@ -40,10 +40,10 @@ from restitution.oracle import (
 )
 from restitution.problem import Part, Problem
 from restitution.shapes import Circle
-from restitution.solving.happenings import Happening
-from restitution.solving.numbers import at, number_of
-from restitution.solving.solution import Branch
-from restitution.solving.story import Story
+from restitution.solving.algebra.numbers import at, number_of
+from restitution.solving.equations.solution import Branch
+from restitution.solving.story.forward import Story
+from restitution.solving.story.happenings import Happening
 from restitution.vector import Vector
 
 

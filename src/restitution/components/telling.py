@@ -20,10 +20,10 @@ from restitution.expression.evaluate import Symbolic
 from restitution.oracle.roles import ACUTE, DIRECTION, Role
 from restitution.problem import Impact, Part, Problem
 from restitution.shapes import Circle
-from restitution.solving.happenings import Happening, Standing
-from restitution.solving.numbers import at
-from restitution.solving.solution import Branch
-from restitution.solving.story import Story, lets_of
+from restitution.solving.algebra.numbers import at
+from restitution.solving.equations.solution import Branch
+from restitution.solving.story.forward import Story, lets_of
+from restitution.solving.story.happenings import Happening, Standing
 from restitution.vector import Vector
 
 

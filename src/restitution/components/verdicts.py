@@ -18,7 +18,7 @@ from restitution.oracle import (
     Verdict,
 )
 from restitution.oracle.roles import Role
-from restitution.solving.numbers import number_of, plain_sign
+from restitution.solving.algebra.numbers import number_of, plain_sign
 from restitution.work import remembered
 
 PROVED = Verdict("proved", "algebra")

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
     from restitution.drawing.scene import Scene
-    from restitution.solving.solution import PartSolution, Solution
+    from restitution.solving.equations.solution import PartSolution, Solution
     from restitution.staging.values import When
     from restitution.vector import Vector
 

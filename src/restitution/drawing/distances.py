@@ -14,9 +14,9 @@ from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.render.text import to_text
 from restitution.shapes import Circle, Line, Segment
-from restitution.solving.forms import plain
-from restitution.solving.solution import Branch
-from restitution.solving.story import Story
+from restitution.solving.algebra.forms import plain
+from restitution.solving.equations.solution import Branch
+from restitution.solving.story.forward import Story
 from restitution.staging.geometry import length, unit
 from restitution.staging.plan import Plan, Straight
 from restitution.vector import Vector

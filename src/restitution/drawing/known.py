@@ -12,9 +12,9 @@ from restitution.render import layout as lay
 from restitution.render.layout import Degrees, Layout, Number, Words
 from restitution.render.short import is_short
 from restitution.render.text import to_text
-from restitution.solving.forms import plain
-from restitution.solving.solution import Branch, PartSolution, Solution
-from restitution.solving.story import Story
+from restitution.solving.algebra.forms import plain
+from restitution.solving.equations.solution import Branch, PartSolution, Solution
+from restitution.solving.story.forward import Story
 from restitution.staging.geometry import floats, still
 from restitution.staging.plan import Stop
 from restitution.staging.values import Motion

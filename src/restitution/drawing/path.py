@@ -38,8 +38,8 @@ from restitution.render import layout as lay
 from restitution.render.glyphs import union
 from restitution.render.layout import Bold, Layout, Number
 from restitution.render.short import angle_label
-from restitution.solving.solution import Branch, PartSolution, Solution
-from restitution.solving.story import Story
+from restitution.solving.equations.solution import Branch, PartSolution, Solution
+from restitution.solving.story.forward import Story
 from restitution.staging.geometry import direction, length, unit
 from restitution.staging.plan import Leg, Plan, Stop, Straight
 from restitution.staging.planning import lay_out

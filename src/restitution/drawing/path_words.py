@@ -10,7 +10,7 @@ from restitution.drawing.known import Known
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.render.text import to_text
-from restitution.solving.story import Story
+from restitution.solving.story.forward import Story
 from restitution.staging.flights import given_places
 from restitution.staging.geometry import floats, length
 from restitution.staging.plan import Plan

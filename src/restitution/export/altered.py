@@ -6,12 +6,12 @@ from collections.abc import Iterable, Iterator
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
-from restitution.explaining.consequences import AlteredWorld, ChangedItem, altered_worlds
-from restitution.explaining.misconceptions import Misconception, misconception
+from restitution.explaining.mistakes.consequences import AlteredWorld, ChangedItem, altered_worlds
+from restitution.explaining.mistakes.misconceptions import Misconception, misconception
 from restitution.export import contract
 from restitution.export.units import Units
 from restitution.render.text import NO_BREAK, width
-from restitution.solving.solution import ItemResult, Solution
+from restitution.solving.equations.solution import ItemResult, Solution
 
 if TYPE_CHECKING:
     from restitution.export.objects import AlteredObject, MistakeObject, SolvedObject

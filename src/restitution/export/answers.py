@@ -15,8 +15,8 @@ from restitution.render.layout import Layout, Phrase, display, display_point, di
 from restitution.render.mathml import to_mathml
 from restitution.render.page import page
 from restitution.render.text import NO_BREAK, to_text, width
-from restitution.solving.solution import Answer, ItemResult, Rejected, Solution
-from restitution.workings.instances import instances
+from restitution.solving.equations.solution import Answer, ItemResult, Rejected, Solution
+from restitution.workings.naming.instances import instances
 
 Format = Literal["text", "markdown", "latex", "html"]
 

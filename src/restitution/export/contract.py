@@ -9,8 +9,8 @@ letters go by name but for ``lambda_``, ``mu_``, ``nu_``, ``xi_``, and subscript
 ``undecided``, and ``holds`` null, where nothing is proved; else null.
 
 Where the working is asked for as well, each part has a ``derivation``: its working as
-`restitution.explaining.storing` writes it, with the lines of earlier parts on which it rests; null
-where the working could not be made.
+`restitution.explaining.lines.storing` writes it, with the lines of earlier parts on which it rests;
+null where the working could not be made.
 
 Nothing here loads SymPy: what is asked for in an unreadable or unfinished file can be said without
 it.
@@ -31,7 +31,7 @@ from restitution.mending import Fix, Note
 from restitution.problem import Extremum, Find, Part, Problem, Range, Show, Value
 
 if TYPE_CHECKING:
-    from restitution.explaining.stored import DerivationObject
+    from restitution.explaining.lines.stored import DerivationObject
     from restitution.export.objects import (
         AnswerObject,
         CheckedObject,
@@ -43,8 +43,8 @@ if TYPE_CHECKING:
         TextNoteObject,
         WorkedObject,
     )
-    from restitution.solving.solution import Answer, ItemResult, PartSolution, Solution
-    from restitution.workings.explanation import Explanation
+    from restitution.solving.equations.solution import Answer, ItemResult, PartSolution, Solution
+    from restitution.workings.rendering.explanation import Explanation
 
 
 def solved(file: str, solution: Solution, label: str | None = None) -> SolvedObject:
@@ -69,8 +69,8 @@ def solved(file: str, solution: Solution, label: str | None = None) -> SolvedObj
 
 def derivations(explanation: Explanation) -> dict[str | None, DerivationObject]:
     """The derivations of the parts, by label."""
-    from restitution.explaining.derivation import of_part
-    from restitution.explaining.storing import to_json as stored
+    from restitution.explaining.lines.derivation import of_part
+    from restitution.explaining.lines.storing import to_json as stored
 
     return {part.label: stored(of_part(part.derivation, part.label)) for part in explanation.parts}
 

@@ -22,7 +22,7 @@ from restitution.problem import Find, Impact, Part, Problem, Sphere, Value, Wall
 from restitution.work import confirm, limited
 
 if TYPE_CHECKING:
-    from restitution.explaining.marks import Style
+    from restitution.explaining.lines.marks import Style
     from restitution.export.marking import Workings
     from restitution.export.objects import (
         DrawnObject,
@@ -32,8 +32,8 @@ if TYPE_CHECKING:
     )
     from restitution.export.sheet import Form, Options
     from restitution.export.trace import Stage
-    from restitution.solving.solution import Solution
-    from restitution.workings.explanation import Explanation
+    from restitution.solving.equations.solution import Solution
+    from restitution.workings.rendering.explanation import Explanation
 
 Format = Literal["text", "markdown", "latex", "html", "json"]
 

@@ -35,7 +35,7 @@ def to_html(rows: Sequence[SchemeRow]) -> str:
 
 
 def _html_row(row: SchemeRow, new: bool, parted: bool) -> str:
-    from restitution.workings.html import inline
+    from restitution.workings.rendering.html import inline
 
     label = f"({escape(row.part)})" if new and row.part is not None else ""
     line = f"<br>{inline(row.line)}" if row.line else ""

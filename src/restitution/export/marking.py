@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from restitution.practice.marking.answers import AnswerMark
     from restitution.practice.marking.marking import Marking
     from restitution.practice.marking.objects import MarkingObject, PartsMarkedObject
-    from restitution.solving.solution import Solution
+    from restitution.solving.equations.solution import Solution
 
 Form = Literal["text", "json", "html", "csv"]
 

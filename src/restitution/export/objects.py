@@ -1,14 +1,14 @@
 """The objects of JSON that other programs read: their fields, and what each holds.
 
-`restitution.explaining.stored` has those of a derivation, `restitution.practice.marking.objects`
-those of a marked working.
+`restitution.explaining.lines.stored` has those of a derivation,
+`restitution.practice.marking.objects` those of a marked working.
 """
 
 from __future__ import annotations
 
 from typing import Any, Literal, TypedDict
 
-from restitution.explaining.stored import DerivationObject
+from restitution.explaining.lines.stored import DerivationObject
 
 # --- mistakes and cures ---------------------------------------------------------------------------
 

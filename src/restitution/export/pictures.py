@@ -8,7 +8,7 @@ from restitution.errors import StatementError
 
 if TYPE_CHECKING:
     from restitution.drawing.scene import Scene
-    from restitution.solving.solution import Solution
+    from restitution.solving.equations.solution import Solution
 
 
 def picture(solution: Solution, event: int | None = None) -> str:

@@ -15,8 +15,8 @@ from restitution.render.page import page
 from restitution.render.typst import NAME, compiled, literal, paper
 
 if TYPE_CHECKING:
-    from restitution.explaining.marks import Style
-    from restitution.solving.solution import Solution
+    from restitution.explaining.lines.marks import Style
+    from restitution.solving.equations.solution import Solution
     from restitution.wording import Question, QuestionPart
 
 Form = Literal["pdf", "html"]
@@ -81,12 +81,12 @@ def entry(solution: Solution, form: Form, options: Options) -> Entry:
     figure = _figure(solution) if options.diagrams else None
     room = rooms[-1] if rooms else 0.0
     if form == "pdf":
-        from restitution.workings import typst
+        from restitution.workings.rendering import typst
 
         working = typst.to_markup(explained) if options.solutions else ""
         text = _typst_question(asked, figure, rooms)
         return Entry(solution.problem.title, text, working, room, _scheme(solution, form, options))
-    from restitution.workings import html
+    from restitution.workings.rendering import html
 
     working = html.to_body(explained) if options.solutions else ""
     text = _html_question(asked, figure, rooms)
@@ -145,7 +145,7 @@ def to_pdf(entries: Sequence[Entry], title: str | None, options: Options) -> byt
 
 
 def _typst_document(entries: Sequence[Entry], title: str, options: Options) -> str:
-    from restitution.workings.typst import PREAMBLE
+    from restitution.workings.rendering.typst import PREAMBLE
 
     head = "" if options.solutions or options.scheme else NAME
     setup = paper(title, head) + _SETUP.replace("WIDTH", f"{FIGURE}mm")
@@ -214,7 +214,7 @@ def to_html(entries: Sequence[Entry], title: str | None, options: Options) -> st
     """The sheet as one page that needs nothing else and prints on A4."""
     from restitution.export.mark_scheme import STYLE as SCHEME
     from restitution.wording.html import STYLE as QUESTION
-    from restitution.workings.html import STYLE as WORKING
+    from restitution.workings.rendering.html import STYLE as WORKING
 
     named = title or _title(entries)
     alone = len(entries) == 1

@@ -16,9 +16,9 @@ from restitution.problem import Part, Problem
 from restitution.render.layout import from_sympy
 from restitution.render.text import to_text
 from restitution.solving import solve
-from restitution.solving.conditions import AnyOf, Condition, Equation
-from restitution.solving.setting import settle
-from restitution.solving.unknowns import Letters
+from restitution.solving.equations.setting import settle
+from restitution.solving.story.conditions import AnyOf, Condition, Equation
+from restitution.solving.story.unknowns import Letters
 
 Stage: TypeAlias = Literal["tree", "equations", "derivation"]
 
@@ -139,8 +139,8 @@ def _demand(demand: Equation | Condition | AnyOf) -> str:
 
 
 def _derivation(problem: Problem) -> Iterator[str]:
-    from restitution.explaining.derivation import Meaning
-    from restitution.explaining.notation import write_meaning, write_relation
+    from restitution.explaining.lines.derivation import Meaning
+    from restitution.explaining.lines.notation import write_meaning, write_relation
     from restitution.planning.planner import plan
 
     derivation = plan(solve(problem), partial=True)

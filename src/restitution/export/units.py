@@ -5,7 +5,7 @@ from __future__ import annotations
 from restitution.expression.quantities import dimension_of
 from restitution.language.measuring import dimensions_of_letters
 from restitution.problem import Value
-from restitution.solving.solution import ItemResult, Solution
+from restitution.solving.equations.solution import ItemResult, Solution
 from restitution.wording.units import style_of
 
 _WITH_UNIT = frozenset(("value", "vector", "point"))

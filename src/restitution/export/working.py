@@ -26,11 +26,11 @@ from restitution.wording.html import inline as words
 from restitution.wording.html import to_body
 from restitution.work import limited
 from restitution.workings import explain, to_latex
-from restitution.workings.explanation import Explanation
-from restitution.workings.html import inline, table_rows
-from restitution.workings.instances import instances
-from restitution.workings.principles import about
-from restitution.workings.steps import Row, Step
+from restitution.workings.naming.instances import instances
+from restitution.workings.rendering.explanation import Explanation
+from restitution.workings.rendering.html import inline, table_rows
+from restitution.workings.rendering.principles import about
+from restitution.workings.rendering.steps import Row, Step
 
 if TYPE_CHECKING:
     from restitution.drawing.scene import Scene
@@ -44,7 +44,13 @@ if TYPE_CHECKING:
         SolvedObject,
         StepContent,
     )
-    from restitution.solving.solution import Answer, ItemResult, PartSolution, Rejected, Solution
+    from restitution.solving.equations.solution import (
+        Answer,
+        ItemResult,
+        PartSolution,
+        Rejected,
+        Solution,
+    )
 
 _T = TypeVar("_T")
 

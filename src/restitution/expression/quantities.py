@@ -1,7 +1,7 @@
 """The quantities of the language: how each is written, what it is, and what measures it.
 
 One record a quantity: the grammar, the help, the completion of the page, the dimensions and the
-units are read from it. How it is worked out from a story stands in ``solving.quantities``.
+units are read from it. How it is worked out from a story stands in ``solving.story.quantities``.
 """
 
 from __future__ import annotations

@@ -21,8 +21,8 @@ from restitution.expression.tree import AtTime, Quantity, walk
 from restitution.motion.pieces import Motion
 from restitution.motion.stage import WIDTH, Attempt, Event, Stage, cleared, numbered, settled
 from restitution.problem import Problem, trees
-from restitution.solving.solution import Branch, PartSolution, Solution
-from restitution.solving.story import Story
+from restitution.solving.equations.solution import Branch, PartSolution, Solution
+from restitution.solving.story.forward import Story
 from restitution.staging import flights, values
 from restitution.staging.flights import Given, Move
 from restitution.staging.geometry import floats, length, still

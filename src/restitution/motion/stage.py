@@ -15,7 +15,7 @@ from restitution.expression.tree import Name
 from restitution.motion.overlap import overlaps
 from restitution.motion.pieces import Blow, Circle, Line, Motion, Piece, Reached, Struck, Track
 from restitution.problem import Impact, Kick
-from restitution.solving.story import Story
+from restitution.solving.story.forward import Story
 from restitution.staging.flights import Given, Move
 from restitution.staging.geometry import floats, length, still, unit
 from restitution.staging.plan import Leg

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from restitution.explaining.derivation import Case, Derivation, ItemEnd, Line, Ref
+from restitution.explaining.lines.derivation import Case, Derivation, ItemEnd, Line, Ref
 from restitution.planning.writing.desk import Desk, NotPlannedError
 
 

@@ -17,9 +17,9 @@ from restitution.components.letters import protected_letters
 from restitution.components.telling import model
 from restitution.errors import ContradictionError, RestitutionError
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, Note, Ref, Relation, equation
-from restitution.explaining.facts import facts_of, links_of
-from restitution.explaining.trees import trees_of
+from restitution.explaining.data.facts import facts_of, links_of
+from restitution.explaining.lines.derivation import Move, Note, Ref, Relation, equation
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import Letter, Name, Quantity, has_quantity, letters, walk
 from restitution.planning.axes.by_changes import frame_at
 from restitution.planning.closing.collecting import multiplied_out
@@ -40,8 +40,8 @@ from restitution.planning.writing.scene import Scene
 from restitution.problem import Aligned, AtRest, Compare, Given, Part, Problem, Step, Value
 from restitution.problem import Relation as Said
 from restitution.solving import solve
-from restitution.solving.clash import clause_of
-from restitution.solving.solution import PartSolution, Solution
+from restitution.solving.equations.clash import clause_of
+from restitution.solving.equations.solution import PartSolution, Solution
 
 
 def write_clash(

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from restitution.errors import RestitutionError
-from restitution.explaining.derivation import Fact
-from restitution.explaining.facts import facts_of
-from restitution.explaining.trees import trees_of
+from restitution.explaining.data.facts import facts_of
+from restitution.explaining.lines.derivation import Fact
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import Quantity, has_quantity, walk
 from restitution.problem import Find, Given, Part, Problem, Show, Value
 from restitution.solving import solve
-from restitution.solving.solution import ItemResult, PartSolution, Solution
+from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
 
 
 @dataclass(frozen=True)

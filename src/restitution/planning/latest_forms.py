@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from restitution.explaining.derivation import FLIPPED, Derivation, Line, Link, Relation
-from restitution.explaining.follower import reader_of
+from restitution.explaining.following.follower import reader_of
+from restitution.explaining.lines.derivation import FLIPPED, Derivation, Line, Link, Relation
 from restitution.expression.tree import Binary, Negate, is_zero
 from restitution.oracle import Oracle
 from restitution.planning.writing.forms import factors_above

@@ -7,7 +7,7 @@ from dataclasses import replace
 from restitution.components.letters import protected_letters
 from restitution.components.telling import model
 from restitution.errors import ImpossibleError
-from restitution.explaining.derivation import Ref, Relation
+from restitution.explaining.lines.derivation import Ref, Relation
 from restitution.expression.tree import Letter, letters
 from restitution.planning.axes.by_changes import frame_at
 from restitution.planning.routes.order import Solver
@@ -16,8 +16,8 @@ from restitution.planning.writing.checking import require_true
 from restitution.planning.writing.desk import UNPLANNED, Desk
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
-from restitution.solving.setting import out_of_range
-from restitution.solving.solution import Branch, PartSolution, Solution
+from restitution.solving.equations.setting import out_of_range
+from restitution.solving.equations.solution import Branch, PartSolution, Solution
 
 
 def write_out_of_range(

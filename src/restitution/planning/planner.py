@@ -12,8 +12,15 @@ import sympy as sp
 from restitution.components.letters import protected_letters
 from restitution.components.telling import model
 from restitution.errors import MissingError
-from restitution.explaining.arrangement import events_of
-from restitution.explaining.derivation import (
+from restitution.explaining.data.arrangement import events_of
+from restitution.explaining.data.facts import facts_of, staged
+from restitution.explaining.following.premises import (
+    with_identities,
+    with_ranges,
+    without_idle_ratios,
+    without_spare,
+)
+from restitution.explaining.lines.derivation import (
     Derivation,
     ItemEnd,
     Line,
@@ -22,14 +29,7 @@ from restitution.explaining.derivation import (
     Relation,
     equation,
 )
-from restitution.explaining.facts import facts_of, staged
-from restitution.explaining.premises import (
-    with_identities,
-    with_ranges,
-    without_idle_ratios,
-    without_spare,
-)
-from restitution.explaining.trees import trees_of
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
     Apply,
@@ -90,8 +90,8 @@ from restitution.problem import (
     Value,
     trees,
 )
-from restitution.solving.letters import roles
-from restitution.solving.solution import ItemResult, PartSolution, Solution
+from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
+from restitution.solving.story.letters import roles
 
 
 def plan(solution: Solution, route: int = 1, *, partial: bool = False) -> Derivation:

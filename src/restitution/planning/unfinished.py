@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 
-from restitution.explaining.derivation import Line, Link, Meaning, Ref, Relation
-from restitution.explaining.facts import links_of, staged
+from restitution.explaining.data.facts import links_of, staged
+from restitution.explaining.lines.derivation import Line, Link, Meaning, Ref, Relation
 from restitution.expression.tree import Expression, Letter, Quantity, has_quantity, letters, walk
 from restitution.planning.angles.expressions import write_expression
 from restitution.planning.closing.roots import written_law
@@ -22,7 +22,7 @@ from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.problem import Item, Problem, Range, Show, Value, trees_of_relation
-from restitution.solving.solution import ItemResult
+from restitution.solving.equations.solution import ItemResult
 
 
 def write_unfinished(

@@ -12,8 +12,8 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.errors import ImpossibleError, RestitutionError
-from restitution.explaining.derivation import Link, Move, Note, Ref, Relation, Sign
-from restitution.explaining.trees import settled
+from restitution.explaining.lines.derivation import Link, Move, Note, Ref, Relation, Sign
+from restitution.explaining.lines.trees import settled
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -36,7 +36,7 @@ from restitution.planning.writing.scene import Scene
 from restitution.problem import Event, Find, Impact, Part, Problem, Step, Value
 from restitution.shapes import Circle
 from restitution.solving import solve
-from restitution.solving.solution import PartSolution, Solution
+from restitution.solving.equations.solution import PartSolution, Solution
 from restitution.vector import Vector
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from restitution.solving.solution import (
+from restitution.solving.equations.solution import (
     Answer,
     Branch,
     ItemResult,

@@ -12,8 +12,8 @@ from restitution.oracle.roles import ACUTE
 from restitution.problem import Compare, Given, Problem
 from restitution.render.layout import display
 from restitution.render.text import to_text
-from restitution.solving.letters import roles
-from restitution.solving.solution import ItemResult, PartSolution, Solution
+from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
+from restitution.solving.story.letters import roles
 
 _MOST_LETTERS = 2
 """Each costs another solution of the whole."""

@@ -11,7 +11,7 @@ from dataclasses import replace
 from restitution.errors import UnsupportedError
 from restitution.expression.tree import AtTime, Quantity, has_quantity, letters, walk
 from restitution.problem import Compare, Given, Problem, Show, Step, trees_of_step
-from restitution.solving.solution import ItemResult, Solution
+from restitution.solving.equations.solution import ItemResult, Solution
 
 
 def in_printed_terms(solution: Solution) -> Problem | None:

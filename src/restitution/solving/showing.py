@@ -46,16 +46,16 @@ from restitution.problem import (
 )
 from restitution.render.layout import display
 from restitution.render.text import to_text
-from restitution.solving import missing
-from restitution.solving.admission import formula_of
+from restitution.solving.algebra.neat import neat
 from restitution.solving.claimed import claimed_set, same_set, same_value
-from restitution.solving.coefficients import without_impossible
-from restitution.solving.conditions import Equation
-from restitution.solving.facts import requirements
-from restitution.solving.neat import neat
-from restitution.solving.part import Desk, Outcome
-from restitution.solving.solution import Branch, ItemResult
-from restitution.solving.unknowns import SYMBOLIC, Letters
+from restitution.solving.equations.coefficients import without_impossible
+from restitution.solving.equations.facts import requirements
+from restitution.solving.equations.part import Desk, Outcome
+from restitution.solving.equations.solution import Branch, ItemResult
+from restitution.solving.story import missing
+from restitution.solving.story.admission import formula_of
+from restitution.solving.story.conditions import Equation
+from restitution.solving.story.unknowns import SYMBOLIC, Letters
 from restitution.vector import Vector
 
 # What is longer than this is not factorised to see which letters matter.

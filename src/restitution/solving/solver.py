@@ -9,11 +9,11 @@ from restitution.errors import TimeLimitError
 from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.language.checking import check
 from restitution.problem import Compare, Given, Problem, Relation, Show, trees_of_step
+from restitution.solving.equations.part import Desk
+from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
 from restitution.solving.obtuse import with_hints
-from restitution.solving.part import Desk
 from restitution.solving.printed_terms import in_printed_terms, refused
-from restitution.solving.solution import ItemResult, PartSolution, Solution
-from restitution.solving.unsaid import with_unsaid
+from restitution.solving.story.unsaid import with_unsaid
 from restitution.solving.worker import Worker, asks
 
 

@@ -46,8 +46,10 @@ from restitution.problem import (
     Show,
     Value,
 )
-from restitution.solving import clash, forms, missing
-from restitution.solving.answers import (
+from restitution.solving.algebra import forms
+from restitution.solving.algebra.numbers import Sample, at, sample
+from restitution.solving.equations import clash
+from restitution.solving.equations.answers import (
     answer_of,
     has_dimension,
     is_same_value,
@@ -57,20 +59,16 @@ from restitution.solving.answers import (
     phrase_of,
     value_layout,
 )
-from restitution.solving.coefficients import (
+from restitution.solving.equations.coefficients import (
     COEFFICIENTS,
     coefficient_letters,
     impossible_coefficients,
     outside,
     without_impossible,
 )
-from restitution.solving.conditions import Equation
-from restitution.solving.letters import is_angle
-from restitution.solving.numbers import Sample, at, sample
-from restitution.solving.part import Desk, Outcome, impossible
-from restitution.solving.quantities import stage_number
-from restitution.solving.setting import UNWIELDY, Setting, Trial, is_met
-from restitution.solving.solution import (
+from restitution.solving.equations.part import Desk, Outcome, impossible
+from restitution.solving.equations.setting import UNWIELDY, Setting, Trial, is_met
+from restitution.solving.equations.solution import (
     Answer,
     Branch,
     ItemKind,
@@ -79,11 +77,15 @@ from restitution.solving.solution import (
     Rejected,
     RejectedBranch,
 )
-from restitution.solving.stages import by_nested_roots
-from restitution.solving.story import Story
-from restitution.solving.unknowns import SYMBOLIC, Letters, Numbers
-from restitution.solving.validity import Limitation, limitations, with_condition
-from restitution.solving.verify import verify_principles, verify_value
+from restitution.solving.equations.stages import by_nested_roots
+from restitution.solving.equations.verify import verify_principles, verify_value
+from restitution.solving.ranges.validity import Limitation, limitations, with_condition
+from restitution.solving.story import missing
+from restitution.solving.story.conditions import Equation
+from restitution.solving.story.forward import Story
+from restitution.solving.story.letters import is_angle
+from restitution.solving.story.quantities import stage_number
+from restitution.solving.story.unknowns import SYMBOLIC, Letters, Numbers
 from restitution.vector import Vector
 
 # A speed that is more to read than this may be shorter in other components.
@@ -364,7 +366,7 @@ class Worker:
         kind: ItemKind = "value"
         try:
             if isinstance(item, Range):
-                from restitution.solving.ranges import find_range
+                from restitution.solving.ranges.allowed_values import find_range
 
                 kind = "range"
                 ranged = find_range(self.desk, item, now, in_terms_of)
@@ -372,7 +374,7 @@ class Worker:
                     self.warn(ranged.not_proved)
                 return ranged
             if isinstance(item, Extremum):
-                from restitution.solving.extrema import find_extremum
+                from restitution.solving.ranges.extrema import find_extremum
 
                 kind = "extremum"
                 extreme = find_extremum(self.desk, item, now, in_terms_of)

@@ -18,8 +18,8 @@ import numpy as np
 from restitution.expression.tree import Name
 from restitution.problem import Arrival, Impact, Kick
 from restitution.shapes import Circle, Line, Segment
-from restitution.solving.happenings import Happening
-from restitution.solving.story import Story
+from restitution.solving.story.forward import Story
+from restitution.solving.story.happenings import Happening
 from restitution.staging.geometry import floats, length, still, unit
 from restitution.vector import Vector
 

@@ -13,7 +13,7 @@ import numpy as np
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Name
 from restitution.shapes import Circle
-from restitution.solving.story import Story
+from restitution.solving.story.forward import Story
 from restitution.staging.flights import Given, Layout, Move, events, given_places, solve, unknowns
 from restitution.staging.geometry import floats, length, still, unit
 from restitution.staging.plan import Leg, Plan, Round, Stop, Straight

@@ -21,10 +21,10 @@ from restitution.errors import RestitutionError
 from restitution.expression.enclosed import UndefinedError
 from restitution.oracle.roles import Role
 from restitution.problem import Impact, Kick
-from restitution.solving.numbers import FIELD, at
-from restitution.solving.solution import Branch, PartSolution, Solution
-from restitution.solving.story import Story, lets_of
-from restitution.solving.unknowns import Numbers
+from restitution.solving.algebra.numbers import FIELD, at
+from restitution.solving.equations.solution import Branch, PartSolution, Solution
+from restitution.solving.story.forward import Story, lets_of
+from restitution.solving.story.unknowns import Numbers
 from restitution.staging.geometry import floats
 from restitution.vector import Vector
 

@@ -16,7 +16,7 @@ from restitution.problem import Problem
 from restitution.work import limited
 
 if TYPE_CHECKING:
-    from restitution.explaining.marks import Style
+    from restitution.explaining.lines.marks import Style
     from restitution.export.objects import ExplainedObject, PicturesObject, SolvedObject
     from restitution.practice.marking.objects import MarkingObject, PartsMarkedObject
 

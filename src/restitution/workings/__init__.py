@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from restitution.workings.explanation import Explanation
+from restitution.workings.rendering.explanation import Explanation
+from restitution.workings.rendering.steps import PartExplanation, Row, Step
+from restitution.workings.rendering.text import to_text
 from restitution.workings.route import explain
-from restitution.workings.steps import PartExplanation, Row, Step
-from restitution.workings.text import to_text
 
 if TYPE_CHECKING:
-    from restitution.workings.html import to_html as to_html
-    from restitution.workings.illustrate import illustrated as illustrated
-    from restitution.workings.markup import to_latex as to_latex
-    from restitution.workings.markup import to_markdown as to_markdown
+    from restitution.workings.rendering.html import to_html as to_html
+    from restitution.workings.rendering.illustrate import illustrated as illustrated
+    from restitution.workings.rendering.markup import to_latex as to_latex
+    from restitution.workings.rendering.markup import to_markdown as to_markdown
 
 __all__ = [
     "Explanation",
@@ -29,10 +29,10 @@ __all__ = [
 ]
 
 _MODULES = {
-    "illustrated": "illustrate",
-    "to_html": "html",
-    "to_latex": "markup",
-    "to_markdown": "markup",
+    "illustrated": "rendering.illustrate",
+    "to_html": "rendering.html",
+    "to_latex": "rendering.markup",
+    "to_markdown": "rendering.markup",
 }
 
 

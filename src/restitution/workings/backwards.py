@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from restitution.explaining.saying import Sentence, say
+from restitution.explaining.lines.saying import Sentence, say
 from restitution.problem import Impact
-from restitution.solving.solution import Branch, PartSolution
-from restitution.solving.stages import by_nested_roots
+from restitution.solving.equations.solution import Branch, PartSolution
+from restitution.solving.equations.stages import by_nested_roots
 from restitution.vector import Vector
-from restitution.workings.steps import Step
+from restitution.workings.rendering.steps import Step
 
 
 def is_told_backwards(part: PartSolution) -> bool:

@@ -11,8 +11,8 @@ from restitution.components.letters import protected_letters
 from restitution.components.models import Model
 from restitution.components.telling import model
 from restitution.exact import tidy
-from restitution.explaining.derivation import Derivation, Link, Meaning, Relation
-from restitution.explaining.saying import Sentence, say
+from restitution.explaining.lines.derivation import Derivation, Link, Meaning, Relation
+from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Apply, Letter, has_quantity, is_zero, letters
 from restitution.oracle import All, BeyondError, Formula, Oracle
@@ -22,9 +22,9 @@ from restitution.planning.inequalities.ranges import general_answer
 from restitution.problem import Find, Given, Range, Value
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
-from restitution.solving.letters import roles
-from restitution.solving.solution import Answer, ItemResult, PartSolution, Solution
-from restitution.solving.validity import always_exist
+from restitution.solving.equations.solution import Answer, ItemResult, PartSolution, Solution
+from restitution.solving.ranges.validity import always_exist
+from restitution.solving.story.letters import roles
 
 
 def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sentence]:

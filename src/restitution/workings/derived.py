@@ -16,7 +16,9 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from restitution.explaining.derivation import (
+from restitution.explaining.data.offset_angles import letter_of_offset
+from restitution.explaining.data.unused import lines_under, unused_facts
+from restitution.explaining.lines.derivation import (
     Derivation,
     Line,
     Meaning,
@@ -24,37 +26,35 @@ from restitution.explaining.derivation import (
     Note,
     Relation,
 )
-from restitution.explaining.layouts import chains
-from restitution.explaining.marks import Mark, Marks, reasoned
-from restitution.explaining.offset_angles import letter_of_offset
-from restitution.explaining.saying import Sentence, say
-from restitution.explaining.unused import lines_under, unused_facts
+from restitution.explaining.lines.layouts import chains
+from restitution.explaining.lines.marks import Mark, Marks, reasoned
+from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.tree import Letter, Quantity, is_zero
 from restitution.problem import Problem, Show
 from restitution.render import layout as lay
 from restitution.render.text import to_text
-from restitution.workings.bold_letters import Used
-from restitution.workings.data_angles import DataAngles
-from restitution.workings.ends import Ends
-from restitution.workings.explanation import Explanation
-from restitution.workings.introductions import Introductions
-from restitution.workings.joining import joined
-from restitution.workings.leads import TITLED, Leads
-from restitution.workings.measured import Measures, is_plain, with_unit
-from restitution.workings.meetings import meetings
-from restitution.workings.naming import Naming
+from restitution.workings.leads.introductions import Introductions
+from restitution.workings.leads.meetings import meetings
+from restitution.workings.leads.radii import Radii
+from restitution.workings.leads.sides import Sides
+from restitution.workings.leads.staying import Staying
+from restitution.workings.leads.titles import TITLED, Leads
+from restitution.workings.leads.touching import Touching
+from restitution.workings.naming.bold_letters import Used
+from restitution.workings.naming.data_angles import DataAngles
+from restitution.workings.naming.ends import Ends
+from restitution.workings.naming.measured import Measures, is_plain, with_unit
+from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.sources import Sources
 from restitution.workings.noted import Notes
-from restitution.workings.radii import Radii
-from restitution.workings.reasons import Reasons
+from restitution.workings.reasons.premises import Reasons
+from restitution.workings.rendering.explanation import Explanation
+from restitution.workings.rendering.joining import joined
+from restitution.workings.rendering.steps import REQUIRED, PartExplanation, Row, Step
 from restitution.workings.rows import Rows
-from restitution.workings.sides import Sides
-from restitution.workings.sources import Sources
-from restitution.workings.staying import Staying
-from restitution.workings.steps import REQUIRED, PartExplanation, Row, Step
-from restitution.workings.touching import Touching
 
 if TYPE_CHECKING:
-    from restitution.solving.solution import Solution
+    from restitution.solving.equations.solution import Solution
 
 # Definitions that speak of the whole motion: they begin no working of an impact.
 _OF_THE_WHOLE = frozenset(

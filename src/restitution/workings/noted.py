@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 
-from restitution.explaining.derivation import Derivation, Note, Ref, Relation
-from restitution.explaining.notation import read_relation, read_tree
-from restitution.explaining.saying import Sentence, say
-from restitution.explaining.trees import trees_of
+from restitution.explaining.lines.derivation import Derivation, Note, Ref, Relation
+from restitution.explaining.lines.notation import read_relation, read_tree
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import Expression, Letter, walk
 from restitution.problem import Extremum, Show
 from restitution.render import layout as lay
-from restitution.solving.coefficients import COEFFICIENTS
-from restitution.solving.letters import roles
-from restitution.workings.ends import Ends
-from restitution.workings.naming import Naming
-from restitution.workings.no_root import reason_of_no_root
+from restitution.solving.equations.coefficients import COEFFICIENTS
+from restitution.solving.story.letters import roles
+from restitution.workings.naming.ends import Ends
+from restitution.workings.naming.quantities import Naming
+from restitution.workings.reasons.no_root import reason_of_no_root
 from restitution.workings.refuted import claim_of, refutation
 
 # These notes are of one item each.

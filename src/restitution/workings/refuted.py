@@ -10,9 +10,9 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
-from restitution.explaining.derivation import Derivation, Link, Note, Relation
-from restitution.explaining.saying import Sentence, say
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.lines.derivation import Derivation, Link, Note, Relation
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import Expression, Negate, Quantity, has_quantity, letters
 from restitution.oracle import REAL, Oracle, compared
@@ -20,12 +20,12 @@ from restitution.planning.writing.forms import ZERO, product, tree_of
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Show
 from restitution.render import layout as lay
 from restitution.render.text import to_text
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.vector import Vector
-from restitution.workings.ends import Ends, claim_of_meeting
-from restitution.workings.measured import as_answer
-from restitution.workings.meetings import closing_of
-from restitution.workings.naming import Naming
+from restitution.workings.leads.meetings import closing_of
+from restitution.workings.naming.ends import Ends, claim_of_meeting
+from restitution.workings.naming.measured import as_answer
+from restitution.workings.naming.quantities import Naming
 
 _HOLDS: Mapping[str, Callable[[float], bool]] = {
     "=": lambda gap: gap == 0,

@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 from restitution.errors import TimeLimitError, UnsupportedError
-from restitution.explaining.agreeing import agreeing_facts
-from restitution.explaining.awarding import awarded
-from restitution.explaining.derivation import Derivation
-from restitution.explaining.follower import follow
-from restitution.explaining.marks import STYLES, Style
-from restitution.explaining.saying import say
+from restitution.explaining.awarding.awards import awarded
+from restitution.explaining.following.agreeing import agreeing_facts
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Derivation
+from restitution.explaining.lines.marks import STYLES, Style
+from restitution.explaining.lines.saying import say
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
-from restitution.solving.letters import roles
-from restitution.solving.solution import ItemResult, PartSolution, Solution
+from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
+from restitution.solving.story.letters import roles
 from restitution.work import confirm, limited
 from restitution.workings.backwards import is_told_backwards, steps_backwards
 from restitution.workings.conditions import conditions_of
 from restitution.workings.derived import explanation_of
-from restitution.workings.explanation import Explanation
-from restitution.workings.other_bounds import other_bounds
-from restitution.workings.steps import PartExplanation, Step
+from restitution.workings.reasons.other_bounds import other_bounds
+from restitution.workings.rendering.explanation import Explanation
+from restitution.workings.rendering.steps import PartExplanation, Step
 
 
 def explain(

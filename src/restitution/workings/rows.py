@@ -8,9 +8,9 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.derivation import Derivation, Line, Link, Relation, Sign
-from restitution.explaining.layouts import chains
-from restitution.explaining.saying import Sentence, operand, say
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation, Sign
+from restitution.explaining.lines.layouts import chains
+from restitution.explaining.lines.saying import Sentence, operand, say
 from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import (
     Apply,
@@ -32,12 +32,12 @@ from restitution.planning.writing.forms import coordinates
 from restitution.problem import Value
 from restitution.render import layout as lay
 from restitution.render.text import to_text
-from restitution.solving.letters import roles
-from restitution.workings.bold_letters import unit_vector
-from restitution.workings.ends import Ends
-from restitution.workings.extremes import EXTREMA, extreme, value_reached
-from restitution.workings.figures import FIGURES_BETWEEN, Figures, of_plain_angles
-from restitution.workings.measured import (
+from restitution.solving.story.letters import roles
+from restitution.workings.leads.extremes import EXTREMA, extreme, value_reached
+from restitution.workings.naming.bold_letters import unit_vector
+from restitution.workings.naming.ends import Ends
+from restitution.workings.naming.figures import FIGURES_BETWEEN, Figures, of_plain_angles
+from restitution.workings.naming.measured import (
     Measures,
     as_answer,
     as_decimal,
@@ -48,9 +48,9 @@ from restitution.workings.measured import (
     to_three_figures,
     with_unit,
 )
-from restitution.workings.naming import Naming
-from restitution.workings.sources import is_time, is_vector
-from restitution.workings.steps import REQUIRED, Row
+from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.sources import is_time, is_vector
+from restitution.workings.rendering.steps import REQUIRED, Row
 
 # In these the second line of an equation leaves out the side that stays.
 _GOES_ON = frozenset({"rearrange", "put", "identity", "value", "cancel"})

@@ -103,7 +103,7 @@ def practise(
 
 
 def _complete_mistake(incomplete: str) -> list[str]:
-    from restitution.explaining.misconceptions import MISCONCEPTIONS
+    from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 
     return [name for name in MISCONCEPTIONS if name.startswith(incomplete)]
 
@@ -116,7 +116,7 @@ def mistakes(
 ) -> None:
     """List the mistakes, or tell of one."""
     from restitution.cli.files import terminal_width
-    from restitution.explaining.listing import about_mistake, all_mistakes
+    from restitution.explaining.mistakes.listing import about_mistake, all_mistakes
 
     try:
         columns = terminal_width()

@@ -7,12 +7,12 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.explaining.derivation import Link, Relation
+from restitution.explaining.lines.derivation import Link, Relation
+from restitution.explaining.lines.quotients import NotComparableError, Plane
 from restitution.explaining.moves.bases import base_of, flat
 from restitution.explaining.moves.directions import is_of_a_cotangent
 from restitution.explaining.moves.inequalities import by_oracle
-from restitution.explaining.quotients import NotComparableError, Plane
-from restitution.explaining.step import Step
+from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     Apply,
     Binary,

@@ -6,13 +6,13 @@ from collections.abc import Iterable, Iterator, Mapping
 
 import sympy as sp
 
-from restitution.explaining import derivation
-from restitution.explaining.algebra import Identity, Value
-from restitution.explaining.derivation import Link, Meaning, Relation, Sign, whole_of
-from restitution.explaining.quotients import CONSTANT, NotComparableError, Plane, Quotient
-from restitution.explaining.rules import Rules
-from restitution.explaining.setting import Cited
-from restitution.explaining.step import Step
+from restitution.explaining.data.setting import Cited
+from restitution.explaining.lines import derivation
+from restitution.explaining.lines.algebra import Identity, Value
+from restitution.explaining.lines.derivation import Link, Meaning, Relation, Sign, whole_of
+from restitution.explaining.lines.quotients import CONSTANT, NotComparableError, Plane, Quotient
+from restitution.explaining.steps.rules import Rules
+from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     Expression,
 )

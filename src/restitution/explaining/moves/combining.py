@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from restitution.explaining.derivation import Link
+from restitution.explaining.lines.derivation import Link
+from restitution.explaining.lines.quotients import CONSTANT, Plane, Quotient
 from restitution.explaining.moves.bases import matches, multiplied, pair_cited, plus
-from restitution.explaining.quotients import CONSTANT, Plane, Quotient
-from restitution.explaining.step import Step
+from restitution.explaining.steps.step import Step
 
 
 def is_combination(step: Step, line: Link) -> bool:

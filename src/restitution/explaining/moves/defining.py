@@ -6,16 +6,16 @@ from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-from restitution.explaining.definitions import (
+from restitution.explaining.definitions.at_events import (
     ZERO,
     axis_of,
     tie_of,
 )
-from restitution.explaining.derivation import Event, Link, Meaning
+from restitution.explaining.lines.derivation import Event, Link, Meaning
+from restitution.explaining.lines.quotients import CONSTANT, Plane, Quotient
 from restitution.explaining.moves.bases import FLIPPED
 from restitution.explaining.moves.laws import is_law, is_tie
-from restitution.explaining.quotients import CONSTANT, Plane, Quotient
-from restitution.explaining.step import Step, alike
+from restitution.explaining.steps.step import Step, alike
 from restitution.expression.tree import (
     Apply,
     Degrees,

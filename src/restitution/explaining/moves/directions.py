@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from restitution.explaining.derivation import FLIPPED, Link, Relation, Sign
+from restitution.explaining.lines.derivation import FLIPPED, Link, Relation, Sign
+from restitution.explaining.lines.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.moves.bases import equal_in
-from restitution.explaining.quotients import NotComparableError, Plane, Quotient
-from restitution.explaining.step import Step
+from restitution.explaining.steps.step import Step
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import Apply, Degrees, Expression, Letter, Negate, Quantity
 from restitution.oracle import Relation as Claim

@@ -6,7 +6,9 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 
-from restitution.explaining.derivation import FLIPPED, Link, MoveId, Relation, whole_of
+from restitution.explaining.data.setting import Cited
+from restitution.explaining.lines.derivation import FLIPPED, Link, MoveId, Relation, whole_of
+from restitution.explaining.lines.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.moves.angles import in_radians, is_inverse, is_triangle
 from restitution.explaining.moves.bases import IDENTITIES, base_of, bases_of, condition, with_base
 from restitution.explaining.moves.combining import is_combination, is_quotient, is_sum_of_squares
@@ -19,10 +21,8 @@ from restitution.explaining.moves.limits import at_place
 from restitution.explaining.moves.putting import is_put, is_rearrangement
 from restitution.explaining.moves.roots import are_roots, is_rejection
 from restitution.explaining.moves.values import is_attained, is_decimal
-from restitution.explaining.quotients import NotComparableError, Plane, Quotient
-from restitution.explaining.setting import Cited
-from restitution.explaining.solving import solves
-from restitution.explaining.step import Step
+from restitution.explaining.steps.solving import solves
+from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     Binary,
     Expression,

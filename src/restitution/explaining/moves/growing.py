@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from restitution.explaining.derivation import Link, Meaning, Relation
+from restitution.explaining.lines.derivation import Link, Meaning, Relation
 from restitution.explaining.moves.bases import FLIPPED, base_of, ends_of, equal_in, others_cited
 from restitution.explaining.moves.limits import worth_at
-from restitution.explaining.step import Step
+from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     Expression,
     Letter,

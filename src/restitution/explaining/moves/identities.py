@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from restitution.explaining.algebra import Identity
-from restitution.explaining.derivation import Link
+from restitution.explaining.lines.algebra import Identity
+from restitution.explaining.lines.derivation import Link
+from restitution.explaining.lines.quotients import NotComparableError, Quotient
+from restitution.explaining.lines.trees import rebuilt
 from restitution.explaining.moves.angles import RATIOS
 from restitution.explaining.moves.bases import (
     IDENTITIES,
@@ -13,10 +15,8 @@ from restitution.explaining.moves.bases import (
     others_cited,
 )
 from restitution.explaining.moves.putting import by_values, is_root_of, matches_with
-from restitution.explaining.quotients import NotComparableError, Quotient
-from restitution.explaining.rules import Rules
-from restitution.explaining.step import Step
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.steps.rules import Rules
+from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     Apply,
     Binary,

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import sympy as sp
 
-from restitution.explaining.derivation import Link, Meaning, Relation, Sign
+from restitution.explaining.data.setting import Cited
+from restitution.explaining.lines.derivation import Link, Meaning, Relation, Sign
+from restitution.explaining.lines.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.moves.bases import FLIPPED, equal_in
 from restitution.explaining.moves.directions import (
     between_ratios,
     is_bounded_cotangent,
     speaks_of_an_angle,
 )
-from restitution.explaining.quotients import NotComparableError, Plane, Quotient
-from restitution.explaining.setting import Cited
-from restitution.explaining.step import Step
+from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     Apply,
     Expression,

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import sympy as sp
 
-from restitution.explaining.definitions import (
+from restitution.explaining.definitions.at_events import (
     WORKED_OUT,
     ZERO,
     is_no_product,
@@ -17,15 +17,15 @@ from restitution.explaining.definitions import (
     tie_of,
     ties,
 )
-from restitution.explaining.derivation import Event, Link, Relation
+from restitution.explaining.definitions.senses import oriented
+from restitution.explaining.laws.principles import RECORDS, Record
+from restitution.explaining.lines.derivation import Event, Link, Relation
+from restitution.explaining.lines.quotients import NotComparableError, Plane, Quotient
+from restitution.explaining.lines.trees import settled
 from restitution.explaining.moves.bases import expected_residual, matches, may_match
 from restitution.explaining.moves.putting import matches_with, points_along
-from restitution.explaining.principles import RECORDS, Record
-from restitution.explaining.quotients import NotComparableError, Plane, Quotient
-from restitution.explaining.rules import Rules
-from restitution.explaining.senses import oriented
-from restitution.explaining.step import Step
-from restitution.explaining.trees import settled
+from restitution.explaining.steps.rules import Rules
+from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     Apply,
     AtTime,

@@ -6,14 +6,14 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.explaining.definitions import (
+from restitution.explaining.definitions.at_events import (
     ZERO,
 )
-from restitution.explaining.derivation import Link
+from restitution.explaining.lines.derivation import Link
+from restitution.explaining.lines.trees import rebuilt
 from restitution.explaining.moves.angles import in_radians
 from restitution.explaining.moves.bases import base_of, ends_of, equal_in, last_side
-from restitution.explaining.step import Step
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     Apply,
     Binary,

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from restitution.explaining.algebra import Value
-from restitution.explaining.derivation import Link, Relation, Sign
+from restitution.explaining.lines.algebra import Value
+from restitution.explaining.lines.derivation import Link, Relation, Sign
+from restitution.explaining.lines.quotients import CONSTANT, NotComparableError, Plane, Quotient
+from restitution.explaining.lines.trees import exchanged
 from restitution.explaining.moves.bases import (
     FLIPPED,
     base_of,
@@ -17,10 +19,8 @@ from restitution.explaining.moves.bases import (
     others_cited,
     without_angles,
 )
-from restitution.explaining.quotients import CONSTANT, NotComparableError, Plane, Quotient
-from restitution.explaining.rules import Rules
-from restitution.explaining.step import Step
-from restitution.explaining.trees import exchanged
+from restitution.explaining.steps.rules import Rules
+from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     Apply,
     Binary,

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import sympy as sp
 
-from restitution.explaining.algebra import Value
-from restitution.explaining.derivation import Relation
+from restitution.explaining.lines.algebra import Value
+from restitution.explaining.lines.derivation import Relation
+from restitution.explaining.lines.quotients import CONSTANT, Plane, Quotient
 from restitution.explaining.moves.bases import base_of, ends_of, expected_residual, others_cited
 from restitution.explaining.moves.inequalities import is_contradicted, is_of_vectors, same_option
-from restitution.explaining.quotients import CONSTANT, Plane, Quotient
-from restitution.explaining.step import Step
+from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     Binary,
     Expression,

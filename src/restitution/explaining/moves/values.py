@@ -6,13 +6,13 @@ from fractions import Fraction
 
 import sympy as sp
 
-from restitution.explaining.definitions import (
+from restitution.explaining.definitions.at_events import (
     ZERO,
 )
-from restitution.explaining.derivation import Link, Meaning, Relation
+from restitution.explaining.lines.derivation import Link, Meaning, Relation
 from restitution.explaining.moves.angles import in_radians, is_ratio_of
 from restitution.explaining.moves.bases import base_of, condition, ends_of
-from restitution.explaining.step import Step
+from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     Binary,
     Degrees,

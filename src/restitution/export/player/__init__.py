@@ -18,7 +18,7 @@ from restitution.render.page import page
 if TYPE_CHECKING:
     from restitution.motion import Run
     from restitution.motion.pieces import Motion
-    from restitution.solving.solution import Solution
+    from restitution.solving.equations.solution import Solution
 
 __all__ = ["Playable", "play", "to_html"]
 
@@ -93,7 +93,7 @@ def play(
         return Playable(of_motion(motion.motion()))
     if isinstance(motion, Motion):
         return Playable(of_motion(motion))
-    from restitution.solving.solution import Solution  # no algebra for the others
+    from restitution.solving.equations.solution import Solution  # no algebra for the others
 
     if not isinstance(motion, Solution):
         raise StatementError(

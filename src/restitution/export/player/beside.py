@@ -11,17 +11,17 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from restitution.errors import UnsupportedError
-from restitution.explaining.consequences import (
+from restitution.explaining.mistakes.consequences import (
     NO_IMPACT,
     AlteredWorld,
     altered_world,
     applying,
 )
-from restitution.explaining.misconceptions import misconception
+from restitution.explaining.mistakes.misconceptions import misconception
 from restitution.export.player.data import Object, of_motions
 from restitution.motion.parts import PartMotion, motions
 from restitution.motion.pieces import Piece, Struck
-from restitution.solving.solution import Solution
+from restitution.solving.equations.solution import Solution
 from restitution.vector import Vector
 
 _SMALL = 1e-6

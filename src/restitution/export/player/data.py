@@ -32,7 +32,7 @@ from restitution.work import limited
 if TYPE_CHECKING:
     from restitution.motion.parts import PartMotion
     from restitution.motion.stage import Event
-    from restitution.solving.solution import Solution
+    from restitution.solving.equations.solution import Solution
     from restitution.staging.values import Chosen
 
 Object = dict[str, Any]
@@ -322,7 +322,7 @@ class _Exact:
         from restitution.errors import RestitutionError
         from restitution.render.layout import from_sympy
         from restitution.render.text import to_text
-        from restitution.solving.forms import plain
+        from restitution.solving.algebra.forms import plain
 
         try:
             value_ = value()

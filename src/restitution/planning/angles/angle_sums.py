@@ -10,8 +10,8 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,

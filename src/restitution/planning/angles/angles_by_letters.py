@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from restitution.explaining.derivation import Move, Ref, Relation
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.derivation import Move, Ref, Relation
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import Expression, Letter, letters, walk
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.scene import Scene

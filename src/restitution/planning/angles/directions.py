@@ -8,7 +8,7 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.exact import tidy, tidy_angle
-from restitution.explaining.derivation import Move, MoveId
+from restitution.explaining.lines.derivation import Move, MoveId
 from restitution.expression.tree import (
     Apply,
     Binary,

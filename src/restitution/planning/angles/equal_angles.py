@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import Binary, Letter, Quantity
 from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.scalar_angles import write_cosine

@@ -9,8 +9,8 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, Ref
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.derivation import Move, Ref
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,

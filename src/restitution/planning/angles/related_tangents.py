@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref
+from restitution.explaining.lines.derivation import Link, Move, Ref
 from restitution.expression.tree import Apply, Expression, Letter, Quantity, walk
 from restitution.planning.angles.quantities import formula
 from restitution.planning.formulas.named_angles import letter_known, letter_of

@@ -11,7 +11,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.exact import tidy
-from restitution.explaining.derivation import Line, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Line, Meaning, Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,

@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.exact import tidy, tidy_angle
-from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,

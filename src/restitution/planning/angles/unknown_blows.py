@@ -7,7 +7,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Relation
+from restitution.explaining.lines.derivation import Link, Move, Relation
 from restitution.expression.tree import Apply, Letter, Name, Quantity
 from restitution.planning.angles.quantities import formula
 from restitution.planning.closing.ratios import inverse

@@ -5,8 +5,8 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.derivation import Move
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Apply,
     Binary,

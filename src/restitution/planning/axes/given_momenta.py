@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import Apply, Binary, Expression, Name, Quantity
 from restitution.planning.closing.pairs import close_two
 from restitution.planning.closing.shapes import close

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, Ref
+from restitution.explaining.lines.derivation import Move, Ref
 from restitution.expression.tree import Expression, Letter, Name, Polar, Quantity, walk
 from restitution.planning.axes.by_changes import take_impulse
 from restitution.planning.formulas.definitions import Formula, itself, write_formula

@@ -12,17 +12,17 @@ from collections.abc import Set as AbstractSet
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Fact, Link, Meaning, Move, Relation
-from restitution.explaining.offset_angles import offset_angle
-from restitution.explaining.trees import trees_of
+from restitution.explaining.data.offset_angles import offset_angle
+from restitution.explaining.lines.derivation import Fact, Link, Meaning, Move, Relation
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import Apply, Letter, Name, Quantity, letters, walk
 from restitution.planning.formulas.named_angles import free_letter
 from restitution.planning.writing.desk import Desk
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import GivenEquation, Scene
-from restitution.solving.letters import roles
-from restitution.solving.solution import Solution
+from restitution.solving.equations.solution import Solution
+from restitution.solving.story.letters import roles
 from restitution.vector import Vector
 
 

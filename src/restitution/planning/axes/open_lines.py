@@ -14,8 +14,8 @@ from functools import partial
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.definitions import tie_of
-from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.explaining.definitions.at_events import tie_of
+from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity, Unit
 from restitution.oracle.roles import POSITIVE, REAL, Role
 from restitution.planning.closing.shapes import close
@@ -38,8 +38,8 @@ from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.planning.writing.unit_vectors import plain_direction
-from restitution.solving.letters import roles
-from restitution.solving.numbers import number_of
+from restitution.solving.algebra.numbers import number_of
+from restitution.solving.story.letters import roles
 from restitution.vector import Vector
 
 _LETTERS = ("s", "k", "b", "c", "q", "r")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from restitution.components.frames import Frame as Told
-from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import Binary, Quantity, walk
 from restitution.planning.journeys.aims import struck, write_centres
 from restitution.planning.journeys.places import spot

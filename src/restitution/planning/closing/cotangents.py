@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.expression.tree import Apply, Binary, Letter, Quantity
 from restitution.planning.formulas.named_angles import letter_of, ratio_line
 from restitution.planning.formulas.velocity_formulas import body_and_stage

@@ -8,7 +8,7 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, Ref
+from restitution.explaining.lines.derivation import Move, Ref
 from restitution.expression.tree import Apply, Expression, Letter
 from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.writing.desk import chain

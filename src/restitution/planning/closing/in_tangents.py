@@ -10,8 +10,8 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from restitution.explaining.derivation import Link, Move, Relation, Sign
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.lines.derivation import Link, Move, Relation, Sign
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import Apply, Expression, Letter, walk
 from restitution.planning.writing.forms import ZERO, total, tree_of
 from restitution.planning.writing.premises import background

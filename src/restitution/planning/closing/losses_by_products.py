@@ -10,7 +10,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, Ref, Relation
+from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.expression.tree import Binary, Expression, Letter, Quantity
 from restitution.planning.closing.roots import written_law
 from restitution.planning.formulas.energy_formulas import half

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, Ref, Relation
+from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.expression.tree import Apply, Letter
 from restitution.expression.writing import write_expression
 from restitution.planning.closing.ratios import inside_functions

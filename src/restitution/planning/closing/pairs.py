@@ -13,8 +13,8 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Relation
-from restitution.explaining.trees import statement_of
+from restitution.explaining.lines.derivation import Link, Move, Relation
+from restitution.explaining.lines.trees import statement_of
 from restitution.expression.tree import Apply, Binary, Expression, Letter
 from restitution.planning.closing.collecting import multiplied_out
 from restitution.planning.closing.ratios import inside_functions, inverse
@@ -325,7 +325,7 @@ def _reduced(scene: Scene, line: int) -> int:
 
 def _with(tree: Expression, subject: Expression, value: Expression) -> Expression:
     """A tree in which a value stands for a subject, also for the square of a product of it."""
-    from restitution.explaining.trees import rebuilt
+    from restitution.explaining.lines.trees import rebuilt
 
     base = subject.left if isinstance(subject, Binary) and subject.op == "^" else None
 

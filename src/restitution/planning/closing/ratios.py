@@ -8,8 +8,8 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Meaning, Move, Relation
-from restitution.explaining.trees import exchanged, rebuilt
+from restitution.explaining.lines.derivation import Link, Meaning, Move, Relation
+from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import Apply, Binary, Expression, Letter, letters, walk
 from restitution.planning.closing.in_tangents import write_in_tangents
 from restitution.planning.closing.roots import by_roots, known_as

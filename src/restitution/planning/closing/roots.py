@@ -10,8 +10,8 @@ import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
-from restitution.explaining.trees import trees_of
+from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Apply,
     Binary,

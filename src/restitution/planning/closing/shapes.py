@@ -13,8 +13,8 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.explaining.trees import rebuilt, statement_of
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.trees import rebuilt, statement_of
 from restitution.expression.tree import (
     Apply,
     Binary,

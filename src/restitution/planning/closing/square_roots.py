@@ -8,8 +8,8 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Relation
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.lines.derivation import Link, Move, Relation
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Binary,
     Expression,

@@ -12,8 +12,8 @@ from contextlib import contextmanager
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.explaining.facts import staged
+from restitution.explaining.data.facts import staged
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,

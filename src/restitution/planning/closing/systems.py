@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.components.models import Model
-from restitution.explaining.derivation import Link, Move, Relation
+from restitution.explaining.lines.derivation import Link, Move, Relation
 from restitution.expression.tree import Letter
 from restitution.planning.closing.collecting import multiplied_out
 from restitution.planning.closing.ratios import inside_functions

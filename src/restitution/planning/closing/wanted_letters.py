@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from restitution.explaining.derivation import Derivation, Line, Link, Move, Relation
-from restitution.explaining.follower import reader_of
+from restitution.explaining.following.follower import reader_of
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Move, Relation
 from restitution.expression.tree import Letter
 from restitution.oracle import Oracle
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move
+from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Name, Quantity
 from restitution.planning.formulas.definitions import Formula, itself
 from restitution.planning.writing.desk import Source, together

@@ -10,7 +10,7 @@ import sympy as sp
 
 from restitution.errors import StatementError
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, MoveId, Ref
+from restitution.explaining.lines.derivation import Move, MoveId, Ref
 from restitution.expression.tree import (
     Apply,
     Binary,

@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, Ref
+from restitution.explaining.lines.derivation import Move, Ref
 from restitution.expression.tree import (
     Binary,
     Expression,

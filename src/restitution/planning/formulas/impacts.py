@@ -9,8 +9,16 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Meaning, Move, MoveId, Ref, Relation, Showing
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.derivation import (
+    Link,
+    Meaning,
+    Move,
+    MoveId,
+    Ref,
+    Relation,
+    Showing,
+)
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Apply,

@@ -6,7 +6,7 @@ import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move
+from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import (
     Apply,
     Binary,

@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.explaining.derivation import Meaning, Move, MoveId, Ref
+from restitution.explaining.lines.derivation import Meaning, Move, MoveId, Ref
 from restitution.expression.tree import (
     Apply,
     Binary,

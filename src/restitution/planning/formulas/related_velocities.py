@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from restitution.explaining.derivation import Move
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.derivation import Move
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import Expression, Name, Quantity, walk
 from restitution.planning.formulas.definitions import write_formula
 from restitution.planning.formulas.velocity_formulas import velocity_formula

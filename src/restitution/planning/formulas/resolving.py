@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move
+from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Name, Quantity, Unit
 from restitution.planning.formulas.impacts import after, settled
 from restitution.planning.writing.desk import Source, chain, together

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from restitution.explaining.derivation import Move, Relation
+from restitution.explaining.lines.derivation import Move, Relation
 from restitution.planning.formulas.impacts import residual
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene

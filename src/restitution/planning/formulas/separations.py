@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Ref
+from restitution.explaining.lines.derivation import Ref
 from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity
 from restitution.planning.formulas.impacts import (
     after,

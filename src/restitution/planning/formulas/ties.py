@@ -7,7 +7,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import (
     Binary,
     Degrees,

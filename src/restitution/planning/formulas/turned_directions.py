@@ -7,8 +7,8 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Meaning, Move, MoveId
-from restitution.explaining.turnings import direction_from_i
+from restitution.explaining.definitions.turnings import direction_from_i
+from restitution.explaining.lines.derivation import Meaning, Move, MoveId
 from restitution.expression.tree import (
     Apply,
     Binary,

@@ -14,7 +14,7 @@ from typing import Any, Literal
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Meaning, Move, Ref
+from restitution.explaining.lines.derivation import Meaning, Move, Ref
 from restitution.expression.tree import (
     Binary,
     Degrees,

@@ -10,7 +10,7 @@ import sympy as sp
 from restitution.components.telling import without_bars
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, Ref, Relation
+from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,

@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Line, Link, Ref, Relation
+from restitution.explaining.lines.derivation import Line, Link, Ref, Relation
 from restitution.expression.tree import AtTime, Binary, Expression, Name, Quantity, has_quantity
 from restitution.planning.formulas.resolving import along_axis
 from restitution.planning.writing.desk import NotPlannedError, Source, together

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from restitution.explaining.derivation import FLIPPED, Link, Meaning, Move, Ref, Relation
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.lines.derivation import FLIPPED, Link, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import Apply, Degrees, Expression, Letter, Quantity
 from restitution.planning.inequalities.angle_pairs import extents, made_of_two
 from restitution.planning.inequalities.comparing import Comparing

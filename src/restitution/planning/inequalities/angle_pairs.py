@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from restitution.explaining.derivation import Meaning, Move, Ref
+from restitution.explaining.lines.derivation import Meaning, Move, Ref
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity, letters
 from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.turn_lines import (

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation, Sign
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation, Sign
 from restitution.explaining.moves.limits import worth_at
 from restitution.expression.tree import Expression, Quantity, letters
 from restitution.planning.angles.turning import angle_line
@@ -21,7 +21,7 @@ from restitution.planning.routes.items import determine
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import tree_of
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 
 class AngleAtEnds:

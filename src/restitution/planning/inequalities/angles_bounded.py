@@ -7,7 +7,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Fact, Link, Move, Ref, Relation, Sign
+from restitution.explaining.lines.derivation import Fact, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import Apply, Degrees, Quantity
 from restitution.planning.angles.turn_lines import meeting
 from restitution.planning.inequalities.worths import Worths

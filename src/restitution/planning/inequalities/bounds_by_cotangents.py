@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import FLIPPED, Fact, Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Move, Ref, Relation
 from restitution.expression.tree import Apply, Binary, Letter, Quantity
 from restitution.planning.closing.cotangents import write_ratio_of
 from restitution.planning.formulas.angle_formulas import deflection_formula

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from restitution.explaining.derivation import FLIPPED, Link, Move, Relation, Sign
+from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Relation, Sign
 from restitution.expression.tree import Apply, Binary, Letter
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import product, tree_of

@@ -10,7 +10,8 @@ from typing import Self
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import (
+from restitution.explaining.following.trials import names_in
+from restitution.explaining.lines.derivation import (
     FLIPPED,
     Link,
     Meaning,
@@ -20,9 +21,8 @@ from restitution.explaining.derivation import (
     Relation,
     Sign,
 )
+from restitution.explaining.lines.trees import rebuilt
 from restitution.explaining.moves import MOST_COMPARED
-from restitution.explaining.trees import rebuilt
-from restitution.explaining.trials import names_in
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -61,7 +61,7 @@ from restitution.planning.writing.inequalities import (
 )
 from restitution.planning.writing.polynomials import factored, one_fraction
 from restitution.planning.writing.scene import Scene
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 
 class Claims:

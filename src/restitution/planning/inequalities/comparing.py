@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Protocol
 
-from restitution.explaining.derivation import Ref, Relation
+from restitution.explaining.lines.derivation import Ref, Relation
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.judging import Judge
 from restitution.planning.writing.scene import Scene

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -24,7 +24,7 @@ from restitution.planning.inequalities.claims import Claims
 from restitution.planning.writing.desk import NotPlannedError, Source, chain
 from restitution.planning.writing.forms import swept, tree_of
 from restitution.planning.writing.polynomials import cancelled, factored
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.vector import Vector
 
 

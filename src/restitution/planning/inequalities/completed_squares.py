@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import sympy as sp
 
-from restitution.explaining.derivation import Link, Move, Relation
+from restitution.explaining.lines.derivation import Link, Move, Relation
 from restitution.expression.tree import Binary, Quantity
 from restitution.oracle.roles import Role
 from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.writing.forms import ZERO, product, square, tree_of
 from restitution.planning.writing.polynomials import factored
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 
 def write_completed(claims: Comparing, line: int, relation: Relation) -> int | None:

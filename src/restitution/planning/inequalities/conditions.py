@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import (
+from restitution.explaining.lines.derivation import (
     FLIPPED,
     Fact,
     Link,
@@ -18,7 +18,7 @@ from restitution.explaining.derivation import (
     Relation,
     Sign,
 )
-from restitution.explaining.trees import trees_of
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Binary,
     Degrees,

@@ -8,7 +8,7 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
+from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import (
     Apply,
     Binary,

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,

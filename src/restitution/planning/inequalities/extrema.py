@@ -10,7 +10,7 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import FLIPPED, Line, Link, Move, Ref, Relation, Sign
+from restitution.explaining.lines.derivation import FLIPPED, Line, Link, Move, Ref, Relation, Sign
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
@@ -40,8 +40,8 @@ from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import ONE, ZERO, product, square, total, tree_of
 from restitution.planning.writing.polynomials import cancelled, expanded, factored, one_fraction
 from restitution.planning.writing.scene import Scene
-from restitution.solving.letters import roles
-from restitution.solving.solution import Answer, ItemResult
+from restitution.solving.equations.solution import Answer, ItemResult
+from restitution.solving.story.letters import roles
 
 _TO_FORM = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
 

@@ -10,8 +10,8 @@ import sympy as sp
 from restitution.components.verdicts import proved_sign
 from restitution.errors import StatementError
 from restitution.exact import tidy
-from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import Apply, Binary, Expression, Number, Quantity, walk
 from restitution.planning.angles.turn_lines import meeting
 from restitution.planning.formulas.impacts import scene_value
@@ -19,7 +19,7 @@ from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import ZERO, square, tree_of
 from restitution.planning.writing.scene import Scene
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 _TO_FORM = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
 

@@ -7,13 +7,13 @@ from collections.abc import Iterator
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Relation, Sign
+from restitution.explaining.lines.derivation import Link, Relation, Sign
 from restitution.expression.tree import Binary, Expression, Letter, Number
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.inequalities import turned
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 _End = tuple[sp.Expr, bool]
 

@@ -10,7 +10,7 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
+from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -40,7 +40,7 @@ from restitution.planning.writing.inequalities import (
 )
 from restitution.planning.writing.polynomials import expanded, factored, one_fraction
 from restitution.planning.writing.scene import GivenEquation
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 
 class Ties:

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.expression.tree import Apply, Binary, Expression, Letter
 from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.writing.forms import product, square, total, tree_of
 from restitution.planning.writing.scene import Scene
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 
 @dataclass(frozen=True)

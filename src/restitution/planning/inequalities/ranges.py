@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.explaining.derivation import FLIPPED, Link, Move, Relation, Sign
+from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Relation, Sign
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -30,7 +30,7 @@ from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.inequalities import solve_linear, turned, without_signs
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
-from restitution.solving.solution import Answer, ItemResult
+from restitution.solving.equations.solution import Answer, ItemResult
 
 
 def write_range(

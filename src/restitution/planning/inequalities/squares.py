@@ -8,7 +8,7 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import FLIPPED, Fact, Link, Move, Ref, Relation, Sign
+from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import (
     Apply,
     Expression,
@@ -23,7 +23,7 @@ from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import ZERO, square, swept, tree_of
 from restitution.planning.writing.inequalities import solve_linear, without_signs
 from restitution.planning.writing.polynomials import cancelled, expanded, factored, one_fraction
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 _SOLVING = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"), Move("compare"))
 

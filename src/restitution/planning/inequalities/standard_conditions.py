@@ -8,7 +8,7 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
+from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import Expression, Letter
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import ZERO, product, square, total, tree_of

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import FLIPPED, Fact, Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Move, Ref, Relation
 from restitution.expression.tree import Binary, Expression, Quantity, has_quantity, walk
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.routes.givens import product_without

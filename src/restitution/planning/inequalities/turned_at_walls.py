@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Relation
+from restitution.explaining.lines.derivation import Link, Move, Relation
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Name, Quantity
 from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.wall_turns import angle_of_approach, data_of_approach

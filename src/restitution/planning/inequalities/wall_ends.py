@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import FLIPPED, Fact, Link, Move, Ref, Relation, Sign
+from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import Binary, Expression, Name, Quantity, Unit
 from restitution.planning.formulas.whereabouts import velocity
 from restitution.planning.inequalities.worths import Worths

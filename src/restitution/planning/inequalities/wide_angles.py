@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import FLIPPED, Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity, walk
 from restitution.planning.angles.scalar_angles import write_cosine
 from restitution.planning.formulas.named_angles import letter_of

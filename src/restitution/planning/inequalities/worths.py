@@ -10,8 +10,8 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Meaning, Move, Ref, Relation
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -43,7 +43,7 @@ from restitution.planning.writing.desk import NotPlannedError, Source, together
 from restitution.planning.writing.forms import square, swept, tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import Scene
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.vector import Vector
 
 _ANGLES = {

@@ -9,7 +9,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import Binary, Degrees, Expression, Name, Negate, Quantity
 from restitution.planning.formulas.whereabouts import contact_of
 from restitution.planning.writing.circles import circle_of

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from restitution.explaining.derivation import Link, Move
+from restitution.explaining.lines.derivation import Link, Move
 from restitution.expression.tree import AtTime, Name, Quantity, Unit
 from restitution.planning.journeys.instants import place_then
 from restitution.planning.journeys.places import coordinate, coordinate_moved

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, Ref
+from restitution.explaining.lines.derivation import Move, Ref
 from restitution.expression.tree import AtTime, Binary, Expression, Quantity, letters, walk
 from restitution.planning.formulas.whereabouts import hide_place_of_rest, standing
 from restitution.planning.journeys.places import (

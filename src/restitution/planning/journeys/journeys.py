@@ -6,7 +6,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.explaining.derivation import Move
+from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import AtTime, Binary, Expression, Name, Quantity, Unit
 from restitution.planning.formulas.whereabouts import are_apart, last_move, standing, without_walls
 from restitution.planning.journeys.distances import distance, sized

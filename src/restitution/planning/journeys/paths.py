@@ -14,7 +14,7 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref
+from restitution.explaining.lines.derivation import Link, Move, Ref
 from restitution.expression.tree import Expression, Negate, Quantity, has_quantity
 from restitution.planning.formulas.whereabouts import (
     axis_for,
@@ -51,7 +51,7 @@ from restitution.planning.writing.place_trees import AXES, Axis, place_tree, tim
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.problem import Arrival, Impact
-from restitution.solving.quantities import quantity as quantity_of
+from restitution.solving.story.quantities import quantity as quantity_of
 from restitution.vector import Vector
 
 

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Binary,
     Expression,

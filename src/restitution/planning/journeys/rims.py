@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import Apply, Binary, Expression, Name, Negate, Polar, Quantity
 from restitution.planning.formulas.impacts import after, in_direction
 from restitution.planning.writing.circles import chord_from, circle_of, from_centre

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, Ref
-from restitution.explaining.facts import staged
+from restitution.explaining.data.facts import staged
+from restitution.explaining.lines.derivation import Move, Ref
 from restitution.expression.tree import Quantity, walk
 from restitution.planning.formulas.whereabouts import (
     last_move,

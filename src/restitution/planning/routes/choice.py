@@ -19,7 +19,7 @@ from restitution.components.models import Model
 from restitution.exact.degrees import function_of
 from restitution.expression.enclosed import UndefinedError
 from restitution.planning.writing.candidates import Candidate
-from restitution.solving.numbers import at, number_of
+from restitution.solving.algebra.numbers import at, number_of
 
 # Numbers in a reduced gradient below this share of its largest are rounding.
 _ROUNDING = 1e-9

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move
+from restitution.explaining.lines.derivation import Link, Move
 from restitution.expression.tree import Name, Quantity
 from restitution.planning.formulas.impacts import residual
 from restitution.planning.journeys import paths, rounds

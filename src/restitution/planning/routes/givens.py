@@ -8,8 +8,8 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
@@ -73,7 +73,7 @@ from restitution.planning.writing.forms import (
 )
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.vector import Vector
 
 _COSTS = {"along": 1.0, "across": 1.0, "angle": 1.0, "speed": 1.5, "impulse": 2.0, "energy": 2.4}

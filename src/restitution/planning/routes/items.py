@@ -9,8 +9,8 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Fact, Link, Meaning, Move, Ref, Relation
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.lines.derivation import Fact, Link, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -47,7 +47,7 @@ from restitution.planning.writing.either_side import write_sides
 from restitution.planning.writing.forms import ONE, difference, product, square, tree_of
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Find, Value
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 from restitution.vector import Vector
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from restitution.explaining.derivation import ItemEnd, Move, Ref, Relation
+from restitution.explaining.lines.derivation import ItemEnd, Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Letter,

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move
+from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Negate, letters, walk
 from restitution.planning.formulas.impacts import residual
 from restitution.planning.formulas.rewriting import in_another_form

@@ -17,7 +17,7 @@ import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact import tidy
-from restitution.explaining.derivation import Move, Route
+from restitution.explaining.lines.derivation import Move, Route
 from restitution.expression.tree import Letter, Name, Quantity, walk
 from restitution.planning.angles.deflections import turned_at_a_wall
 from restitution.planning.angles.unknown_blows import take_blow

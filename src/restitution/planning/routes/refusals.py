@@ -12,14 +12,14 @@ from restitution.errors import (
     MissingError,
     RestitutionError,
 )
-from restitution.explaining.derivation import NoteKind, Ref
+from restitution.explaining.lines.derivation import NoteKind, Ref
 from restitution.expression.tree import Letter
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing.desk import Desk, NotPlannedError
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Value
-from restitution.solving.coefficients import COEFFICIENTS
-from restitution.solving.solution import ItemResult
+from restitution.solving.equations.coefficients import COEFFICIENTS
+from restitution.solving.equations.solution import ItemResult
 
 _KINDS: tuple[tuple[type[RestitutionError], NoteKind], ...] = (
     (MissingError, "missing"),

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from restitution.explaining.derivation import Link, Move, Relation
-from restitution.explaining.facts import links_of, staged
+from restitution.explaining.data.facts import links_of, staged
+from restitution.explaining.lines.derivation import Link, Move, Relation
 from restitution.expression.tree import (
     Apply,
     Degrees,
@@ -51,7 +51,7 @@ from restitution.problem import (
     Show,
     trees_of_relation,
 )
-from restitution.solving.solution import ItemResult
+from restitution.solving.equations.solution import ItemResult
 from restitution.vector import Vector
 
 # What later items take as it is shown, and do not work out again.

@@ -10,8 +10,8 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import rationalised, tidy, tidy_angle
-from restitution.explaining.derivation import Link, Note, Ref, Relation
-from restitution.explaining.facts import links_of, staged
+from restitution.explaining.data.facts import links_of, staged
+from restitution.explaining.lines.derivation import Link, Note, Ref, Relation
 from restitution.expression.evaluate import Angle, in_letters
 from restitution.expression.quantities import ANGLES
 from restitution.expression.reading import read_number
@@ -38,8 +38,8 @@ from restitution.planning.writing.forms import UnwrittenError, product, tree_of
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Range, Show
-from restitution.solving.letters import roles
-from restitution.solving.solution import ItemResult
+from restitution.solving.equations.solution import ItemResult
+from restitution.solving.story.letters import roles
 from restitution.vector import Vector
 
 _SIGNS: Mapping[str, Callable[[float, float], bool]] = {

@@ -8,8 +8,8 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.explaining.facts import links_of
+from restitution.explaining.data.facts import links_of
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import (
     Expression,
     Name,

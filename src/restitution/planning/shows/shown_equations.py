@@ -11,7 +11,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Meaning, Move, MoveId, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Meaning, Move, MoveId, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,

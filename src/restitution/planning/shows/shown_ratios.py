@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Relation
+from restitution.explaining.lines.derivation import Link, Move, Relation
 from restitution.expression.tree import Apply, Binary, Expression, Letter
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import product, square, total, tree_of

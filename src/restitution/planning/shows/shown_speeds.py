@@ -8,8 +8,8 @@ from contextlib import ExitStack
 import sympy as sp
 
 from restitution.exact import in_sines, tidy
-from restitution.explaining.derivation import Link, Move, Ref, Relation
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -25,7 +25,7 @@ from restitution.planning.closing.squared_ratios import keeping
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.writing.desk import NotPlannedError, chain
 from restitution.planning.writing.forms import outer_terms, square, swept, total, tree_of
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 _FORMS = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
 

@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact import tidy
-from restitution.explaining.derivation import Fact, Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Fact, Link, Move, Ref, Relation
 from restitution.expression.tree import Apply, Expression, Letter
 from restitution.planning.writing.desk import Desk, NotPlannedError, chain
 from restitution.planning.writing.forms import tree_of

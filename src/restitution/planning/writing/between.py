@@ -18,7 +18,7 @@ from typing import TypeGuard
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,

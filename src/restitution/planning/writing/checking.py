@@ -9,7 +9,7 @@ from typing import Any
 
 from restitution.components.models import Model
 from restitution.errors import RestitutionError
-from restitution.explaining.derivation import Fact, Line, Link, Meaning, Relation
+from restitution.explaining.lines.derivation import Fact, Line, Link, Meaning, Relation
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle, Evaluator
 from restitution.expression.tree import (
@@ -22,7 +22,7 @@ from restitution.expression.tree import (
     letters,
 )
 from restitution.planning.writing.desk import NotPlannedError
-from restitution.solving import quantities
+from restitution.solving.story import quantities
 from restitution.vector import Vector
 
 # Two sides that agree to this share of the larger are equal in doubles.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from restitution.explaining.derivation import Link
+from restitution.explaining.lines.derivation import Link
 from restitution.expression.tree import Binary, Expression, Number, Pair, Quantity
 from restitution.planning.writing.place_trees import place_tree
 from restitution.planning.writing.scene import Scene

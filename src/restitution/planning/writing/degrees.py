@@ -7,8 +7,8 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Ref, Relation
-from restitution.explaining.trees import trees_of
+from restitution.explaining.lines.derivation import Ref, Relation
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Apply,
     Degrees,

@@ -8,7 +8,8 @@ from itertools import pairwise
 from typing import Any
 
 from restitution.errors import UnsupportedError
-from restitution.explaining.derivation import (
+from restitution.explaining.following.trials import names_in
+from restitution.explaining.lines.derivation import (
     Case,
     Event,
     Fact,
@@ -28,8 +29,7 @@ from restitution.explaining.derivation import (
     common_scope,
     scopes_of,
 )
-from restitution.explaining.trees import statement_of
-from restitution.explaining.trials import names_in
+from restitution.explaining.lines.trees import statement_of
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity
 from restitution.planning.writing.forms import UnwrittenError, alike
 from restitution.vector import Vector

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Derivation, Line, Link, Ref, Relation
-from restitution.explaining.follower import reader_of
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.following.follower import reader_of
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Ref, Relation
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Binary, Expression, Quantity, has_quantity, letters
 from restitution.oracle import Oracle

@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Derivation, Line, Link, Move, Ref, Relation
-from restitution.explaining.follower import reader_of
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.following.follower import reader_of
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Move, Ref, Relation
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Apply,

@@ -15,7 +15,8 @@ from restitution.components.frames import Frame as Resolved
 from restitution.components.letters import protected_letters
 from restitution.components.models import Model
 from restitution.components.telling import model
-from restitution.explaining.derivation import (
+from restitution.explaining.following.trials import on_either_side
+from restitution.explaining.lines.derivation import (
     Derivation,
     Fact,
     Link,
@@ -25,7 +26,6 @@ from restitution.explaining.derivation import (
     Ref,
     Relation,
 )
-from restitution.explaining.trials import on_either_side
 from restitution.expression.tree import (
     Binary,
     Degrees,
@@ -42,7 +42,7 @@ from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.unit_vectors import plain_direction
 from restitution.problem import trees
-from restitution.solving.solution import ItemResult, PartSolution, Solution
+from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
 from restitution.vector import Vector
 
 if TYPE_CHECKING:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from restitution.explaining.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
 from restitution.expression.tree import Expression, Letter
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from restitution.explaining.derivation import Ref
+from restitution.explaining.lines.derivation import Ref
 from restitution.expression.tree import Binary, Expression, Unit, has_quantity
 from restitution.planning.writing.desk import Source, together
 from restitution.planning.writing.forms import difference, negative, product, swept, total, tree_of

@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,

@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact import tidy
-from restitution.explaining.derivation import Fact, Ref
+from restitution.explaining.lines.derivation import Fact, Ref
 from restitution.expression.tree import Expression, Name, Negate, Quantity, Unit
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.vector import Vector

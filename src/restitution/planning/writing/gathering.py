@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Sequence
 from dataclasses import replace
 
-from restitution.explaining.derivation import Derivation, Line, Link, Meaning, Note, Relation
-from restitution.explaining.offset_angles import letter_of_offset
-from restitution.explaining.trees import trees_of
+from restitution.explaining.data.offset_angles import letter_of_offset
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Meaning, Note, Relation
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Apply,
     Binary,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from restitution.explaining.derivation import Ref
+from restitution.explaining.lines.derivation import Ref
 from restitution.expression.tree import Expression, Letter, Quantity, has_quantity, letters
 from restitution.planning.writing.scene import Scene
 

@@ -8,7 +8,7 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.derivation import FLIPPED, Link, Relation, Sign
+from restitution.explaining.lines.derivation import FLIPPED, Link, Relation, Sign
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -19,7 +19,7 @@ from restitution.expression.tree import (
 from restitution.planning.writing.forms import square, tree_of
 from restitution.planning.writing.polynomials import expanded, factored, one_fraction
 from restitution.planning.writing.scene import Scene
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 
 def subject_of(relation: Relation) -> Expression | None:

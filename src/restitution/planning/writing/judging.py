@@ -7,7 +7,9 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from restitution.explaining.derivation import (
+from restitution.explaining.data.setting import Known
+from restitution.explaining.following.trials import Trial, known_of_letters, setting_of
+from restitution.explaining.lines.derivation import (
     Derivation,
     Line,
     Meaning,
@@ -17,17 +19,15 @@ from restitution.explaining.derivation import (
     Relation,
     Showing,
 )
-from restitution.explaining.excluding import excludes
+from restitution.explaining.lines.quotients import NotComparableError
 from restitution.explaining.moves import MOST_COMPARED
-from restitution.explaining.quotients import NotComparableError
-from restitution.explaining.setting import Known
-from restitution.explaining.trials import Trial, known_of_letters, setting_of
+from restitution.explaining.steps.excluding import excludes
 from restitution.expression.tree import letters
 from restitution.oracle import BeyondError, Oracle
 from restitution.planning.writing.desk import Desk
 from restitution.planning.writing.forms import ZERO
 from restitution.problem import Problem
-from restitution.solving.letters import roles
+from restitution.solving.story.letters import roles
 
 
 @dataclass

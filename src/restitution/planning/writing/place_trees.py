@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from restitution.explaining.derivation import Link
+from restitution.explaining.lines.derivation import Link
 from restitution.expression.tree import Binary, Expression, Name, Quantity, Unit, walk
 
 Axis = Literal["i", "j"]

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 import sympy as sp
 
-from restitution.explaining.derivation import Ref
+from restitution.explaining.lines.derivation import Ref
 from restitution.planning.writing.angle_ratios import range_of
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.polynomials import factored

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from restitution.explaining.derivation import Ref
+from restitution.explaining.lines.derivation import Ref
 from restitution.expression.tree import (
     Expression,
 )

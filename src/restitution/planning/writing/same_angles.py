@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from restitution.explaining.derivation import Meaning, Move, Ref
+from restitution.explaining.lines.derivation import Meaning, Move, Ref
 from restitution.expression.tree import Apply, Letter, Name, Quantity, Unit, walk
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.scene import Scene

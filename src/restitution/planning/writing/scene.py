@@ -10,9 +10,9 @@ from typing import Any, Literal
 import sympy as sp
 
 from restitution.components.models import Model
-from restitution.explaining.derivation import Fact, Link, Meaning, Move, Ref, Relation
-from restitution.explaining.facts import staged
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.data.facts import staged
+from restitution.explaining.lines.derivation import Fact, Link, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.evaluate import Evaluator
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
@@ -34,9 +34,9 @@ from restitution.planning.writing.frames import Frame, frame_of
 from restitution.planning.writing.judging import Judge
 from restitution.planning.writing.polynomials import expanded
 from restitution.problem import Arrival, Find, Part, Problem, Show, trees, trees_of_step
-from restitution.solving import facts as solve_facts
-from restitution.solving.conditions import Equation
-from restitution.solving.solution import PartSolution
+from restitution.solving.equations import facts as solve_facts
+from restitution.solving.equations.solution import PartSolution
+from restitution.solving.story.conditions import Equation
 from restitution.vector import Vector
 
 # A letter is put in so often, since what is put in for others may hold it.

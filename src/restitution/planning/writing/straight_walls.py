@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link
+from restitution.explaining.lines.derivation import Link
 from restitution.expression.tree import Expression
 from restitution.planning.writing.desk import link
 from restitution.planning.writing.forms import product, swept, total, tree_of

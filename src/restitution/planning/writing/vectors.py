@@ -7,8 +7,8 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.derivation import Link, Move, Ref
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.derivation import Link, Move, Ref
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Apply,
     Degrees,

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import Binary, Degrees, Expression, Letter, Negate
 from restitution.practice.judging.entries import names_of
 from restitution.practice.letters.candidates import Candidate

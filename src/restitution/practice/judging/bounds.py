@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -31,7 +31,7 @@ from restitution.practice.judging.entries import Entry
 from restitution.practice.letters.trial import inside_angles
 from restitution.practice.script import Claim, Decimal, Sign
 from restitution.problem import Aligned, Compare, Given, Part, Problem, Range
-from restitution.solving.solution import PartSolution
+from restitution.solving.equations.solution import PartSolution
 
 Array = Any
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import Expression, Letter, Name, Quantity, letters, walk
 from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope
 

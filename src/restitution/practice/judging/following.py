@@ -10,7 +10,7 @@ from itertools import chain
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Apply,
     Expression,

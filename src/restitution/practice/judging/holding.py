@@ -9,7 +9,7 @@ from itertools import islice, product
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Binary,
     Expression,

@@ -54,7 +54,7 @@ from restitution.practice.worlds.agreement import agrees, numbers_of
 from restitution.practice.worlds.sampling import true_worlds
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Extremum, Find, Given, Problem, Range, Show, trees
-from restitution.solving.solution import PartSolution, Solution
+from restitution.solving.equations.solution import PartSolution, Solution
 
 _RIVALS = 8
 _MISREADINGS = 8

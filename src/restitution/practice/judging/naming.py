@@ -17,8 +17,13 @@ from typing import Protocol
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.explaining.arrangement import events_of
-from restitution.explaining.misconceptions import MISCONCEPTIONS, ResultAt, VariantAt, variants_at
+from restitution.explaining.data.arrangement import events_of
+from restitution.explaining.mistakes.misconceptions import (
+    MISCONCEPTIONS,
+    ResultAt,
+    VariantAt,
+    variants_at,
+)
 from restitution.expression.evaluate import Angle
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (

@@ -10,7 +10,7 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import islice, product
 
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Binary,
     Degrees,

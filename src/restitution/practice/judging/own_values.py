@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import Protocol, overload
 
 from restitution.errors import RestitutionError
-from restitution.explaining.misconceptions import VariantAt
+from restitution.explaining.mistakes.misconceptions import VariantAt
 from restitution.expression.tree import (
     Apply,
     Binary,

@@ -13,7 +13,7 @@ from fractions import Fraction
 from itertools import islice
 from typing import Literal
 
-from restitution.explaining.trees import exchanged, rebuilt
+from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,

@@ -14,7 +14,7 @@ from itertools import chain
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.explaining.misconceptions import VariantAt
+from restitution.explaining.mistakes.misconceptions import VariantAt
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
     Apply,

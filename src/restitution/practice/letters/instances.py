@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from restitution.explaining.arrangement import events_of
-from restitution.explaining.misconceptions import ResultAt, variants_at
+from restitution.explaining.data.arrangement import events_of
+from restitution.explaining.mistakes.misconceptions import ResultAt, variants_at
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.quantities import Nature
 from restitution.expression.tree import Apply, Expression, Letter, Negate, Quantity

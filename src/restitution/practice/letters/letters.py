@@ -64,7 +64,7 @@ from restitution.practice.worlds.arrays import is_bare
 from restitution.practice.worlds.sampling import true_worlds
 from restitution.practice.worlds.world import World
 from restitution.problem import Problem
-from restitution.solving.solution import Solution
+from restitution.solving.equations.solution import Solution
 from restitution.vector import Vector
 
 # Meanings that explain a script nearly as well as the best are kept.

@@ -16,8 +16,8 @@ from restitution.practice.letters.options import staged
 from restitution.practice.letters.surroundings import letters_of
 from restitution.practice.letters.wordings import words_of
 from restitution.problem import Impact, Part, Problem, trees
-from restitution.solving.solution import Solution
-from restitution.solving.story import lets_of
+from restitution.solving.equations.solution import Solution
+from restitution.solving.story.forward import lets_of
 
 _ANGLES = ("beta", "theta", "phi", "psi", "gamma", "omega", "delta", "eta")
 _SPEEDS = ("V", "W", "S", "T", "R", "X", "Y", "Z")

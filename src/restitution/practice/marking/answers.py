@@ -18,7 +18,7 @@ from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.arrays import UnvaluedError
 from restitution.practice.worlds.world import World
 from restitution.problem import Problem, Value
-from restitution.solving.solution import ItemResult, PartSolution, Solution
+from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
 from restitution.solving.solver import solve
 
 if TYPE_CHECKING:

@@ -9,16 +9,16 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from restitution.errors import RestitutionError
-from restitution.explaining.consequences import altered_world, applying
-from restitution.explaining.marks import Style
-from restitution.explaining.misconceptions import MISCONCEPTIONS
+from restitution.explaining.lines.marks import Style
+from restitution.explaining.mistakes.consequences import altered_world, applying
+from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.practice.marking.scheme import MarkPoint, schemes
 from restitution.render.layout import Layout
 from restitution.render.text import to_text
-from restitution.solving.solution import Solution
+from restitution.solving.equations.solution import Solution
 from restitution.work import limited
 from restitution.workings import explain
-from restitution.workings.steps import PartExplanation, Row, Words
+from restitution.workings.rendering.steps import PartExplanation, Row, Words
 
 _MOST_WRONG = 4
 _SECONDS = 2.5

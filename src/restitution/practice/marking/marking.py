@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from restitution.errors import RestitutionError, StatementError
-from restitution.explaining.consequences import altered_world
-from restitution.explaining.misconceptions import alteration
+from restitution.explaining.mistakes.consequences import altered_world
+from restitution.explaining.mistakes.misconceptions import alteration
 from restitution.expression.tree import Expression
 from restitution.expression.writing import write_expression
 from restitution.practice.judgement import Judgement
@@ -24,7 +24,7 @@ from restitution.practice.marking.values import Values
 from restitution.practice.reading.working import read_working
 from restitution.practice.script import Script
 from restitution.problem import Problem
-from restitution.solving.solution import Solution
+from restitution.solving.equations.solution import Solution
 from restitution.solving.solver import solve
 
 Meant = str | Expression | tuple[Expression, ...]

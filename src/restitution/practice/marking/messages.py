@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from restitution.explaining.misconceptions import MISCONCEPTIONS, SLIPS
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.trees import exchanged
+from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS, SLIPS
 from restitution.expression.tree import Expression, Letter, Quantity, walk
 from restitution.practice.judgement import JudgedLine, Use
 from restitution.practice.letters.wordings import words_of

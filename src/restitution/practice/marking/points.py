@@ -1,8 +1,8 @@
 """Marks for a working: which points of a scheme its lines earn, as an examiner gives them.
 
 Each point of a scheme looks for the line that earns it. A method is a line that uses its principle,
-a mistake in it having its own rule (`explaining.misconceptions`); accuracy is a true line beside a
-method, or a value reached; a value that cannot be had without a method earns that as well.
+a mistake in it having its own rule (`explaining.mistakes.misconceptions`); accuracy is a true line
+beside a method, or a value reached; a value that cannot be had without a method earns that as well.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from restitution.explaining.misconceptions import MISCONCEPTIONS
+from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.expression.tree import walk
 from restitution.practice.judgement import JudgedLine, Judgement, Use
 from restitution.practice.marking.lines import (

@@ -1,7 +1,8 @@
 """The mark points of a part: what an examiner would give marks for, and on what each rests.
 
 They are read from the derivations that the planner makes, with the marks that stand beside their
-lines (`explaining.awarding`): one scheme a route. A working is marked by the one that gives most.
+lines (`explaining.awarding.awards`): one scheme a route. A working is
+marked by the one that gives most.
 """
 
 from __future__ import annotations
@@ -9,17 +10,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from restitution.explaining.awarding import awarded
-from restitution.explaining.derivation import Derivation, ItemEnd, Line, Link, Relation
-from restitution.explaining.mark_rules import UNWRITTEN
-from restitution.explaining.marks import Mark, Style
-from restitution.explaining.saying import say
-from restitution.explaining.titles import title_of
-from restitution.explaining.trees import rebuilt
+from restitution.explaining.awarding.awards import awarded
+from restitution.explaining.awarding.mark_rules import UNWRITTEN
+from restitution.explaining.lines.derivation import Derivation, ItemEnd, Line, Link, Relation
+from restitution.explaining.lines.marks import Mark, Style
+from restitution.explaining.lines.saying import say
+from restitution.explaining.lines.titles import title_of
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import Expression, Letter
 from restitution.planning.planner import plan
 from restitution.problem import Compare, Show, Value
-from restitution.solving.solution import PartSolution, Solution
+from restitution.solving.equations.solution import PartSolution, Solution
 
 ROUTES = 3
 """How many ways to the answers have a scheme, at most."""

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from html import escape
 from textwrap import wrap
 
-from restitution.explaining.misconceptions import MISCONCEPTIONS
+from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.practice.marking.answers import AnswerMark
 from restitution.practice.marking.content import MarkingContent
 from restitution.practice.marking.marks import Marks

@@ -17,8 +17,8 @@ from typing import Literal
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.explaining.derivation import FLIPPED, Link
-from restitution.explaining.trees import exchanged
+from restitution.explaining.lines.derivation import FLIPPED, Link
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import (
     Apply,

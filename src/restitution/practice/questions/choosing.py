@@ -154,7 +154,7 @@ def _named_twice(known: Mapping[str, Sequence[_Attempt]]) -> tuple[str, str] | N
 
 def _can_be_shown(mistake: str) -> bool:
     """Whether a mistake leads to an answer of its own: a slip does not."""
-    from restitution.explaining.misconceptions import MISCONCEPTIONS
+    from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 
     return mistake in MISCONCEPTIONS and MISCONCEPTIONS[mistake].world != "none"
 

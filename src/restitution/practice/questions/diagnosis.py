@@ -14,13 +14,13 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from restitution.explaining.altered import AlteredProblem, altered
-from restitution.explaining.misconceptions import MISCONCEPTIONS
+from restitution.explaining.mistakes.altered import AlteredProblem, altered
+from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.expression.tree import Binary, Degrees, Number, Quantity
 from restitution.practice.questions import doubles
 from restitution.practice.questions.dice import Dice
 from restitution.problem import Event, Given, Let, Problem, Value
-from restitution.solving.solution import Solution
+from restitution.solving.equations.solution import Solution
 
 RIGHT = "the right answer"
 _SHARE = 0.01

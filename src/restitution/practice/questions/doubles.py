@@ -17,9 +17,9 @@ from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle
 from restitution.planning.writing.checking import Floats
 from restitution.problem import Part, Problem, Value
-from restitution.solving import facts
-from restitution.solving.conditions import Equation
-from restitution.solving.story import Story, lets_of
+from restitution.solving.equations import facts
+from restitution.solving.story.conditions import Equation
+from restitution.solving.story.forward import Story, lets_of
 from restitution.vector import Vector
 
 REFUSALS = (RestitutionError, ArithmeticError, ValueError, LookupError, TypeError, AttributeError)

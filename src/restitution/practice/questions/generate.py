@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from restitution.problem import Problem
-    from restitution.solving.solution import Solution
+    from restitution.solving.equations.solution import Solution
     from restitution.wording import Question
 
 VERSION = 2
@@ -100,7 +100,7 @@ def practice_question(
     known = _topic(topic)
     _require(level in LEVELS, f"the level is {level}: it is 1, 2, 3 or 4")
     if mistake is not None:
-        from restitution.explaining.misconceptions import misconception
+        from restitution.explaining.mistakes.misconceptions import misconception
 
         mistake = misconception(mistake).id
     _require(0 <= seed <= MOST_SEED, f"the seed is {seed}: it is from 0 to {MOST_SEED}")

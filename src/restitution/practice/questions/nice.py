@@ -18,7 +18,7 @@ from restitution.problem import Problem, trees
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
-    from restitution.solving.solution import Solution
+    from restitution.solving.equations.solution import Solution
 
 MOST_DENOMINATOR = 60
 _MOST_NUMERATOR = 2500

@@ -32,7 +32,7 @@ from restitution.expression.tree import (
 from restitution.practice.questions.dice import Dice
 from restitution.practice.questions.nice import COEFFICIENTS, TRIPLES, ugly_value
 from restitution.problem import Compare, Find, Given, Impact, Problem, Relation, Show, Step, Value
-from restitution.solving.solution import ItemResult, Solution
+from restitution.solving.equations.solution import ItemResult, Solution
 
 MOST_DRAWS = 2000
 _ANGLES = (30, 45, 60)
@@ -353,7 +353,7 @@ def _subject(relation: Compare) -> Expression:
 def _new(name: str, problem: Problem, dice: Dice) -> Expression:
     """A new value for a letter that the facts fixed, of its kind."""
     from restitution.oracle.roles import ACUTE, COEFFICIENT
-    from restitution.solving.letters import roles
+    from restitution.solving.story.letters import roles
 
     role = roles(problem).get(name)
     if role == COEFFICIENT or name.startswith("e"):

@@ -10,7 +10,7 @@ import numpy as np
 
 from restitution.practice.worlds.arrays import Array
 from restitution.problem import Event, Let, Part, Point, Problem, Sphere, Wall
-from restitution.solving.story import Story
+from restitution.solving.story.forward import Story
 from restitution.vector import Vector
 
 Stage = tuple[int, str]

@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from restitution.explaining.arrangement import events_of
-from restitution.explaining.facts import staged
-from restitution.explaining.misconceptions import ResultAt, VariantAt, variants_at
-from restitution.explaining.trees import exchanged, rebuilt
+from restitution.explaining.data.arrangement import events_of
+from restitution.explaining.data.facts import staged
+from restitution.explaining.lines.trees import exchanged, rebuilt
+from restitution.explaining.mistakes.misconceptions import ResultAt, VariantAt, variants_at
 from restitution.expression.tree import Expression, Letter, Quantity, walk
 from restitution.practice.judgement import Use
 from restitution.practice.script import Claim, Decimal, Scope

@@ -17,10 +17,10 @@ from restitution.expression.enclosed import UndefinedError
 from restitution.oracle.roles import POSITIVE, REAL, Role
 from restitution.practice.worlds.telling import Telling
 from restitution.practice.worlds.world import World, stacked, world_of
-from restitution.solving.numbers import FIELD, at, bound, sample
-from restitution.solving.solution import Branch, PartSolution, Solution
-from restitution.solving.story import lets_of
-from restitution.solving.unknowns import Numbers
+from restitution.solving.algebra.numbers import FIELD, at, bound, sample
+from restitution.solving.equations.solution import Branch, PartSolution, Solution
+from restitution.solving.story.forward import lets_of
+from restitution.solving.story.unknowns import Numbers
 
 NO_VALUES: Mapping[str, Fraction] = {}
 SAMPLES = 4

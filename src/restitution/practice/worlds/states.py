@@ -15,8 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from restitution.explaining.arrangement import events_of
-from restitution.explaining.misconceptions import LawAt, VariantAt, variants_at
+from restitution.explaining.data.arrangement import events_of
+from restitution.explaining.mistakes.misconceptions import LawAt, VariantAt, variants_at
 from restitution.expression.tree import Number, Quantity
 from restitution.practice.script import Claim, Scope
 from restitution.practice.worlds.agreement import difference

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.explaining.misconceptions import VariantAt
+from restitution.explaining.mistakes.misconceptions import VariantAt
 from restitution.expression.tree import has_quantity
 from restitution.practice.judging.entries import Entry
 from restitution.practice.script import Claim

@@ -20,12 +20,12 @@ from restitution.practice.worlds.arrays import (
 )
 from restitution.practice.worlds.motion import Motion, Stop
 from restitution.problem import Arrival, Event, Impact, Let
-from restitution.solving import quantities
-from restitution.solving.happenings import Happening
+from restitution.solving.story import quantities
+from restitution.solving.story.happenings import Happening
 from restitution.vector import Vector
 
 if TYPE_CHECKING:
-    from restitution.solving.story import Story
+    from restitution.solving.story.forward import Story
 
 Meanings = Mapping[str, Expression]
 NO_MEANINGS: Meanings = {}
@@ -39,7 +39,7 @@ class _Track:
 
 
 class Telling:
-    """A world as a story that `solving.quantities` can ask, with the meanings of some letters."""
+    """A world as a story that `solving.story.quantities` can ask, meanings of letters with it."""
 
     field: Arrays = FIELD
 

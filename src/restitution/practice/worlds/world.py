@@ -1,8 +1,9 @@
 """The story of a part in numbers, at many samples of its letters at once.
 
 A world holds letters, the velocities after each event, lines of centres, times and places. All
-else is worked out from these, by the definitions of `solving.quantities`; so a world in which a
-velocity, a coefficient or a line of centres is replaced is a world too, whatever law it breaks.
+else is worked out from these, by the definitions of `solving.story.quantities`; so a world in
+which a velocity, a coefficient or a line of centres is replaced is a world too, whatever law it
+breaks.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ from restitution.practice.worlds.telling import (
 from restitution.practice.worlds.turning import turned, unit
 from restitution.problem import Part
 from restitution.shapes import Circle
-from restitution.solving.story import Story
+from restitution.solving.story.forward import Story
 from restitution.vector import Vector
 
 _REFUSALS = (

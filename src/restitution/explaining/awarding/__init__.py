@@ -1,0 +1,1 @@
+"""Marks by rule: what an examiner would give for a line."""

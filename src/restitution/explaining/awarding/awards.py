@@ -1,0 +1,436 @@
+"""Marks by rule: what an examiner would give for each line of a derivation.
+
+A rule looks at a line's move, record, event and item, and at what stands above it; it knows neither
+how the working was found nor how it is printed. `RULES` is the table, tried from the top: the first
+that fits a line says what it earns, in each style. Then, part by part:
+
+- An item's last line has an A1, or a B1 where nothing of the part has been earned above it, or the
+  line is read off the data; where the statement prints the result an A1*, which never follows
+  through. What the data give outright earns nothing where something else does.
+- One kind of point stands once on a line: M1 A1 and another A1 are M1 A1. Two roots that are both
+  answers are A1 A1, where their equation is a method above.
+- An M that rests on an earlier method of the same part is dependent.
+- An A whose line puts in a value that an earlier part or item found follows through.
+- What an item's last line only says once more has its A1 there.
+- What comes after a coefficient that cannot be, in the same part, earns nothing.
+- A principle that an earlier part has used at the same impact earns nothing again.
+- Of several solutions, methods count once, and each further one adds its answers.
+- A part has at most one mark more than it has lines; a link of a chain counts as a line, and a
+  principle, which is M1 A1, as two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Literal
+
+from restitution.explaining.awarding.mark_conditions import (
+    CONDITIONS,
+    aligned,
+    events_solved,
+    is_given,
+    is_opposite,
+    length,
+    letters_of_line,
+    says_again,
+    single_sides,
+    subject_of,
+)
+from restitution.explaining.awarding.mark_rules import FOR_NOTES, PAIR, RULES, Rule
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Fact,
+    ItemEnd,
+    Line,
+    Meaning,
+    Relation,
+)
+from restitution.explaining.lines.marks import Mark, Marks, Style, reasoned
+from restitution.expression.tree import (
+    has_quantity,
+    letters,
+)
+
+
+def awarded(
+    derivation: Derivation, style: Style = "fm1", justify: Collection[str] = ()
+) -> Derivation:
+    """The same derivation with marks by rule; without marks in the style ``none``.
+
+    ``justify`` are the items of which reasons are asked: there, whatever rejects a root has a mark
+    of its own. Marks that stood on the lines before are gone.
+    """
+    if style == "none":
+        return replace(
+            derivation,
+            lines=tuple(replace(each, marks=()) for each in derivation.lines),
+            notes=tuple(replace(note, marks=()) for note in derivation.notes),
+        )
+    proposed = _Awarding(derivation, style, frozenset(justify)).proposed()
+    return replace(
+        derivation,
+        lines=tuple(replace(each, marks=proposed[each.number]) for each in derivation.lines),
+        notes=tuple(replace(note, marks=FOR_NOTES.get(note.kind, ())) for note in derivation.notes),
+    )
+
+
+def rule_of(derivation: Derivation, number: int, justify: Collection[str] = ()) -> Rule | None:
+    """The rule that fits the line with a number; None where there is none."""
+    line = derivation.line(number)
+    if line is None:
+        return None
+    return _Awarding(derivation, "fm1", frozenset(justify)).rule(line)
+
+
+def marks_of(derivation: Derivation) -> dict[str | None, int]:
+    """How many marks stand in each part, by its label, in the order of the parts."""
+    part = part_of_items(derivation)
+    total: dict[str | None, int] = {}
+    for line in derivation.lines:
+        label = part.get(line.item or "")
+        total[label] = total.get(label, 0) + sum(mark.number for mark in line.marks)
+    for note in derivation.notes:
+        total[note.part] = total.get(note.part, 0) + sum(mark.number for mark in note.marks)
+    return total
+
+
+def part_of_items(derivation: Derivation) -> Mapping[str, str | None]:
+    """The label of the part to which each item belongs."""
+    return derivation.asked
+
+
+class _Awarding:
+    """One derivation on its way to its marks."""
+
+    def __init__(self, derivation: Derivation, style: Style, justify: frozenset[str]) -> None:
+        self.derivation = derivation
+        self.style: Style = style
+        self.justify = justify
+        self.lines = {each.number: each for each in derivation.lines}
+        self.place = {each.number: n for n, each in enumerate(derivation.lines)}
+        self.parts = part_of_items(derivation)
+        self.ends: dict[int, ItemEnd | None] = {each.line: each for each in derivation.items}
+        for note in derivation.notes:
+            last = max(note.lines, default=0)
+            if last and self.lines[last].item == note.item:
+                self.ends.setdefault(last, None)
+        # A line of an earlier part that a later one has to show was found there.
+        self.shown = {
+            each.line
+            for each in derivation.items
+            if each.shown and self.parts.get(self.lines[each.line].item or "") == each.part
+        }
+        self.order = {item: n for n, item in enumerate(self.parts)}
+        self.walls = {event.number: event.wall for event in derivation.events}
+        self.further = {
+            number
+            for case in derivation.cases
+            for number in case.lines
+            if case.option != min(e.option for e in derivation.cases if e.line == case.line)
+        }
+        self.new = frozenset(derivation.meanings)
+
+    # --- the whole ------------------------------------------------------------------------------
+
+    def proposed(self) -> dict[int, Marks]:
+        """The marks of every line, by its number."""
+        points: dict[int, list[str]] = {number: [] for number in self.lines}
+        for line in self.derivation.lines:
+            if line.shown == "silent" or line.number in self.further or self._is_idle(line):
+                continue
+            rule = self.rule(line)
+            for point in () if rule is None else rule.earned(self.style).split():
+                if point == "V":
+                    points[self._value_of(line)].append("A")
+                else:
+                    points[line.number].append(point)
+        earned: set[str | None] = set()
+        for line in self.derivation.lines:
+            if line.number in self.ends and line.shown == "silent":
+                self._award_above(line, points)
+            elif line.number in self.ends and not self._is_idle(line):
+                end = self.ends[line.number]
+                # What is printed has to be reached by something.
+                lone = end is not None and end.shown and end.part not in earned
+                # A principle, or a component, and its value are one mark.
+                one = line.move.id in ("law", "define")
+                own = [e for e in points[line.number] if e != "B" or not one]
+                points[line.number] = own + (["M", "A"] if lone else ["A"])
+                if self._answers_twice(line):
+                    points[line.number] = ["A", "A"]
+                elif earned and is_given(self, line):
+                    points[line.number] = []
+                if says_again(self, line):
+                    for each in self._solutions(line):
+                        # The value is asked: it stands there already, under another name.
+                        points[each.number] = [e for e in points[each.number] if e != "A"]
+            if points[line.number]:
+                earned.add(self.part(line))
+        return self._settled(points)
+
+    def _award_above(self, end: Line, points: dict[int, list[str]]) -> None:
+        """The mark of an item that a fact gives goes to the line that had it in letters."""
+        sides = single_sides(end.relation) if isinstance(end.relation, Relation) else None
+        for line in reversed(self.derivation.lines[: self.place[end.number]]):
+            if line.shown == "silent" or not isinstance(line.relation, Relation) or sides is None:
+                continue
+            own = single_sides(line.relation)
+            if own is not None and own[0] == sides[0]:
+                points[line.number].append("A")
+                return
+
+    def _is_idle(self, line: Line) -> bool:
+        """Whether its part has come to a coefficient that cannot be, and asks for more."""
+        last = len(self.order)
+        return any(
+            note.kind == "impossible"
+            and note.premises
+            and note.part == self.part(line)
+            and self.order.get(note.item, last) < self.order.get(line.item or "", 0)
+            for note in self.derivation.notes
+        )
+
+    def rule(self, line: Line) -> Rule | None:
+        """The first rule of the table that fits a line."""
+        return next((each for each in RULES if self._fits(each, line)), None)
+
+    def _fits(self, rule: Rule, line: Line) -> bool:
+        move = line.move
+        return (
+            move.id in rule.moves
+            and (not rule.records or move.record in rule.records)
+            and all(CONDITIONS[name](self, line) for name in rule.when)
+        )
+
+    def _settled(self, points: Mapping[int, Sequence[str]]) -> dict[int, Marks]:
+        """Points as marks that agree with each other, part by part."""
+        kept = self._cut(
+            {
+                number: ("A", "A") if self._answers_twice(self.lines[number]) else _once(each)
+                for number, each in points.items()
+            }
+        )
+        methods: dict[str | None, list[int]] = {}
+        earned: dict[str | None, bool] = {}
+        out: dict[int, Marks] = {}
+        for line in self.derivation.lines:
+            marks: list[Mark] = []
+            part = self.part(line)
+            before = methods.setdefault(part, [])
+            earned.setdefault(part, False)
+            for point in kept[line.number]:
+                if point == "M":
+                    on = self._rests_on(line, before)
+                    marks.append(Mark("M", dependent=bool(on), on=on))
+                elif point == "A":
+                    star = line.number in self.shown
+                    # What needs no method is independent.
+                    own = not earned[part] or self._is_read_off(line, out)
+                    kind: Literal["A", "B"] = "B" if own and not (star or marks) else "A"
+                    marks.append(Mark(kind, star=star, ft=not star and self._follows(line, out)))
+                else:
+                    marks.append(Mark("B"))
+            earned[part] = earned[part] or bool(marks)
+            if "M" in kept[line.number]:
+                before.append(line.number)
+            out[line.number] = tuple(reasoned(mark) for mark in marks)
+        return out
+
+    def _answers_twice(self, line: Line) -> bool:
+        """Whether a line has both roots as answers, of an equation that is a method above it."""
+        if line.number not in self.ends or line.move.id != "roots" or is_opposite(self, line):
+            return False
+        assert isinstance(line.relation, Relation)
+        seen, open_ = set[int](), list(self.cited(line))
+        while open_:
+            each = open_.pop()
+            if each.number in seen or each.item != line.item:
+                continue
+            seen.add(each.number)
+            rule = self.rule(each)
+            if rule is not None and each.move.id == "define" and "M" in rule.earned(self.style):
+                return len(line.relation.options) == 2
+            open_ += self.cited(each)
+        return False
+
+    def _is_read_off(self, line: Line, marks: Mapping[int, Marks]) -> bool:
+        """Whether an item's last line rests on the statement alone: nothing above it has earned."""
+        if line.number not in self.ends:
+            return False
+        seen, open_ = set[int](), list(self.cited(line))
+        while open_:
+            each = open_.pop()
+            if each.move.id == "law" or marks.get(each.number):
+                return False
+            if each.number not in seen:
+                seen.add(each.number)
+                open_ += self.cited(each)
+        return True
+
+    def _cut(self, points: dict[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
+        """The same, with at most one point more in a part than it has lines.
+
+        M1 A1 for an equation and A1 for its solution are three marks for two lines.
+        The first to go are those of accuracy on the way, from the bottom, where what was done above
+        is done again; an item keeps its last.
+        """
+        for part in dict.fromkeys(self.parts.values()):
+            own = [each for each in self.derivation.lines if self.part(each) == part]
+            over = sum(len(points[each.number]) for each in own) - self._room(part) - 1
+            for kind in "AB":
+                for line in reversed(own):
+                    if over > 0 and line.number not in self.ends and kind in points[line.number]:
+                        points[line.number] = tuple(e for e in points[line.number] if e != kind)
+                        over -= 1
+        return points
+
+    def _room(self, part: str | None) -> int:
+        """How many lines a part has."""
+        own = [each for each in self.derivation.lines if self.part(each) == part]
+        return sum(map(length, own)) + sum(each.move.record in PAIR for each in own)
+
+    def _solutions(self, line: Line) -> Iterator[Line]:
+        """The lines among the premises of one, in its item, that solve principles together."""
+        for each in self.cited(line):
+            if (
+                each.item == line.item
+                and each.number not in self.ends
+                and events_solved(self, each)
+            ):
+                yield each
+
+    # --- what a line rests on -------------------------------------------------------------------
+
+    def part(self, line: Line) -> str | None:
+        """The label of the part to which a line belongs."""
+        return self.parts.get(line.item or "")
+
+    def above(self, line: Line) -> Sequence[Line]:
+        """The lines above a line."""
+        return self.derivation.lines[: self.place[line.number]]
+
+    def below(self, line: Line) -> Sequence[Line]:
+        """The lines below a line."""
+        return self.derivation.lines[self.place[line.number] + 1 :]
+
+    def cited(self, line: Line) -> Iterator[Line]:
+        """The lines among the premises of a line."""
+        for ref in line.premises:
+            if isinstance(ref, int) and ref in self.lines:
+                yield self.lines[ref]
+
+    def facts(self, line: Line) -> Iterator[Fact]:
+        """The facts among the premises of a line."""
+        for ref in line.premises:
+            fact = self.derivation.fact(ref) if isinstance(ref, str) else None
+            if fact is not None:
+                yield fact
+
+    def _value_of(self, line: Line) -> int:
+        """The line that simplifies a line, or is it itself."""
+        last = line
+        for each in self.below(line):
+            if each.item != line.item or each.move.id not in ("rearrange", "put", "value"):
+                break
+            if each.shown == "silent":
+                break
+            if [e.number for e in self.cited(each)] != [last.number]:
+                break
+            if subject_of(each) != subject_of(last) or aligned(each) != aligned(last):
+                break
+            if subject_of(each) is None and aligned(each) is None:
+                break
+            last = each
+        return last.number
+
+    def _rests_on(self, line: Line, methods: Sequence[int]) -> tuple[int, ...]:
+        """The methods of the part without which a line has nothing to put in.
+
+        A principle is a method by itself, whatever is put into it.
+        """
+        if line.move.id == "law" or not methods:
+            return ()
+        unknown = self.new & letters_of_line(line)
+        numbers = []
+        seen: set[int] = set()
+        open_ = [each.number for each in self.cited(line)]
+        while open_:
+            number = open_.pop()
+            if number in seen:
+                continue
+            seen.add(number)
+            if number in methods:
+                numbers.append(number)
+            elif isinstance(self.lines[number].relation, Meaning):
+                # An unknown of the impact has been found, if a method above speaks of it.
+                numbers += [n for n in methods if unknown & letters_of_line(self.lines[n])]
+            else:
+                open_ += [each.number for each in self.cited(self.lines[number])]
+        return tuple(sorted(set(numbers)))
+
+    def _follows(self, line: Line, marks: Mapping[int, Marks]) -> bool:
+        """Whether a value is put in that an earlier part or item has found, and earned by."""
+        seen: set[int] = set()
+        open_ = [line.number]
+        while open_:
+            number = open_.pop()
+            for each in self.cited(self.lines[number]):
+                if each.number in seen or self._is_solved_by(each, self.lines[number]):
+                    continue
+                seen.add(each.number)
+                if each.item == line.item:
+                    open_.append(each.number)
+                elif (
+                    self._is_value(each)
+                    and self._earlier(each, line)
+                    and not self._is_of_data(each)
+                    and self._has_earned(each, marks)
+                ):
+                    return True
+        return False
+
+    def _is_of_data(self, line: Line) -> bool:
+        """Whether a line is a component of the data, or one that stays what it is by these."""
+        return line.move.record in ("unchanged", "component") and all(
+            isinstance(each.relation, Meaning) or self._is_of_data(each)
+            for each in self.cited(line)
+        )
+
+    def _has_earned(self, line: Line, marks: Mapping[int, Marks]) -> bool:
+        """Whether a line, or one on which it rests, has a mark that may be lost."""
+        seen: set[int] = set()
+        open_ = [line]
+        while open_:
+            own = open_.pop()
+            if marks.get(own.number):
+                return True
+            if own.number not in seen:
+                seen.add(own.number)
+                open_ += self.cited(own)
+        return False
+
+    def _is_solved_by(self, line: Line, other: Line) -> bool:
+        """Whether a line is the one of two values of which the other one is, in the same part."""
+        return self.part(line) == self.part(other) and bool(
+            events_solved(self, other) & events_solved(self, line)
+        )
+
+    def _earlier(self, line: Line, than: Line) -> bool:
+        last = len(self.order)
+        return self.order.get(line.item or "", last) < self.order.get(than.item or "", last)
+
+    def _is_value(self, line: Line) -> bool:
+        """Whether a line says what a quantity or a letter is, in the letters of the statement."""
+        link = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+        return (
+            link is not None
+            and subject_of(line) is not None
+            and not (letters(link[1]) & self.new)
+            and not has_quantity(link[1])
+        )
+
+
+def _once(points: Sequence[str]) -> tuple[str, ...]:
+    """M, A, B in this order, each once; a value that a method gives needs no B beside it."""
+    return tuple(kind for kind in "BMA" if kind in points)

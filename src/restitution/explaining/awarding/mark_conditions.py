@@ -1,0 +1,635 @@
+"""The conditions of mark rules: what has to be true of a line and of what stands above it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import Protocol
+
+from restitution.explaining.awarding.mark_rules import ENERGIES, PAIR, Rule
+from restitution.explaining.data.resting import is_of_a_body_at_rest
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Fact,
+    ItemEnd,
+    Line,
+    Link,
+    Meaning,
+    Relation,
+    whole_of,
+)
+from restitution.explaining.lines.marks import Style
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.tree import (
+    Apply,
+    AtTime,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Number,
+    Quantity,
+    Unit,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.expression.writing import write_expression
+
+
+class Work(Protocol):
+    """A derivation on its way to its marks."""
+
+    derivation: Derivation
+    style: Style
+    justify: frozenset[str]
+    ends: dict[int, ItemEnd | None]
+    shown: set[int]
+    walls: dict[int, bool]
+    new: frozenset[str]
+
+    def rule(self, line: Line) -> Rule | None:
+        """The first rule that fits a line."""
+
+    def part(self, line: Line) -> str | None:
+        """The part to which a line belongs."""
+
+    def above(self, line: Line) -> Sequence[Line]:
+        """The lines above one."""
+
+    def cited(self, line: Line) -> Iterator[Line]:
+        """The lines that one cites."""
+
+    def facts(self, line: Line) -> Iterator[Fact]:
+        """The facts that a line cites."""
+
+
+def length(line: Line) -> int:
+    """How many lines of a page a line takes: one for each link of its chains."""
+    if line.shown == "silent":
+        return 0
+    return 1 if isinstance(line.relation, Meaning) else max(map(len, line.relation.options))
+
+
+def single_sides(relation: Relation) -> tuple[Expression, Expression] | None:
+    """The sides of an equation, a chain by its ends; None for any other relation."""
+    if len(relation.options) != 1:
+        return None
+    link = whole_of(relation.options[0])
+    return None if link is None or link.sign not in ("=", "≈") else (link.left, link.right)
+
+
+def subject_of(line: Line) -> Expression | None:
+    """The letter or quantity that a line is about: its left side."""
+    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+    if sides is None or not isinstance(sides[0], Letter | Quantity):
+        return None
+    return sides[0]
+
+
+def aligned(line: Line) -> tuple[Expression, str] | None:
+    """What a line says the direction of, and how; None for any other relation."""
+    if isinstance(line.relation, Meaning) or len(line.relation.options) != 1:
+        return None
+    link = line.relation.only[0]
+    return (link.left, link.sign) if link.sign.endswith(" to") else None
+
+
+def letters_of_line(line: Line) -> frozenset[str]:
+    """The letters in what a line says."""
+    return frozenset(name for tree in trees_of(line.relation) for name in letters(tree))
+
+
+def says_again(work: Work, line: Line) -> bool:
+    """Whether a line only puts together what stands already: a component, a velocity, a speed."""
+    if line.move.id != "define":
+        return False
+    if line.move.record == "component":
+        return _by_its_letter(work, line)
+    return line.move.record in ("assemble", "speed", "size")
+
+
+def _unequal(line: Line) -> bool:
+    """Whether a line is an inequality."""
+    return isinstance(line.relation, Relation) and any(
+        link.sign in ("<", "<=", ">", ">=") for links in line.relation.options for link in links
+    )
+
+
+def _is_law(line: Line, records: Collection[str], event: int | None) -> bool:
+    return line.move.id == "law" and line.move.record in records and line.move.event == event
+
+
+def _repeated(work: Work, line: Line) -> bool:
+    """An earlier part has the same principle for the same bodies at the same event."""
+    move, part = line.move, work.part(line)
+    return any(
+        _is_law(each, (move.record or "",), move.event)
+        and set(each.move.bodies) == set(move.bodies)
+        and work.part(each) != part
+        for each in work.above(line)
+    )
+
+
+def _first_at_event(work: Work, line: Line) -> bool:
+    return not any(
+        _is_law(e, ("unchanged",), line.move.event) and not _zero(work, e) for e in work.above(line)
+    )
+
+
+def _zero(work: Work, line: Line) -> bool:
+    """A component of a body that has none: nothing is to be worked out."""
+    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+    return sides is not None and sides[1] == Number(Fraction(0))
+
+
+def _another_chord(work: Work, line: Line) -> bool:
+    """A component on a chord, below another one in the part: the angles are equal once more.
+
+    Or the time on a chord, as that on the one before.
+    """
+    if _is_as_before(line):
+        return True
+    match subject_of(line):
+        case Quantity("along" | "across"):
+            pass
+        case _:
+            return False
+    return any(each.move.record == "chord" for each in work.above(line))
+
+
+def _is_as_before(line: Line) -> bool:
+    """Whether a line says that a time is another one."""
+    assert isinstance(line.relation, Relation)
+    match line.relation.options[0][0].right:
+        case Quantity("time") | Binary("-", Quantity("time"), Quantity("time")):
+            return True
+    return False
+
+
+def _at_another_time(work: Work, line: Line) -> bool:
+    """A distance since a contact, below one for another time: the relative speed is the same."""
+    match subject_of(line):
+        case Quantity("distance", bodies, AtTime()):
+            pass
+        case _:
+            return False
+    above = (subject_of(each) for each in work.above(line) if each.move == line.move)
+    return any(
+        isinstance(each, Quantity) and each.arguments == bodies and isinstance(each.stage, AtTime)
+        for each in above
+    )
+
+
+def _place_of_facts(work: Work, line: Line) -> bool:
+    """A coordinate by the way in the other direction, from the data alone."""
+    match subject_of(line):
+        case Quantity("along", (Quantity("position"), _)):
+            return _of_facts(work, line) and any("contact" in str(e) for e in line.premises)
+    return False
+
+
+_GROUPS: Mapping[str, str] = {
+    **dict.fromkeys(PAIR, "direction"),
+    **dict.fromkeys(ENERGIES, "energy"),
+    "component": "component",
+}
+
+
+def _alike(work: Work, line: Line) -> list[Line]:
+    """The lines that make one step together, in order.
+
+    They are the two principles along the centres of an event, the components in its directions at
+    one time, the energies of an item.
+    """
+    move, group = line.move, _GROUPS[line.move.record or ""]
+
+    def same(each: Line) -> bool:
+        if each.move.id != move.id or _GROUPS.get(each.move.record or "") != group:
+            return False
+        if group == "energy":
+            own = not _of_facts(work, each) and not _of_angles(work, each)
+            return own and each.item == line.item
+        if work.part(each) != work.part(line) or each.move.event != move.event:
+            return False
+        if group == "direction":
+            return True
+        plain = not _zero(work, each) and not _by_its_letter(work, each)
+        return plain and _is_late(each) == _is_late(line)
+
+    return [each for each in work.derivation.lines if same(each)]
+
+
+def _is_late(line: Line) -> bool:
+    """Whether a component is that of a velocity after the event of its line."""
+    subject = subject_of(line)
+    vector = subject.arguments[0] if isinstance(subject, Quantity) and subject.arguments else None
+    return isinstance(vector, Quantity) and vector.stage == line.move.event
+
+
+def _read_off(work: Work, line: Line) -> bool:
+    """None of the components that stand together is a sum of products."""
+    return not any(
+        _is_sum(node)
+        for each in _alike(work, line)
+        if isinstance(each.relation, Relation)
+        for node in walk(each.relation.only[0].right)
+    )
+
+
+def _origins(work: Work, line: Line) -> frozenset[int | None]:
+    """The events of the principles along the centres that a line says in other words."""
+    if line.move.id == "law":
+        direction = _GROUPS.get(line.move.record or "") == "direction"
+        return frozenset((line.move.event,)) if direction else frozenset()
+    if line.move.id not in ("put", "rearrange", "cancel"):
+        return frozenset()
+    return frozenset(event for each in work.cited(line) for event in _origins(work, each))
+
+
+def events_solved(work: Work, line: Line) -> frozenset[int | None]:
+    """The events whose principles a line solves: two of them joined, or an unknown put in."""
+    cited = [each for each in work.cited(line) if isinstance(each.relation, Relation)]
+    events = [_origins(work, each) for each in cited]
+    if line.move.id == "combine":
+        return frozenset.intersection(*events) if len(events) == 2 else frozenset()
+    if line.move.id != "put" or len(cited) < 2:
+        return frozenset()
+    own = work.new & letters_of_line(line)
+    return frozenset(
+        event
+        for each, those in zip(cited, events, strict=True)
+        for event in those
+        if not _is_settled(work, each)
+        and work.new & letters_of_line(each) - own
+        and any(e != each and work.new & letters_of_line(e) & letters_of_line(each) for e in cited)
+    )
+
+
+def _is_settled(work: Work, line: Line) -> bool:
+    """Whether a line says what an unknown is, with no unknown on its other side."""
+    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+    return sides is not None and isinstance(sides[0], Letter) and not letters(sides[1]) & work.new
+
+
+def _solved_before(work: Work, line: Line) -> list[Line]:
+    """The lines above, in the same part, that solve the same principles."""
+    events = events_solved(work, line)
+    return [
+        each
+        for each in work.above(line)
+        if (line.move.id == "put" or work.part(each) == work.part(line))
+        and events_solved(work, each) & events
+    ]
+
+
+def _of_one_letter(work: Work, line: Line) -> bool:
+    """Two lines say what one letter is: what they say is equal; none solves two principles."""
+    subjects = [subject_of(e) for e in work.cited(line) if isinstance(e.relation, Relation)]
+    equal = len(subjects) >= 2 and isinstance(subjects[0], Letter) and subjects[0] == subjects[1]
+    return equal and not events_solved(work, line)
+
+
+def _sought(work: Work, line: Line) -> bool:
+    """The part asks for the coefficient that the line holds, or the line is to be solved.
+
+    It is where it has scalar products with a change of velocity that holds a letter.
+    """
+    own = line.relation.options[0][0].left if isinstance(line.relation, Relation) else None
+    axes = any(
+        isinstance(each.relation, Relation) and each.relation.options[0][0].sign == "parallel to"
+        for each in work.cited(line)
+    )
+    if axes and own is not None and not isinstance(own, Quantity):
+        return True
+    asked = {
+        tree
+        for end in work.derivation.items
+        if end.part == work.part(line)
+        for tree in trees_of(end.answer)
+        if isinstance(tree, Letter)
+    }
+    return any(
+        node in asked
+        for fact in work.facts(line)
+        if fact.id.startswith("e ")
+        for tree in trees_of(fact.relation)
+        for node in walk(tree)
+    )
+
+
+def _of_facts(work: Work, line: Line) -> bool:
+    """It rests on the statement alone, and on what letters stand for.
+
+    The energy of all may rest on that of each that the statement tells.
+    """
+    whole = line.move.record == "total"
+    return all(
+        isinstance(each.relation, Meaning)
+        or (whole and each.move.record == "energy" and _of_facts(work, each))
+        for each in work.cited(line)
+    )
+
+
+def _at_sight(work: Work, line: Line) -> bool:
+    """It rests on the statement alone; a right angle also on a component that stays zero."""
+    square = line.move.record == "perpendicular"
+    return all(
+        isinstance(each.relation, Meaning)
+        or (square and each.move.id == "law" and _zero(work, each))
+        for each in work.cited(line)
+    )
+
+
+def _of_one_component(work: Work, line: Line) -> bool:
+    """It is one component, or the letter for it, as a line above has that."""
+    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+    above = [e.relation for e in work.cited(line) if isinstance(e.relation, Relation)]
+    values = [each for each in map(single_sides, above) if each is not None]
+    return sides is not None and [right for _, right in values] == [sides[1]]
+
+
+def _of_a_product(work: Work, line: Line) -> bool:
+    """It rests on a scalar product of the same item, or on velocities that stand as vectors."""
+    cited = tuple(work.cited(line))
+    further = [own for each in cited if each.move.id == "put" for own in work.cited(each)]
+    if any(own.move.record == "product" and own.item == line.item for own in (*cited, *further)):
+        return True
+    lefts = [
+        each.relation.options[0][0].left for each in cited if isinstance(each.relation, Relation)
+    ]
+    whole = bool(lefts) and all(isinstance(e, Quantity) and e.kind == "velocity" for e in lefts)
+    return whole and line.number in work.ends
+
+
+def _in_letters(work: Work, line: Line) -> bool:
+    """Whether what a line comes to has letters in it."""
+    relation = line.relation
+    return isinstance(relation, Relation) and bool(letters(relation.options[0][-1].right))
+
+
+def _of_angles(work: Work, line: Line) -> bool:
+    subject = subject_of(line)
+    if isinstance(subject, Letter):
+        meaning = work.derivation.meanings.get(subject.name)
+        subject = None if meaning is None else meaning.quantity
+    return isinstance(subject, Quantity) and subject.kind in ("deflection", "angle")
+
+
+def _of_one_term(work: Work, line: Line) -> bool:
+    """There is nothing to put together: only one component is not zero."""
+    nodes = [node for tree in trees_of(line.relation) for node in walk(tree)]
+    squares = any(_is_sum(each) and _has_power(each) for each in nodes)
+    rooted = any(
+        isinstance(each, Apply) and each.function in ("sqrt", "abs") and _is_sum(each.argument)
+        for each in nodes
+    )
+    angled = any(_is_over_a_ratio(each) for each in nodes)
+    axes = {each.axis for each in nodes if isinstance(each, Unit)}
+    return not (squares or rooted or angled or len(axes) > 1)
+
+
+def _is_over_a_ratio(tree: Expression) -> bool:
+    """Whether a tree is a quotient by the sine or the cosine of an angle in degrees."""
+    match tree:
+        case Binary("/", _, Apply("sin" | "cos", Degrees())):
+            return True
+    return False
+
+
+def is_given(work: Work, line: Line) -> bool:
+    """Whether a line only says what the statement gives."""
+    return line.move.id == "fact" and not list(work.cited(line)) and line.number not in work.shown
+
+
+def _has_power_on_the_left(line: Line) -> bool:
+    """Whether a line closes the square of what is given into an equation."""
+    if isinstance(line.relation, Meaning):
+        return False
+    left = line.relation.options[0][0].left
+    return _has_power(left) and not has_quantity(left)
+
+
+def _closes_a_given(work: Work, line: Line) -> bool:
+    """Whether a line makes an equation of a given fact, with what is given on the left."""
+    if isinstance(line.relation, Meaning):
+        return False
+    given = any(fact.kind == "given" for fact in work.facts(line))
+    return given and not has_quantity(line.relation.options[0][0].left)
+
+
+def _of_a_number(work: Work, line: Line) -> bool:
+    """Whether the value is read off the data as a number, with nothing to work out."""
+    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+    if sides is None or not isinstance(sides[0], Apply):
+        return False
+    return length(line) == 1 and not letters(sides[1])
+
+
+def _is_sum(tree: Expression) -> bool:
+    return isinstance(tree, Binary) and tree.op in ("+", "-")
+
+
+def _has_power(tree: Expression) -> bool:
+    return any(isinstance(node, Binary) and node.op == "^" for node in walk(tree))
+
+
+def is_opposite(work: Work, line: Line) -> bool:
+    """The roots are two opposite ones: nothing had to be factorised."""
+    if isinstance(line.relation, Meaning):
+        return False
+    roots = [write_expression(options[-1].right) for options in line.relation.options]
+    return len(roots) == 2 and any(a == f"-{b}" for a, b in (roots, roots[::-1]))
+
+
+def _new_inequality(work: Work, line: Line) -> bool:
+    """An inequality that comes of none; a comparison by a place on a wall, or by a given bound."""
+    if line.move.id == "compare" and not any(
+        fact.id.startswith("within ") or _bounds_a_quantity(fact) for fact in work.facts(line)
+    ):
+        return False
+    if isinstance(line.relation, Relation) and _tells_a_quadrant(line.relation):
+        return False
+    if line.move.id == "sign" and _is_sum_that_is_positive(line) and not [*work.cited(line)]:
+        return False
+    return _unequal(line) and not any(
+        _unequal(each)
+        and work.part(each) == work.part(line)
+        and not (isinstance(each.relation, Relation) and _tells_a_quadrant(each.relation))
+        and not _says_a_quantity_is_positive(each)
+        for each in work.cited(line)
+    )
+
+
+def _is_sum_that_is_positive(line: Line) -> bool:
+    """Whether it is only said that a sum of letters is positive, as 1 − e² is."""
+    match line.relation:
+        case Relation((((Link(Binary("+" | "-"), ">", right)),),)):
+            return right == Number(Fraction(0))
+    return False
+
+
+def _says_a_quantity_is_positive(line: Line) -> bool:
+    """Whether it is only said that a quantity, such as a loss, is not zero."""
+    match line.relation:
+        case Relation((((Link(Quantity("energy_lost" | "total_energy_lost"), ">", right)),),)):
+            return right == Number(Fraction(0))
+    return False
+
+
+def _tells_a_quadrant(relation: Relation) -> bool:
+    """Whether it is only said that a tangent is positive, so that its angle is acute."""
+    match relation:
+        case Relation((((Link(Apply("tan"), ">", right)),),)):
+            return right == Number(Fraction(0))
+    return False
+
+
+def _claim_without_method(work: Work, line: Line) -> bool:
+    """A claim is settled by comparing what stands: nothing else in its item is a method.
+
+    What holds of a letter anyway is nothing that stands.
+    """
+    if not any(True for _ in (*work.cited(line), *work.facts(line))):
+        return False
+    end = work.ends.get(line.number)
+    if line.number not in work.ends or (end is not None and line.number not in work.shown):
+        return False
+    own = [each for each in work.above(line) if each.item == line.item]
+    rules = (work.rule(each) for each in own)
+    return not any(rule is not None and "M" in rule.earned(work.style) for rule in rules)
+
+
+def _bounds_a_quantity(fact: Fact) -> bool:
+    """Whether it is given between what bounds a quantity of the motion is."""
+    links = [link for each in fact.relation.options for link in each]
+    unequal = all(link.sign in ("<", "<=", ">", ">=") for link in links)
+    return fact.kind == "given" and unequal and any(map(has_quantity, trees_of(fact.relation)))
+
+
+def _fact_of_motion(work: Work, line: Line) -> bool:
+    """A given equation about the motion is used, and for the first time.
+
+    One that only gives a letter its value is put in like any datum.
+    """
+    used = {
+        fact.id
+        for each in work.above(line)
+        if each.move.id in ("put", "fact") and each.shown != "silent"
+        for fact in work.facts(each)
+    }
+    return any(
+        fact.kind == "given"
+        and fact.id not in used
+        and single_sides(fact.relation) is not None
+        and any(map(has_quantity, trees_of(fact.relation)))
+        for fact in work.facts(line)
+    )
+
+
+def _by_its_letter(work: Work, line: Line) -> bool:
+    """A letter stands for the component already: nothing is read off."""
+    cited = list(work.cited(line))
+    return len(cited) <= 2 and any(
+        isinstance(each.relation, Meaning)
+        and isinstance(each.relation.quantity, Quantity)
+        and each.relation.quantity.kind in ("along", "across")
+        for each in cited
+    )
+
+
+def _of_an_offset(work: Work, line: Line) -> bool:
+    """A line of centres by the sine of its angle to a path, for the first time."""
+    facts = [each for each in work.facts(line) if each.id.startswith("axis ")]
+    above = {
+        fact.id for each in work.above(line) for fact in work.facts(each) if each.move.id == "fact"
+    }
+    return any(
+        each.id not in above
+        and any(isinstance(node, Apply) and node.function == "arcsin" for node in walk(tree))
+        for each in facts
+        for tree in trees_of(each.relation)
+    )
+
+
+def _open_place(work: Work, line: Line) -> bool:
+    """A place by a time that is not yet known, or a second coordinate by it."""
+    match subject_of(line):
+        case Quantity("position"):
+            return _by_an_open_time(line)
+        case Quantity("along", (Quantity("position"), axis)):
+            before = [
+                e for e in work.above(line) if e.move == replace(line.move, bodies=e.move.bodies)
+            ]
+            return _by_an_open_time(line) and any(
+                _by_an_open_time(each)
+                and isinstance(own := subject_of(each), Quantity)
+                and own.arguments[-1] == axis
+                for each in before
+            )
+    return False
+
+
+def _by_an_open_time(line: Line) -> bool:
+    """Whether a time stands in a line that is not what it is about."""
+    match line.relation:
+        case Relation(((first, *_), *_)):
+            nodes = walk(first.right)
+            return any(isinstance(node, Quantity) and node.kind == "time" for node in nodes)
+    return False
+
+
+CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
+    "repeated": _repeated,
+    "sought": _sought,
+    "zero": _zero,
+    "wall": lambda work, line: work.walls.get(line.move.event or 0, False),
+    "first-at-event": _first_at_event,
+    "read-off": _read_off,
+    "alone": lambda work, line: len(_alike(work, line)) == 1,
+    "first-of-several": lambda work, line: _alike(work, line)[:1] == [line],
+    "second-of-several": lambda work, line: _alike(work, line)[1:2] == [line],
+    "by-its-letter": _by_its_letter,
+    "of-facts": _of_facts,
+    "at-sight": _at_sight,
+    "of-one-component": _of_one_component,
+    "inline": lambda work, line: line.shown == "inline",
+    "of-angles": _of_angles,
+    "in-letters": _in_letters,
+    "at-once": lambda work, line: (
+        isinstance(line.relation, Relation)
+        and not isinstance(line.relation.options[0][0].right, Binary)
+    ),
+    "place-of-facts": _place_of_facts,
+    "another-chord": _another_chord,
+    "another-time": _at_another_time,
+    "time": lambda work, line: getattr(subject_of(line), "kind", None) == "time",
+    "a-place": lambda work, line: (
+        line.number not in work.ends and isinstance(subject_of(line), Quantity)
+    ),
+    "a-direction": lambda work, line: getattr(subject_of(line), "kind", None) == "direction",
+    "of-one-term": _of_one_term,
+    "an-equation": lambda work, line: (
+        line.number not in work.ends
+        and (_has_power_on_the_left(line) or _closes_a_given(work, line))
+    ),
+    "of-a-number": _of_a_number,
+    "product-above": _of_a_product,
+    "opposite": is_opposite,
+    "of-laws": lambda work, line: bool(events_solved(work, line)),
+    "first": lambda work, line: not _solved_before(work, line),
+    "of-one-letter": _of_one_letter,
+    "of-a-letter": lambda work, line: isinstance(subject_of(line), Letter),
+    "another": lambda work, line: len(_solved_before(work, line)) == 1,
+    "on-the-way": lambda work, line: line.number not in work.ends,
+    "justified": lambda work, line: line.item in work.justify,
+    "new-inequality": _new_inequality,
+    "fact-of-motion": _fact_of_motion,
+    "claim-without-method": _claim_without_method,
+    "of-an-offset": _of_an_offset,
+    "of-a-contact": lambda work, line: any(e.id.startswith("contact ") for e in work.facts(line)),
+    "open-place": _open_place,
+    "at-rest": lambda work, line: is_of_a_body_at_rest(work.derivation, line),
+}
+"""What a rule may ask of a line, and of the lines about it."""

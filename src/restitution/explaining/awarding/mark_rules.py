@@ -1,0 +1,193 @@
+"""The table of mark rules: what a line earns, by its move, record and conditions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from restitution.explaining.lines.derivation import (
+    MoveId,
+    NoteKind,
+)
+from restitution.explaining.lines.marks import Mark, Marks, Style, reasoned
+
+
+@dataclass(frozen=True)
+class Rule:
+    """What a kind of line earns.
+
+    ``moves`` and ``records`` are those of the line (none: any), ``when`` names the conditions of
+    `CONDITIONS` that hold there. ``points`` are M, A and B, and V for an A that belongs to the
+    value: it stands on the line that simplifies this one, if there is such a line. ``others`` are
+    the points in styles that differ.
+    """
+
+    name: str
+    moves: frozenset[MoveId]
+    records: frozenset[str] = frozenset()
+    when: tuple[str, ...] = ()
+    points: str = ""
+    others: Mapping[Style, str] = field(default_factory=dict)
+
+    def earned(self, style: Style) -> str:
+        """The points in a style."""
+        return self.others.get(style, self.points)
+
+
+def _rule(
+    name: str,
+    moves: tuple[MoveId, ...],
+    points: str,
+    records: tuple[str, ...] = (),
+    when: tuple[str, ...] = (),
+    m4: str | None = None,
+    caie: str | None = None,
+) -> Rule:
+    styles: tuple[tuple[Style, str | None], ...] = (("m4", m4), ("caie", caie))
+    others = {style: own for style, own in styles if own is not None}
+    return Rule(name, frozenset(moves), frozenset(records), when, points, others)
+
+
+PAIR = ("momentum", "restitution")
+
+
+_VECTORS = (
+    "momentum-vector",
+    "impulse-vector",
+    "across-the-impulse",
+    "along-the-change",
+    "equal-across",
+)
+
+
+_CLOSING = (
+    "tan",
+    "tan-squared",
+    "tan-direction",
+    "tan-deflection",
+    "tan-from-axis",
+    "perpendicular",
+    "parallel",
+    "sum",
+)
+
+
+ENERGIES = (
+    "energy",
+    "energy-ratio",
+    "energy-lost",
+    "energy-change",
+    "total",
+    "total-lost",
+    "difference",
+)
+
+
+RULES: tuple[Rule, ...] = (
+    # Principles. What an earlier part has used at the same impact is no method again.
+    _rule("repeated", ("law",), "", when=("repeated",)),
+    _rule("component-that-stays-zero", ("law",), "", ("unchanged",), ("zero",)),
+    _rule("coefficient-sought", ("law",), "M A", ("restitution-wall",), ("sought",)),
+    _rule(
+        "component-at-a-wall", ("law",), "B", ("unchanged", "restitution-wall"), ("wall",), m4="M A"
+    ),
+    _rule("first-component-unchanged", ("law",), "B", ("unchanged",), ("first-at-event",)),
+    _rule("component-unchanged", ("law",), "", ("unchanged",)),
+    _rule("one-of-two-alone", ("law",), "M A", PAIR, ("alone",)),
+    _rule("first-of-two", ("law",), "M A", PAIR, ("first-of-several",), caie="M"),
+    _rule("second-of-two", ("law",), "M A", PAIR, ("second-of-several",)),
+    _rule("impulse", ("law",), "M V", ("impulse",)),
+    _rule("principle-of-vectors", ("law",), "M V", _VECTORS),
+    # Solving.
+    _rule("solved-together", ("combine",), "M A", when=("of-laws", "first"), caie=""),
+    _rule("put-together-with-a-law", ("put",), "M", when=("of-laws", "first"), caie=""),
+    _rule("two-values-of-a-letter", ("put",), "M", when=("of-one-letter",)),
+    _rule("another-value", ("combine",), "A", when=("of-laws", "another")),
+    _rule("another-value-put-in", ("put",), "A", when=("of-laws", "another", "of-a-letter")),
+    _rule("solved-again", ("combine",), "", when=("of-laws",)),
+    _rule("unknowns-of-equations", ("solve",), "M A"),
+    _rule("equations-joined", ("combine", "divide", "square-add"), "M"),
+    _rule("identity", ("identity",), "M", when=("on-the-way",)),
+    _rule("square-root", ("roots",), "", when=("opposite",)),
+    _rule("roots", ("roots",), "M"),
+    _rule("reason-for-a-root", ("reject",), "B", when=("justified",)),
+    # Vectors and their components.
+    _rule("component-with-a-letter", ("define",), "", ("component",), ("by-its-letter",)),
+    _rule("component-of-nothing", ("define",), "", ("component",), ("zero",)),
+    _rule("component-alone", ("define",), "B", ("component",), ("alone",)),
+    _rule("component-read-off", ("define",), "B", ("component",), ("read-off", "first-of-several")),
+    _rule("further-component-read-off", ("define",), "", ("component",), ("read-off",)),
+    _rule("first-scalar-product", ("define",), "M", ("component",), ("first-of-several",)),
+    _rule("second-scalar-product", ("define",), "A", ("component",), ("second-of-several",)),
+    _rule("given-speed", ("define",), "M", ("speed", "size"), ("of-one-term", "an-equation")),
+    _rule("read-off", ("define",), "", ("assemble", "speed", "size"), ("of-one-term",)),
+    _rule("put-together", ("define",), "M", ("assemble", "speed", "size"), ("on-the-way",)),
+    _rule("velocity-in-components", ("define",), "", ("assemble",)),
+    # Facts closed into equations, and what is asked.
+    _rule("angle-of-the-data", ("define",), "", ("scalar-angle",), ("of-facts", "of-a-number")),
+    _rule("distance-at-another-time", ("define",), "", ("distance",), ("another-time",)),
+    _rule("product-read-off", ("define",), "", ("product",), ("of-one-component",)),
+    _rule(
+        "speed-size-angle-distance",
+        ("define",),
+        "M V",
+        ("speed", "size", "scalar-angle", "distance", "product", "momentum-of"),
+    ),
+    _rule(
+        "condition-on-one-component", ("define",), "B", ("perpendicular", "parallel"), ("at-sight",)
+    ),
+    _rule("right-angle-by-a-product", ("define",), "", ("perpendicular",), ("product-above",)),
+    _rule("direction-read-off", ("define",), "", ("parallel",), ("a-direction",)),
+    _rule("condition", ("define",), "M", _CLOSING, m4="M A"),
+    _rule(
+        "difference-of-angles",
+        ("define",),
+        "",
+        ("difference",),
+        ("of-angles", "in-letters", "on-the-way"),
+    ),
+    _rule("angle-read-off", ("define",), "", ("difference",), ("of-angles", "at-once")),
+    _rule("angle-by-a-difference", ("define",), "M", ("difference",), ("of-angles",)),
+    _rule("time-of-no-way", ("define",), "", ("straight-line",), ("zero", "time")),
+    _rule("place-at-rest", ("define",), "", ("straight-line",), ("at-rest", "on-the-way")),
+    _rule("place-in-an-open-time", ("define",), "", ("straight-line",), ("open-place",)),
+    _rule("place-by-a-path", ("define",), "M", ("straight-line",), ("place-of-facts",)),
+    _rule("place-on-an-axis", ("define",), "", ("straight-line",), ("zero", "on-the-way")),
+    _rule(
+        "time-by-the-data", ("define",), "B", ("straight-line",), ("of-facts", "time", "on-the-way")
+    ),
+    _rule("place-by-the-data", ("define",), "", ("straight-line",), ("of-facts", "a-place")),
+    _rule("energy-lost-by-the-data", ("define",), "M A", ("energy-lost",), ("of-facts",)),
+    _rule("data", ("define",), "", ENERGIES, ("of-facts", "on-the-way")),
+    _rule("time-or-place", ("define",), "M", ("straight-line",)),
+    _rule("centres-by-a-path", ("law",), "M", ("moves-off",)),
+    _rule("centres-two-radii-apart", ("define",), "A", ("beside",)),
+    _rule("chord-again", ("define",), "", ("chord",), ("another-chord",)),
+    _rule("chord", ("define",), "M", ("chord",)),
+    _rule("angles-round-a-circle", ("define",), "M", ("round",)),
+    _rule("energy-that-goes-on", ("define",), "M", ENERGIES, ("inline",)),
+    _rule("energy", ("define",), "M A", ENERGIES, ("alone",)),
+    _rule("first-of-several-energies", ("define",), "M", ENERGIES, ("first-of-several",)),
+    _rule("second-of-several-energies", ("define",), "A", ENERGIES, ("second-of-several",)),
+    # Inequalities, ranges and greatest values.
+    _rule(
+        "condition-as-inequality",
+        ("sign", "put", "fact", "compare"),
+        "M",
+        when=("new-inequality", "on-the-way"),
+    ),
+    _rule("bounds", ("monotone", "complete"), "M"),
+    _rule("comparison", ("sign", "compare"), "M", when=("claim-without-method",)),
+    _rule("given-fact", ("put", "fact", "rearrange"), "M", when=("fact-of-motion",)),
+    _rule("centres-beside-a-path", ("fact",), "M A", when=("of-an-offset",)),
+    _rule("place-of-a-contact", ("fact",), "M A", when=("of-a-contact", "of-facts")),
+    _rule("equation-of-a-contact", ("fact",), "M", when=("of-a-contact",)),
+)
+"""The table. A line that no rule fits earns nothing by itself."""
+
+
+FOR_NOTES: Mapping[NoteKind, Marks] = {"standing": (reasoned(Mark("B")),)}
+"""What notes earn. Steps that are not written out have no line at which marks could stand."""
+
+UNWRITTEN: Marks = (reasoned(Mark("M")), reasoned(Mark("A")))
+"""What a student earns by a method that the working does not write out, and by its answer."""

@@ -1,0 +1,212 @@
+"""That a sphere will hit a wall, or will not: a fact of its velocity, and of its place there."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from restitution.explaining.data.arrangement import Arrangement, is_rest
+from restitution.explaining.lines.algebra import World
+from restitution.explaining.lines.derivation import Link, Relation
+from restitution.explaining.lines.quotients import Plane
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Name,
+    Number,
+    Pair,
+    Quantity,
+    Unit,
+    is_zero,
+)
+from restitution.problem import Arrival, Event, Impact, Meets, Wall
+from restitution.shapes import Circle, Segment
+
+_ZERO = Number(Fraction(0))
+
+
+def hits(arrangement: Arrangement, relation: Meets, events: int) -> Relation | None:
+    """What it says of a sphere that it will hit a wall along **i** or **j**, or that it will not.
+
+    It moves towards the wall; and between two ends its path comes to the line of the wall between
+    them. None where the places do not make plain on which side it is, or where a wall with ends is
+    concerned and it is open whether it moves towards that.
+    """
+    ahead = _Ahead.of(arrangement, relation, events)
+    if ahead is None:
+        return None
+    if not isinstance(ahead.wall.shape, Segment):
+        return None if ahead.is_nearing else ahead.towards(relation.happens)
+    return ahead.between(relation.happens) if ahead.is_nearing else None
+
+
+class _Ahead:
+    """A sphere and a wall that it may come to next."""
+
+    def __init__(
+        self,
+        arrangement: Arrangement,
+        body: str,
+        wall: Wall,
+        events: int,
+        place: tuple[World, Plane],
+    ) -> None:
+        self.arrangement, self.body, self.wall, self.events = arrangement, body, wall, events
+        self.stage = arrangement.latest([body], events)
+        self.horizontal = _is_level(arrangement.along_of(wall))
+        self.world, self.place = place
+
+    @classmethod
+    def of(cls, arrangement: Arrangement, relation: Meets, events: int) -> _Ahead | None:
+        """The pair of which a relation speaks; None where no place tells how they lie."""
+        names = [relation.first.name, relation.second.name]
+        walls = [each for each in names if each in arrangement.walls]
+        if relation.again or len(walls) != 1 or arrangement.radius is not None:
+            return None
+        (body,) = (each for each in names if each not in walls)
+        wall = arrangement.walls[walls[0]]
+        along = arrangement.along_of(wall)
+        if isinstance(wall.shape, Circle) or along is None:
+            return None
+        if not (_is_level(along) or _is_upright(along)):
+            return None
+        if any({body, wall.name} == set(each.bodies) for each in arrangement.events[:events]):
+            return None
+        world = arrangement.world()
+        place = _Path(arrangement, body, events, world).place()
+        through = arrangement.place_of(wall.shape.point)
+        if place is None or not isinstance(through, Pair):
+            return None
+        return cls(arrangement, body, wall, events, (world, place))
+
+    @property
+    def _level(self) -> Expression:
+        """The coordinate that all points of the wall have."""
+        point = self.arrangement.place_of(self.wall.shape.point)
+        assert isinstance(point, Pair)
+        return point.y if self.horizontal else point.x
+
+    @property
+    def _across(self) -> Unit:
+        return Unit("j" if self.horizontal else "i")
+
+    @property
+    def side(self) -> int | None:
+        """1 where the wall lies ahead in the direction of **i** or **j**, −1 behind."""
+        own = self.place.y if self.horizontal else self.place.x
+        gap = self.world.scalar(self._level) - own
+        side: int | None = self.arrangement.sign_in(self.world, gap)
+        return side
+
+    @property
+    def is_nearing(self) -> bool:
+        """Whether it is plain that the sphere moves towards the wall."""
+        velocity = self.arrangement.velocity_before(self.body, self.events + 1, self.world)
+        side = self.side
+        if velocity is None or side is None:
+            return False
+        pace = velocity.y if self.horizontal else velocity.x
+        return bool(self.arrangement.sign_in(self.world, pace) == side)
+
+    def _component(self, unit: Unit) -> Quantity:
+        velocity = Quantity("velocity", (Name(self.body),), self.stage)
+        return Quantity("along", (velocity, unit))
+
+    def _coordinate(self, unit: Unit) -> Expression:
+        """A coordinate at the last event of the sphere, or where it begins."""
+        if self.stage:
+            return Quantity("along", (Quantity("position", (Name(self.body),), self.stage), unit))
+        start = self.arrangement.place_of(self.arrangement.sphere(self.body).position)
+        assert isinstance(start, Pair)
+        return start.x if unit.axis == "i" else start.y
+
+    def towards(self, happens: bool) -> Relation | None:
+        """That its component across the wall is towards the wall."""
+        if self.side is None:
+            return None
+        ahead, away = (">", "<=") if self.side > 0 else ("<", ">=")
+        link = Link(self._component(self._across), ahead if happens else away, _ZERO)  # type: ignore[arg-type]
+        return Relation(((link,),))
+
+    def between(self, happens: bool) -> Relation | None:
+        """That its path comes to the line of the wall between both ends, or does not."""
+        first, last = (self.arrangement.place_of(each) for each in (self.wall.start, self.wall.end))
+        assert isinstance(first, Pair)
+        assert isinstance(last, Pair)
+        ends = (first.x, last.x) if self.horizontal else (first.y, last.y)
+        order = self.arrangement.sign_in(
+            self.world, self.world.scalar(Binary("-", ends[1], ends[0]))
+        )
+        if order is None:
+            return None
+        low, high = ends if order > 0 else ends[::-1]
+        across, beside = self._across, Unit("i" if self.horizontal else "j")
+        way = Binary("-", self._level, self._coordinate(across))
+        slope = Binary("/", self._component(beside), self._component(across))
+        there = Binary("+", self._coordinate(beside), Binary("*", way, slope))
+        if happens:
+            return Relation(((Link(low, "<", there), Link(there, "<", high)),))
+        return Relation(((Link(there, "<=", low),), (Link(there, ">=", high),)))
+
+
+class _Path:
+    """Where a sphere is after some events, as far as walls and points tell."""
+
+    def __init__(self, arrangement: Arrangement, body: str, events: int, world: World) -> None:
+        self.arrangement, self.body, self.events, self.world = arrangement, body, events, world
+
+    def place(self) -> Plane | None:
+        """Its place at its last event; None where that is not told."""
+        place = self._point(self.arrangement.sphere(self.body).position)
+        for number, step in enumerate(self.arrangement.problem.events[: self.events], 1):
+            if place is not None and self.body in self.arrangement.events[number - 1].bodies:
+                place = self._after(number, step, place)
+        return place
+
+    def _point(self, tree: object) -> Plane | None:
+        return self.arrangement.point(tree, self.world)
+
+    def _after(self, number: int, step: Event, place: Plane) -> Plane | None:
+        match step:
+            case Arrival(target=target) if not self._is_wall(target):
+                return self._point(target)
+            case Arrival(target=Name(name)):
+                return self._at(number, self.arrangement.walls[name], place)
+            case Impact(second=second) if second in self.arrangement.walls:
+                return self._at(number, self.arrangement.walls[second], place)
+            case Impact(first=first, second=second) if first == self.body:
+                return _Path(self.arrangement, second, number, self.world).resting()
+            case Impact() if _Path(self.arrangement, self.body, number, self.world).resting():
+                return place
+        return None
+
+    def resting(self) -> Plane | None:
+        """The place of a sphere that is at rest there until its first event."""
+        sphere = self.arrangement.sphere(self.body)
+        met = any(self.body in each.bodies for each in self.arrangement.events[: self.events - 1])
+        return self._point(sphere.position) if is_rest(sphere.velocity) and not met else None
+
+    def _is_wall(self, target: object) -> bool:
+        return isinstance(target, Name) and target.name in self.arrangement.walls
+
+    def _at(self, number: int, wall: Wall, place: Plane) -> Plane | None:
+        """The place where the path comes to the line of a wall along **i** or **j**."""
+        point = self._point(wall.shape.point)
+        along = self.arrangement.along_of(wall)
+        velocity = self.arrangement.velocity_before(self.body, number, self.world)
+        if point is None or along is None or velocity is None:
+            return None
+        if _is_level(along) and not velocity.y.vanishes:
+            shift = (point.y - place.y) / velocity.y
+        elif _is_upright(along) and not velocity.x.vanishes:
+            shift = (point.x - place.x) / velocity.x
+        else:
+            return None
+        return Plane(place.x + shift * velocity.x, place.y + shift * velocity.y)
+
+
+def _is_level(along: Expression | None) -> bool:
+    return along == Unit("i") or (isinstance(along, Pair) and is_zero(along.y))
+
+
+def _is_upright(along: Expression | None) -> bool:
+    return along == Unit("j") or (isinstance(along, Pair) and is_zero(along.x))

@@ -1,0 +1,135 @@
+"""The angle between a line of centres and the path of a sphere that meets another off centre."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.explaining.data.setting import Setting
+from restitution.explaining.lines.algebra import World
+from restitution.explaining.lines.derivation import Line, Link, Meaning, Relation
+from restitution.explaining.lines.quotients import NotComparableError, Plane
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Polar,
+    Quantity,
+)
+from restitution.oracle import Oracle, compared
+from restitution.oracle.roles import Role
+
+
+@dataclass(frozen=True)
+class OffsetAngle:
+    """A line of centres by an offset: the ``path``, and the sine of the acute angle with it.
+
+    ``right`` tells that the line of centres is to the right of the path.
+    """
+
+    axis: Expression
+    path: Expression
+    sine: Expression
+    right: bool
+
+    def at(self, letter: str) -> Polar:
+        """The direction of the line of centres by a letter for the angle."""
+        own: Expression = Letter(letter)
+        return Polar(Number(Fraction(1)), Negate(own) if self.right else own, self.path)
+
+
+def offset_angle(link: Link, roles: Mapping[str, Role]) -> OffsetAngle | None:
+    """The angle of a line of centres that is given by an offset.
+
+    None of any other line, where the first sphere does not move along the path and in its sense,
+    and where the offset is not certain to be on one side.
+    """
+    match link:
+        case Link(
+            Quantity("line_of_centres") as axis,
+            "=",
+            Polar(_, Apply("arcsin", Binary("/", beside, apart)), path),
+        ) if path is not None:
+            pass
+        case _:
+            return None
+    right = isinstance(beside, Negate)
+    beside = beside.operand if isinstance(beside, Negate) else beside
+    world, oracle = World(roles), Oracle(roles)
+
+    def is_positive(tree: Expression) -> bool:
+        value = world.expression(world.scalar(tree), roles)
+        return oracle.proves(compared(value, ">", sp.Integer(0)))
+
+    try:
+        if not is_positive(beside) or not _is_onward(path, world, oracle, roles):
+            return None
+    except NotComparableError:
+        return None
+    return OffsetAngle(axis, path, Binary("/", beside, apart), right)
+
+
+def _is_onward(path: Expression, world: World, oracle: Oracle, roles: Mapping[str, Role]) -> bool:
+    """Whether the first sphere itself moves along its path relative to the second, and onward."""
+    match path:
+        case Binary("-", own, _):
+            one, other = world.value(own), world.value(path)
+        case _:
+            return True
+    if not isinstance(one, Plane) or not isinstance(other, Plane):
+        return False
+    across = world.reduced(one.x * other.y - one.y * other.x)
+    along = world.expression(one.x * other.x + one.y * other.y, roles)
+    return across.vanishes and oracle.proves(compared(along, ">", sp.Integer(0)))
+
+
+def named_angles(
+    lets: Sequence[Meaning], links: Sequence[Link], setting: Setting
+) -> Iterator[tuple[Meaning, OffsetAngle]]:
+    """The letters for the acute angle of a path with the line of centres that an offset gives."""
+    for meaning in lets:
+        match meaning:
+            case Meaning(
+                _,
+                Quantity(
+                    "angle",
+                    (
+                        Quantity("velocity", (Name(body),), 0),
+                        Quantity("line_of_centres", (), int(number)) as axis,
+                    ),
+                ),
+                angle="acute",
+            ):
+                pass
+            case _:
+                continue
+        event = setting.event(number)
+        if event is None or event.bodies[0] != body:
+            continue
+        for link in links:
+            own = offset_angle(link, setting.roles) if link.left == axis else None
+            if own is not None:
+                yield meaning, own
+
+
+def letter_of_offset(line: Line) -> str | None:
+    """The letter for the angle of a line of centres with a path, in the line of its sine."""
+    if line.move.record != "scalar-angle" or not isinstance(line.relation, Relation):
+        return None
+    if line.shown == "silent":
+        return None
+    by_fact = any(str(ref).partition(" ")[0] == "axis" for ref in line.premises)
+    match line.relation.options[0][0].left:
+        case Apply("sin", Letter(name)) if by_fact:
+            return name
+    return None
+
+
+__all__ = ["OffsetAngle", "letter_of_offset", "named_angles", "offset_angle"]

@@ -1,0 +1,106 @@
+"""Spheres that lie and move along one axis: their line of centres is that axis at every impact."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from restitution.explaining.data.arrangement import Arrangement, difference, is_rest, world_of
+from restitution.explaining.lines.quotients import NotComparableError, Plane
+from restitution.expression.tree import Binary, Expression, Negate, Pair, Unit, is_zero
+from restitution.problem import Arrival, Impact, Kick, Problem, Sphere, Step
+
+
+def axis_of_all(given: Arrangement) -> Unit | None:
+    """**i** or **j**, where all spheres lie and move along it; None where they do not.
+
+    Walls that are struck are at right angles to it, and nothing else sets a sphere going.
+    """
+    problem = given.problem
+    places = [sphere.position for sphere in problem.spheres]
+    pairs = [each for each in places if isinstance(each, Pair)]
+    if not pairs or len(pairs) < len(places):
+        return None
+    if any(isinstance(step, Kick | Arrival) for step in problem.events):
+        return None
+    for axis in (Unit("i"), Unit("j")):
+        level = [each.y if axis == Unit("i") else each.x for each in pairs]
+        if not all(is_zero(difference(each, level[0])) for each in level):
+            continue
+        moving = all(_moves_along(given, sphere, axis) for sphere in problem.spheres)
+        if moving and all(_is_struck_straight(given, step, axis) for step in problem.events):
+            return axis
+    return None
+
+
+def _moves_along(given: Arrangement, sphere: Sphere, axis: Unit) -> bool:
+    """Whether a velocity at the start is told, and is along an axis."""
+    if is_rest(sphere.velocity):
+        return True
+    if not isinstance(sphere.velocity, Expression):
+        return False
+    try:
+        value = world_of(given.problem).value(sphere.velocity)
+    except NotComparableError:
+        return False
+    return isinstance(value, Plane) and (value.y if axis == Unit("i") else value.x).vanishes
+
+
+def _is_struck_straight(given: Arrangement, step: object, axis: Unit) -> bool:
+    """Whether an impact is along an axis, as far as it is told."""
+    if not isinstance(step, Impact) or step.offset is not None:
+        return False
+    wall = given.walls.get(step.second)
+    if wall is None:
+        return step.along in (None, axis, Negate(axis))
+    return given.along_of(wall) == Unit("j" if axis == Unit("i") else "i")
+
+
+def side_along(given: Arrangement, step: Impact, axis: Expression) -> int | None:
+    """On which side along **i** or **j** the second sphere is of the first; None where it is open.
+
+    It is told by their places at the start, or by how they approach where they have not met yet.
+    """
+    one, other = (given.sphere(each) for each in (step.first, step.second))
+    places = [each.position for each in (one, other) if isinstance(each.position, Pair)]
+    if len(places) == 1:
+        return None
+    if places:
+        ends = [each.x if axis == Unit("i") else each.y for each in places]
+        side = given.sign(Binary("-", ends[1], ends[0]))
+        if side is not None:
+            return side
+    met = given.problem.events[: given.problem.events.index(step)]
+    bodies = {
+        name for each in met if isinstance(each, Impact) for name in (each.first, each.second)
+    }
+    return None if bodies & {one.name, other.name} else given.approach(one, other, axis)
+
+
+def with_lines_of_centres(given: Arrangement) -> Problem:
+    """The problem in which spheres that lie on one axis have it as their line of centres.
+
+    It is that only where none is given, and it leads from the first to the second: they stay in
+    their order.
+    """
+    problem = given.problem
+    steps = [step for step in problem.events if isinstance(step, Impact)]
+    open_ = [each for each in steps if each.along is None and each.second not in given.walls]
+    axis = axis_of_all(given) if open_ else None
+    if axis is None:
+        return problem
+
+    def with_its_line(step: Step) -> Step:
+        if step not in open_ or not isinstance(step, Impact):
+            return step
+        side = side_along(given, step, axis)
+        if side is None:
+            return step
+        return replace(step, along=axis if side > 0 else Negate(axis))
+
+    parts = tuple(
+        replace(part, steps=tuple(map(with_its_line, part.steps))) for part in problem.parts
+    )
+    return replace(problem, parts=parts)
+
+
+__all__ = ["axis_of_all", "with_lines_of_centres"]

@@ -1,0 +1,52 @@
+"""Given facts on which no answer of a working rests."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from collections.abc import Set as AbstractSet
+
+from restitution.explaining.lines.derivation import Derivation, Fact, Line, Ref
+
+
+def unused_facts(
+    derivation: Derivation, under: Callable[[Ref], AbstractSet[Ref]]
+) -> Iterator[Fact]:
+    """The given facts on which nothing rests that a working ends with.
+
+    ``under`` gives a line, or a fact, with all that it rests on.
+    """
+    used: dict[str | None, set[Ref]] = {}
+    for end in derivation.items:
+        used.setdefault(end.part, set()).update(under(end.line))
+    for note in derivation.notes:
+        for ref in note.premises:
+            used.setdefault(note.part, set()).update(under(ref))
+    # Where an item has no working, the facts that it would use may stand idle.
+    idle = {e.part for e in derivation.notes if not e.premises or e.kind == "unwritten"}
+    every = set().union(*used.values()) if used else set()
+    for fact in derivation.facts:
+        if fact.kind != "given" or fact.part in idle or (fact.part is None and idle):
+            continue
+        own = every if fact.part is None else used.get(fact.part, set())
+        # What several parts are given is one fact.
+        alike = [e.id for e in derivation.facts if e.relation == fact.relation]
+        senses = [each.replace("given", "sense") for each in alike]
+        if not own & {*alike, *senses}:
+            yield fact
+
+
+def lines_under(derivation: Derivation, ref: Ref) -> set[Ref]:
+    """A line, or a fact, and all that it rests on."""
+    lines: dict[Ref, Line] = {line.number: line for line in derivation.lines}
+    refs: set[Ref] = set()
+    pending: list[Ref] = [ref]
+    while pending:
+        own = pending.pop()
+        if own in refs:
+            continue
+        refs.add(own)
+        line = lines.get(own)
+        if line is not None:
+            pending.extend(line.premises)
+            pending.extend(case.line for case in derivation.cases if own in case.lines)
+    return refs

@@ -1,0 +1,1 @@
+"""Definitions worked out for an event and its bodies: energies, angles, senses."""

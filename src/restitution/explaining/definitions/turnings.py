@@ -1,0 +1,279 @@
+"""The angle between two velocities at an impact, by their angles to the line of centres."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.explaining.definitions.senses import oriented
+from restitution.explaining.lines.derivation import Event, Link
+from restitution.explaining.lines.quotients import Plane, Quotient
+from restitution.explaining.lines.trees import settled
+from restitution.explaining.steps.step import Step
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Polar,
+    Quantity,
+    Unit,
+    has_quantity,
+    letters,
+)
+
+_STRAIGHT, _RIGHT, _NONE = (Degrees(Fraction(each)) for each in (180, 90, 0))
+
+# A body, and the event after which its velocity is meant.
+Moving = tuple[str, int]
+
+
+def turnings(step: Step, event: Event | None) -> Iterator[Link]:
+    """A deflection, and the angle between two velocities before an impact or after it.
+
+    Both velocities are seen from the line of centres. They point the same way along it or not, and
+    lie on one side of it or on both, as the components tell: so the angles to it are added, or
+    taken from each other, or from 180°. A velocity stays on its side in an impact.
+    """
+    if event is None or not set(step.move.bodies) <= set(event.bodies):
+        return
+    before, after = event.number - 1, event.number
+    pairs: list[tuple[Moving, Moving]]
+    match step.move.bodies:
+        case (body,):
+            pairs = [((body, before), (body, after))]
+        case (first, second):
+            pairs = [((first, each), (second, each)) for each in (before, after)]
+        case _:
+            return
+    yield from _by_directions(step, event)
+    yield from _to_parallel_lines(step, event)
+    yield from _from_direction_to_direction(step, event)
+    for one, other in pairs:
+        velocities = [Quantity("velocity", (Name(body),), stage) for body, stage in (one, other)]
+        subjects = [Quantity("angle", tuple(pair)) for pair in (velocities, velocities[::-1])]
+        if one[0] == other[0]:
+            subjects.append(Quantity("deflection", (Name(one[0]),), event.number))
+        for angle in (_between(step, event, one, other), _from_a_unit(step, event, one, other)):
+            if angle is not None:
+                yield from (Link(subject, "=", angle) for subject in subjects)
+
+
+def _between(step: Step, event: Event, one: Moving, other: Moving) -> Expression | None:
+    """The angle between two velocities; None where what is cited leaves it open."""
+    a, b, c, d = (
+        _component(step, event, kind, each) for each in (one, other) for kind in ("along", "across")
+    )
+    if a is None or b is None or c is None or d is None:
+        return None
+    p, q = (_to_the_line(event, each, *own) for each, own in ((one, (a, b)), (other, (c, d))))
+    square = _RIGHT in (p, q)
+    onward = 1 if square else _sign(step, a * c)
+    beside = 1 if _NONE in (p, q) or one[0] == other[0] else _sign(step, b * d)
+    if onward is None or beside is None:
+        return None
+    if onward == 1 and beside == -1:
+        return Binary("+", p, q)
+    if onward == -1 and beside == 1:
+        return Binary("-", Binary("-", _STRAIGHT, p), q)
+    # The greater angle less the other one, or what that leaves of a straight one.
+    if p == _RIGHT or q == _NONE:
+        wider: int | None = 1
+    elif q == _RIGHT or p == _NONE:
+        wider = -1
+    elif one[0] == other[0]:
+        wider = _sign(step, c * c - a * a)
+    else:
+        wider = _sign(step, b * b * c * c - d * d * a * a)
+    if wider is None:
+        return None
+    high, low = (p, q) if wider == 1 else (q, p)
+    if onward == 1:
+        return Binary("-", high, low)
+    return Binary("+", Binary("-", _STRAIGHT, high), low)
+
+
+def _from_a_unit(step: Step, event: Event, one: Moving, other: Moving) -> Expression | None:
+    """The angle by which one body turns, by the angles of up to 180° to **i** or **j**.
+
+    Along a line of centres in that direction the component falls as the angle grows.
+    """
+    unit = step.world.directions.get(_axis(event))
+    sense = 1
+    if isinstance(unit, Negate):
+        unit, sense = unit.operand, -1
+    if one[0] != other[0] or not isinstance(unit, Unit):
+        return None
+    c, d = (_component(step, event, "along", each) for each in (one, other))
+    falls = None if c is None or d is None else _sign(step, c - d)
+    falls = falls or _pushed_back(step, event, one)
+    if falls is None:
+        return None
+    early, late = (
+        Quantity("angle", (Quantity("velocity", (Name(body),), stage), unit))
+        for body, stage in (one, other)
+    )
+    return Binary("-", late, early) if falls == sense else Binary("-", early, late)
+
+
+def _pushed_back(step: Step, event: Event, before: Moving) -> int | None:
+    """1 where an impact of spheres takes from a component along the axis, −1 where it adds to it.
+
+    The impulse on a sphere is against its velocity relative to the other sphere.
+    """
+    body, stage = before
+    others = [each for each in event.bodies if each != body]
+    if stage != event.number - 1 or event.wall or event.kind != "impact" or len(others) != 1:
+        return None
+    own, other = (_component(step, event, "along", (name, stage)) for name in (body, *others))
+    return None if own is None or other is None else _sign(step, own - other)
+
+
+def _by_directions(step: Step, event: Event) -> Iterator[Link]:
+    """The angle of a velocity to **i**, or to a wall along **i**, by its direction from **i**.
+
+    On which side of **i** it lies tells the sign, and which way it goes along a wall whether the
+    angle is taken from 180°.
+    """
+    for let in step.lets:
+        match let.quantity:
+            case Quantity("angle", (Quantity("velocity", (Name() as body,), stage), line)):
+                pass
+            case _:
+                continue
+        if stage not in (event.number - 1, event.number) or body.name not in step.move.bodies:
+            continue
+        x, y = (_in_the_plane(step, body, stage, axis) for axis in "ij")
+        up = None if y is None else _sign(step, y)
+        if up is None:
+            continue
+        direction: Expression = Quantity("direction", (body,), stage)
+        size = direction if up == 1 else Negate(direction)
+        if line == Unit("i"):
+            yield Link(let.quantity, "=", size)
+        elif isinstance(line, Name) and _is_along_i(step, line):
+            onward = None if x is None else _sign(step, x)
+            if onward is not None:
+                angle = size if onward == 1 else Binary("-", _STRAIGHT, size)
+                yield Link(let.quantity, "=", angle)
+
+
+def _to_parallel_lines(step: Step, event: Event) -> Iterator[Link]:
+    """The angle of a velocity to the line of centres, by that to a wall parallel to it."""
+    centres = _along(step, _axis(event))
+    for let in step.lets:
+        match let.quantity:
+            case Quantity("angle", (Quantity("velocity") as velocity, Name() as wall)):
+                own = Quantity("angle", (velocity, _axis(event)))
+                if centres is not None and _along(step, Quantity("direction", (wall,))) == centres:
+                    yield Link(own, "=", let.quantity)
+
+
+def _from_direction_to_direction(step: Step, event: Event) -> Iterator[Link]:
+    """The deflection of a body by its directions from **i**: one of the data, one that is cited."""
+    if len(step.move.bodies) != 1:
+        return
+    (body,) = map(Name, step.move.bodies)
+    if any(each.number < event.number and body.name in each.bodies for each in step.setting.events):
+        return
+    late = Quantity("direction", (body,), event.number)
+    names = [late, *(Letter(let.letter) for let in step.lets if let.quantity == late)]
+    for link in step.links:
+        if link.left in names and link.sign == "=":
+            after = _number(link.right)
+            break
+    else:
+        return
+    for link in step.links:
+        if link.left == Quantity("velocity", (body,), 0) and link.sign == "=":
+            early = direction_from_i(link.right)
+            before = None if early is None else _number(early)
+            if early is None or before is None or after is None or abs(after - before) > math.pi:
+                continue
+            if any(step.setting.role(name).kind != "positive" for name in letters(link.right)):
+                continue
+            turn = Binary("-", late, early) if after > before else Binary("-", early, late)
+            yield Link(Quantity("deflection", (body,), event.number), "=", turn)
+
+
+def direction_from_i(velocity: Expression) -> Expression | None:
+    """The direction of a velocity, as an angle from **i**: in degrees, as the data have it."""
+    match velocity:
+        case Polar(_, Degrees() | Negate(Degrees()) as angle, None | Unit("i"), None):
+            return angle
+        case Unit(axis):
+            return _NONE if axis == "i" else _RIGHT
+        case Negate(Unit(axis)):
+            return _STRAIGHT if axis == "i" else Negate(_RIGHT)
+        case Negate(Binary("*", size, Unit() as unit)) if not _is_negative(size):
+            return direction_from_i(Negate(unit))
+        case Binary("*", size, Unit() as unit):
+            return direction_from_i(Negate(unit) if _is_negative(size) else unit)
+    return None
+
+
+def _is_negative(size: Expression) -> bool:
+    """Whether a size is written with a minus; letters of speeds are positive."""
+    return isinstance(size, Negate) or (
+        isinstance(size, Binary) and size.op in "*/" and _is_negative(size.left)
+    )
+
+
+def _number(tree: Expression) -> float | None:
+    """The number of radians of an angle without letters."""
+    if letters(tree) or has_quantity(tree):
+        return None
+    return float(sp.N(in_letters(tree)))
+
+
+def _along(step: Step, line: Quantity) -> Expression | None:
+    """The direction of a wall, or of a line of centres, that is cited, in either sense."""
+    own = step.world.directions.get(line)
+    return own.operand if isinstance(own, Negate) else own
+
+
+def _in_the_plane(step: Step, body: Name, stage: int, axis: str) -> Quotient | None:
+    """A component along **i** or **j**, with what is cited put in."""
+    tree = Quantity("along", (Quantity("velocity", (body,), stage), Unit(axis)))  # type: ignore[arg-type]
+    value = step.world.value(settled(tree, step.setting.events))
+    known = step.rules().put_into(value)
+    return None if isinstance(known, Plane) or known == value else step.world.reduced(known)
+
+
+def _is_along_i(step: Step, wall: Name) -> bool:
+    """Whether a wall that is cited is along **i**."""
+    return _along(step, Quantity("direction", (wall,))) == Unit("i")
+
+
+def _axis(event: Event) -> Quantity:
+    return Quantity("line_of_centres", (), event.number)
+
+
+def _component(step: Step, event: Event, kind: str, moving: Moving) -> Quotient | None:
+    """A component in a direction of the impact, with what is cited put in."""
+    body, stage = moving
+    tree = Quantity(kind, (Quantity("velocity", (Name(body),), stage), _axis(event)))
+    value = step.rules().put_into(step.world.value(settled(tree, step.setting.events)))
+    return None if isinstance(value, Plane) else step.world.reduced(value)
+
+
+def _to_the_line(event: Event, moving: Moving, along: Quotient, across: Quotient) -> Expression:
+    """The angle of a velocity to the line of centres, of up to 90°."""
+    if along.vanishes:
+        return _RIGHT
+    if across.vanishes:
+        return _NONE
+    body, stage = moving
+    return Quantity("angle", (Quantity("velocity", (Name(body),), stage), _axis(event)))
+
+
+def _sign(step: Step, value: Quotient) -> int | None:
+    """The sign of what components make, 1 where it is nothing; None where it is open."""
+    own = step.world.reduced(value)
+    return 1 if own.vanishes else oriented(step, own)

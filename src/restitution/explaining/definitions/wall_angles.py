@@ -1,0 +1,141 @@
+"""Angles of velocities to walls: their tangents by components, and components by speeds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from restitution.explaining.definitions.senses import oriented
+from restitution.explaining.lines.derivation import Event, Link
+from restitution.explaining.lines.quotients import NotComparableError, Plane
+from restitution.explaining.lines.trees import settled
+from restitution.explaining.steps.step import Step
+from restitution.expression.tree import Apply, Binary, Expression, Name, Negate, Quantity, walk
+
+
+def to_walls(step: Step, event: Event | None) -> Iterator[Link]:
+    """The tangent of an angle to a wall: to a parallel one, or where the sense along it is open.
+
+    Also to another wall that is parallel to the line of centres, or perpendicular to it.
+    """
+    if event is None:
+        return
+    yield from _to_other_walls(step, event)
+    if not event.wall:
+        return
+    own, axis = Name(event.bodies[1]), Quantity("line_of_centres", (), event.number)
+    for meaning in step.lets:
+        match meaning.quantity:
+            case Quantity(
+                "angle", (Quantity("velocity", _, int(stage)) as velocity, Name() as wall)
+            ):
+                pass
+            case _:
+                continue
+        directions = [
+            step.world.directions.get(Quantity("direction", (each,))) for each in (own, wall)
+        ]
+        if stage != event.number or (
+            wall != own and (None in directions or directions[0] != directions[1])
+        ):
+            continue
+        along, across = (Quantity(kind, (velocity, axis)) for kind in ("along", "across"))
+        for below in (across, Apply("abs", across)):
+            yield Link(Apply("tan", meaning.quantity), "=", Binary("/", along, below))
+    for angle in _given_angles(step, event, own):
+        along, across = (Quantity(kind, (angle.arguments[0], axis)) for kind in ("along", "across"))
+        yield Link(Apply("tan", angle), "=", Binary("/", along, Apply("abs", across)))
+
+
+def _given_angles(step: Step, event: Event, wall: Name) -> Iterator[Quantity]:
+    """The angles to the wall of an impact, after it, of which a cited fact speaks."""
+    for link in step.links:
+        for node in walk(link.left):
+            match node:
+                case Quantity("angle", (Quantity("velocity", _, int(stage)), Name() as other)):
+                    if stage == event.number and other == wall:
+                        yield node
+
+
+def _to_other_walls(step: Step, event: Event) -> Iterator[Link]:
+    """The tangent of an angle to a wall of another event, by the components of this one."""
+    axis = Quantity("line_of_centres", (), event.number)
+    if axis not in step.world.directions:
+        return
+    normal = step.world.pointing(axis)
+    for tree in step.world.directions:
+        match tree:
+            case Quantity("direction", (Name() as wall,)) if wall.name not in event.bodies:
+                direction = step.world.pointing(tree)
+            case _:
+                continue
+        if not (isinstance(normal, Plane) and isinstance(direction, Plane)):
+            continue
+        dot = normal.x * direction.x + normal.y * direction.y
+        cross = normal.x * direction.y - normal.y * direction.x
+        if not (dot.vanishes or cross.vanishes) or (event.wall and dot.vanishes):
+            continue  # of a wall parallel to the own one the directions alone tell
+        for body in step.move.bodies:
+            velocity = Quantity("velocity", (Name(body),), event.number)
+            along, across = (Quantity(kind, (velocity, axis)) for kind in ("along", "across"))
+            above, below = (along, across) if dot.vanishes else (across, along)
+            angle = Apply("tan", Quantity("angle", (velocity, wall)))
+            for size in (below, Apply("abs", below)):
+                yield Link(angle, "=", Binary("/", above, size))
+
+
+def by_angles(step: Step, event: Event | None) -> Iterator[Link]:
+    """A component as the speed times the cosine, or the sine, of the angle to a line.
+
+    The angle is one of at most 90°, so that this is the size of the component.
+    """
+    if event is None:
+        return
+    axis = Quantity("line_of_centres", (), event.number)
+    lines: list[tuple[Expression, str, str]] = [(axis, "along", "across")]
+    if event.wall:
+        lines.append((Name(event.bodies[1]), "across", "along"))
+    for body in step.move.bodies:
+        for stage in (event.number, event.number - 1):
+            velocity = Quantity("velocity", (Name(body),), stage)
+            speed = Quantity("speed", (Name(body),), stage)
+            for line, beside, away in lines:
+                angle = Quantity("angle", (velocity, line))
+                for ratio, kind in (("cos", beside), ("sin", away)):
+                    component = Quantity(kind, (velocity, axis))
+                    sign = _sign(step, component)
+                    if sign is not None:
+                        size = component if sign >= 0 else Negate(component)
+                        yield Link(Binary("*", speed, Apply(ratio, angle)), "=", size)
+            yield from _by_the_other(step, event, body, stage)
+
+
+def _by_the_other(step: Step, event: Event, body: str, stage: int) -> Iterator[Link]:
+    """The speed by the angle to the velocity of the other sphere, which is along the line."""
+    axis = Quantity("line_of_centres", (), event.number)
+    own, speed = (Quantity(kind, (Name(body),), stage) for kind in ("velocity", "speed"))
+    for other in () if event.wall else event.bodies:
+        velocity = Quantity("velocity", (Name(other),), stage)
+        if other == body or _sign(step, Quantity("across", (velocity, axis))) != 0:
+            continue
+        sense = _sign(step, Quantity("along", (velocity, axis)))
+        component: Expression = Quantity("along", (own, axis))
+        if sense:
+            size = component if sense > 0 else Negate(component)
+            for pair in ((own, velocity), (velocity, own)):
+                angle = Apply("cos", Quantity("angle", pair))
+                yield Link(Binary("*", speed, angle), "=", size)
+
+
+def _sign(step: Step, component: Quantity) -> int | None:
+    """The sign of a component, with what is cited put in; None where it is open."""
+    try:
+        value = step.rules().put_into(step.world.value(settled(component, step.setting.events)))
+    except NotComparableError:
+        return None
+    if isinstance(value, Plane):
+        return None
+    own = step.world.reduced(value)
+    return 0 if own.vanishes else oriented(step, own)
+
+
+__all__ = ["by_angles", "to_walls"]

@@ -1,0 +1,1 @@
+"""The follower: whether a working can be followed, line by line."""

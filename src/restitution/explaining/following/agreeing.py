@@ -1,0 +1,26 @@
+"""Given facts that a working does not need: each is a line that follows from the others."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+
+from restitution.explaining.data.unused import lines_under, unused_facts
+from restitution.explaining.following.tracing import explain_line
+from restitution.explaining.lines.derivation import Derivation
+from restitution.oracle import Oracle
+
+
+def agreeing_facts(derivation: Derivation, oracle: Oracle) -> frozenset[str]:
+    """The given facts on which no answer rests, and which follow from the lines of the working."""
+    spare = {each.id for each in unused_facts(derivation, partial(lines_under, derivation))}
+    rest = tuple(each for each in derivation.facts if each.id not in spare)
+    without = replace(derivation, facts=rest)
+    return frozenset(
+        fact.id
+        for fact in derivation.facts
+        if fact.id in spare and explain_line(fact.relation, without, oracle).kind != "unrecognised"
+    )
+
+
+__all__ = ["agreeing_facts"]

@@ -1,0 +1,720 @@
+"""The follower: it reads a working as its reader does, and says where it does not follow.
+
+It knows the facts of the statement, the events, the records and the answers of the items, and
+nothing of how the working was made, or of how the problem was solved.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Literal
+
+from restitution.explaining.data.setting import Cited, Setting
+from restitution.explaining.data.unused import lines_under, unused_facts
+from restitution.explaining.following.trials import Trial, known_of_letters, names_in, setting_of
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    ItemEnd,
+    Line,
+    Link,
+    Meaning,
+    Move,
+    Note,
+    Ref,
+    Relation,
+    common_scope,
+    scopes_of,
+)
+from restitution.explaining.lines.quotients import NotComparableError, Plane
+from restitution.explaining.lines.trees import settled, statement_of, trees_of
+from restitution.explaining.steps.excluding import excludes
+from restitution.explaining.steps.signs import Signs
+from restitution.explaining.steps.step import Step
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    letters,
+    walk,
+)
+from restitution.oracle import Oracle
+
+Reason = Literal[
+    "premise-unknown",
+    "premise-below",
+    "premise-of-another-part",
+    "premise-of-another-case",
+    "number-twice",
+    "axis-turned",
+    "case-unknown",
+    "case-missing",
+    "not-known-of-letters",
+    "letter-not-introduced",
+    "letter-introduced-twice",
+    "does-not-follow",
+    "not-comparable",
+    "premise-not-needed",
+    "said-before",
+    "leads-nowhere",
+    "fact-not-used",
+    "not-the-answer",
+    "answer-missing",
+    "shown-by-itself",
+    "not-excluded",
+]
+
+
+@dataclass(frozen=True)
+class Complaint:
+    """What is wrong with a working: a reason, at a line, and the premise or item concerned."""
+
+    reason: Reason
+    line: int | None = None
+    about: Ref | None = None
+
+    def __str__(self) -> str:
+        where = "" if self.line is None else f"line {self.line}: "
+        about = "" if self.about is None else f" ({self.about})"
+        return f"{where}{self.reason.replace('-', ' ')}{about}"
+
+
+def follow(
+    derivation: Derivation,
+    oracle: Oracle,
+    redundant: AbstractSet[str] = frozenset(),
+) -> tuple[Complaint, ...]:
+    """What is wrong with a working; of no complaints, it is right.
+
+    ``oracle`` knows the roles of the statement's letters. Facts that are ``redundant`` need not be
+    used.
+    """
+    return tuple(Reader(settled_derivation(derivation), oracle, redundant).complaints())
+
+
+def reader_of(derivation: Derivation, oracle: Oracle) -> Reader:
+    """Who reads the lines of a working, made only where one has to be read."""
+    return Reader(settled_derivation(derivation), oracle, frozenset())
+
+
+def settled_derivation(derivation: Derivation) -> Derivation:
+    """The same working, with each velocity numbered by the last event that changed it."""
+
+    def change(tree: Expression) -> Expression:
+        return settled(tree, derivation.events)
+
+    def of(relation: Relation | Meaning) -> Relation | Meaning:
+        if isinstance(relation, Meaning):
+            return replace(relation, quantity=change(relation.quantity))
+        return Relation(
+            tuple(
+                tuple(Link(change(e.left), e.sign, change(e.right), e.by) for e in links)
+                for links in relation.options
+            )
+        )
+
+    return replace(
+        derivation,
+        facts=tuple(replace(fact, relation=of(fact.relation)) for fact in derivation.facts),  # type: ignore[arg-type]
+        lines=tuple(replace(line, relation=of(line.relation)) for line in derivation.lines),
+        items=tuple(replace(item, answer=of(item.answer)) for item in derivation.items),  # type: ignore[arg-type]
+        notes=tuple(
+            replace(note, claim=None if note.claim is None else of(note.claim))  # type: ignore[arg-type]
+            for note in derivation.notes
+        ),
+    )
+
+
+class Reader:
+    """One reading of a working."""
+
+    def __init__(self, derivation: Derivation, oracle: Oracle, redundant: AbstractSet[str]) -> None:
+        self.derivation = derivation
+        self.redundant = redundant
+        self.lines = {line.number: line for line in derivation.lines}
+        self.facts = {fact.id: fact for fact in derivation.facts}
+        self.parts = derivation.asked
+        self.setting = setting_of(derivation, oracle)
+        self._scopes: dict[Ref, frozenset[str | None] | None] = {}
+        self._given_in = scopes_of(derivation.facts)
+        self._home_parts: dict[Ref, frozenset[str | None]] = {}
+
+    def complaints(self) -> Iterator[Complaint]:
+        numbers = list(self._numbers())
+        yield from numbers
+        if numbers:
+            return  # what a premise refers to is open
+        yield from self._letters()
+        yield from self._axes()
+        for position, line in enumerate(self.derivation.lines):
+            above = self.derivation.lines[:position]
+            bad = list(self._premises(line, {each.number for each in above}))
+            yield from bad
+            if not bad:
+                yield from self._line(line)
+            yield from self._said_before(line, above)
+        yield from self._whole()
+
+    # --- numbers and cases ----------------------------------------------------------------------
+
+    def _numbers(self) -> Iterator[Complaint]:
+        """Numbers of two lines, ids of two facts, and cases of what is no line of alternatives."""
+        seen: set[Ref] = set()
+        for fact in self.derivation.facts:
+            if fact.id in seen:
+                yield Complaint("number-twice", None, fact.id)
+            seen.add(fact.id)
+        for line in self.derivation.lines:
+            if line.number in seen:
+                yield Complaint("number-twice", line.number)
+            seen.add(line.number)
+        cases: set[int] = set()
+        for case in self.derivation.cases:
+            if case.number in cases:
+                yield Complaint("number-twice", case.line)
+            cases.add(case.number)
+            own = self.lines.get(case.line)
+            options = own.relation.options if own and isinstance(own.relation, Relation) else ()
+            if not 0 <= case.option < len(options) or case.line in case.lines:
+                yield Complaint("case-unknown", case.line, case.number)
+        for end in self.derivation.items:
+            if end.case is None:
+                continue
+            if not any(c.number == end.case and end.line in c.lines for c in self.derivation.cases):
+                yield Complaint("case-unknown", end.line, end.item)
+
+    def _options(self, number: int) -> dict[int, set[int]]:
+        """For each line of alternatives, the options under which a line stands."""
+        options: dict[int, set[int]] = {}
+        for case in self.derivation.cases:
+            if number in case.lines:
+                options.setdefault(case.line, set()).add(case.option)
+        return options
+
+    def _cases(self) -> Iterator[Complaint]:
+        """Alternatives of which one has no case, and items that are not reached in each."""
+        for number in dict.fromkeys(case.line for case in self.derivation.cases):
+            relation = self.lines[number].relation
+            assert isinstance(relation, Relation)
+            every = set(range(len(relation.options)))
+            missing = every - {c.option for c in self.derivation.cases if c.line == number}
+            for option in sorted(missing):
+                yield Complaint("case-missing", number, option)
+            if missing:
+                continue
+            reached: dict[str, set[int]] = {}
+            for end in self.derivation.items:
+                options = self._options(end.line).get(number, every)
+                reached.setdefault(end.item, set()).update(options)
+            for item, options in reached.items():
+                if options != every:
+                    yield Complaint("case-missing", number, item)
+
+    # --- letters --------------------------------------------------------------------------------
+
+    def _letters(self) -> Iterator[Complaint]:
+        known = set(self.setting.roles)
+        for fact in self.derivation.facts:
+            known |= names_in(fact.relation)
+        introduced: set[str] = set()
+        quantities: dict[Expression, str] = {}
+        for line in self.derivation.lines:
+            if isinstance(line.relation, Meaning):
+                meaning = line.relation
+                if meaning.letter in introduced | known:
+                    yield Complaint("letter-introduced-twice", line.number, meaning.letter)
+                if meaning.quantity in quantities:
+                    yield Complaint("letter-introduced-twice", line.number, meaning.letter)
+                quantities[meaning.quantity] = meaning.letter
+                introduced.add(meaning.letter)
+                missing = set(letters(meaning.quantity)) - known - introduced
+            else:
+                missing = names_in(line.relation) - known - introduced
+            for name in sorted(missing):
+                yield Complaint("letter-not-introduced", line.number, name)
+
+    # --- axes -----------------------------------------------------------------------------------
+
+    def _axes(self) -> Iterator[Complaint]:
+        """Lines of centres that are used once in one sense and once in the other."""
+        axes: dict[int, list[tuple[Ref, Expression]]] = {}
+        used = {
+            ref
+            for line in self.derivation.lines
+            if line.move.id in ("law", "define") and line.move.record != "size"
+            if not (isinstance(line.relation, Relation) and _tells_an_axis(line.relation))
+            for ref in line.premises
+        }
+        for number, relation in self._relations():
+            if number not in used:
+                continue
+            for link in relation.options[0] if len(relation.options) == 1 else ():
+                for left, right in ((link.left, link.right), (link.right, link.left)):
+                    match left:
+                        case Quantity("line_of_centres", (), int(event)):
+                            axes.setdefault(event, []).append((number, right))
+                        case Quantity("impulse", (Name(body),), int(event)) if link.sign == "=":
+                            own = self.setting.event(event)
+                            if own is not None:
+                                sense = Negate(left) if body == own.bodies[0] else left
+                                axes.setdefault(event, []).append((number, sense))
+        for trees in axes.values():
+            for each in self._in_each_case(trees):
+                if len(each) > 1:
+                    yield from self._turned(each)
+
+    def _in_each_case(
+        self, trees: Sequence[tuple[Ref, Expression]]
+    ) -> Iterator[list[tuple[Ref, Expression]]]:
+        """What stands above all cases with what stands in one: a line may be another in each."""
+        numbers = {ref: self._cases_of(ref) for ref, _ in trees}
+        for case in sorted(frozenset().union(*numbers.values())) or (0,):
+            yield [each for each in trees if not numbers[each[0]] or case in numbers[each[0]]]
+
+    def _cases_of(self, ref: Ref) -> frozenset[int]:
+        """The cases in which a line stands; none of one above all, or of a fact."""
+        return frozenset(each.number for each in self.derivation.cases if ref in each.lines)
+
+    def _relations(self) -> Iterator[tuple[Ref, Relation]]:
+        for fact in self.derivation.facts:
+            yield fact.id, fact.relation
+        for line in self.derivation.lines:
+            if isinstance(line.relation, Relation):
+                yield line.number, line.relation
+            elif line.relation.vector:
+                letter = Letter(line.relation.letter)
+                yield line.number, Relation(((Link(line.relation.quantity, "=", letter),),))
+
+    def _turned(self, trees: Iterable[tuple[Ref, Expression]]) -> Iterator[Complaint]:
+        cited = [
+            *(Cited(fact.id, fact.relation) for fact in self.derivation.facts),
+            *(Cited(line.number, line.relation) for line in self.derivation.lines),
+        ]
+        step = Step(self.setting, _NO_MOVE, tuple(cited), ())
+        signs = Signs(step.world, lambda: Oracle(self.setting.silent))
+        first: Plane | None = None
+        for number, tree in trees:
+            try:
+                own = step.rules().put_into(step.world.value(tree))
+            except NotComparableError:
+                continue
+            if not isinstance(own, Plane):
+                continue
+            if first is None:
+                first = own
+            elif signs.of(step.world.reduced(first.x * own.x + first.y * own.y)) == -1:
+                yield Complaint("axis-turned", number if isinstance(number, int) else None, number)
+
+    # --- one line -------------------------------------------------------------------------------
+
+    def _premises(self, line: Line, above: AbstractSet[int]) -> Iterator[Complaint]:
+        part = self.parts.get(line.item or "")
+        if len(set(line.premises)) < len(line.premises):
+            yield Complaint("premise-not-needed", line.number)
+        for ref in line.premises:
+            if isinstance(ref, int):
+                if ref not in self.lines:
+                    yield Complaint("premise-unknown", line.number, ref)
+                elif ref not in above:
+                    yield Complaint("premise-below", line.number, ref)
+                elif not self._within_case(line.number, ref):
+                    yield Complaint("premise-of-another-case", line.number, ref)
+                elif line.item is not None and not self._holds(ref, part):
+                    yield Complaint("premise-of-another-part", line.number, ref)
+            elif ref in self.facts:
+                fact = self.facts[ref]
+                if fact.part is not None and line.item is not None and fact.part != part:
+                    yield Complaint("premise-of-another-part", line.number, ref)
+            elif known_of_letters(ref, self.setting) is None:
+                yield Complaint("not-known-of-letters", line.number, ref)
+
+    def _within_case(self, line: int, premise: int) -> bool:
+        """Whether a premise holds wherever a line does."""
+        own = self._options(line)
+        return all(
+            own.get(n) and own[n] <= options for n, options in self._options(premise).items()
+        )
+
+    def _scope(self, ref: Ref) -> frozenset[str | None] | None:
+        """The parts in which a fact, or all on which a line rests, is given; None: in all."""
+        if isinstance(ref, str):
+            return self._given_in.get(ref)
+        if ref not in self._scopes:
+            self._scopes[ref] = None
+            known = (premise for premise in self.lines[ref].premises if premise in self._known_refs)
+            self._scopes[ref] = common_scope(map(self._scope, known))
+        return self._scopes[ref]
+
+    def _homes(self, ref: Ref) -> frozenset[str | None]:
+        """The parts whose own facts a line rests on, or that of a fact."""
+        if isinstance(ref, str):
+            return frozenset({self.facts[ref].part} if ref in self.facts else ())
+        if ref not in self._home_parts:
+            self._home_parts[ref] = frozenset()
+            known = (premise for premise in self.lines[ref].premises if premise in self._known_refs)
+            self._home_parts[ref] = frozenset().union(*map(self._homes, known))
+        return self._home_parts[ref]
+
+    @cached_property
+    def _known_refs(self) -> frozenset[Ref]:
+        return frozenset((*self.lines, *self.facts))
+
+    def _holds(self, ref: Ref, part: str | None) -> bool:
+        """Whether a fact, or a line, holds in a part."""
+        scope = self._scope(ref)
+        return scope is None or part in scope
+
+    def _line(self, line: Line) -> Iterator[Complaint]:
+        if isinstance(line.relation, Meaning):
+            if line.premises:
+                yield Complaint("premise-not-needed", line.number, line.premises[0])
+            if line.move.id != "let" or not means_something(line.relation, self.setting):
+                yield Complaint("does-not-follow", line.number)
+            return
+        try:
+            right = self._trial(line).follows(line.move, line.premises, line.relation)
+        except NotComparableError:
+            yield Complaint("not-comparable", line.number)
+            return
+        if not right:
+            yield Complaint("does-not-follow", line.number)
+            return
+        trial = self._trial(line)
+        for ref in line.premises:
+            if ref in trial.needed(line.move, line.premises, line.relation, (ref,)):
+                continue
+            if not self._is_condition(line, ref):
+                yield Complaint("premise-not-needed", line.number, ref)
+
+    def _is_condition(self, line: Line, ref: Ref) -> bool:
+        """Whether a premise is a condition that is given, among those that a line joins.
+
+        It is one of them even if the others imply it. So is one of several places at which a
+        greatest or least value is reached.
+        """
+        if line.move.id == "answer" and line.move.record in ("greatest", "least"):
+            return len(line.premises) > 2 and ref != line.premises[0]
+        if line.move.id != "compare" or not isinstance(ref, int):
+            return False
+        if self._keeps_its_range(line, ref):
+            return True
+        others = {r for each in line.premises if each != ref for r in self._under_ref(each)}
+        return any(
+            fact.kind in ("given", "range")
+            and fact.id not in others
+            and any(link.sign in _ORDERED for links in fact.relation.options for link in links)
+            for fact in (self.facts[r] for r in self._under(ref) if r in self.facts)
+        )
+
+    def _keeps_its_range(self, line: Line, ref: int) -> bool:
+        """Whether a premise says that another coefficient is at most 1, as it has to be.
+
+        So no other bound comes of it for what a line bounds.
+        """
+        assert isinstance(line.relation, Relation)
+        match self.lines[ref].relation:
+            case Relation(((Link(Letter(name), "<=", Number(value)),),)) if value == 1:
+                role = self.setting.roles.get(name)
+            case _:
+                return False
+        if role is None or role.kind != "restitution":
+            return False
+        return name not in names_in(line.relation)
+
+    def _under_ref(self, ref: Ref) -> set[Ref]:
+        return self._under(ref) if isinstance(ref, int) else {ref}
+
+    def needed(self, number: int, doubted: Iterable[Ref]) -> tuple[Ref, ...]:
+        """The premises of a line without those of the doubted ones without which it follows."""
+        line = self.lines[number]
+        assert isinstance(line.relation, Relation)
+        return self._trial(line).needed(line.move, line.premises, line.relation, doubted)
+
+    def completed(self, number: int, more: Iterable[Ref]) -> tuple[Ref, ...]:
+        """The premises of a line, with some more where it does not follow without them."""
+        line = self.lines[number]
+        assert isinstance(line.relation, Relation)
+        trial, premises = self._trial(line), line.premises
+        every = (*premises, *(each for each in more if each not in premises))
+        try:
+            if trial.follows(line.move, premises, line.relation) or not trial.follows(
+                line.move, every, line.relation
+            ):
+                return premises
+        except NotComparableError:
+            return premises
+        return trial.needed(line.move, every, line.relation, every[len(premises) :])
+
+    def accepts(self, line: Line) -> bool:
+        """Whether a line follows from what it cites."""
+        assert isinstance(line.relation, Relation)
+        try:
+            return self._trial(line).follows(line.move, line.premises, line.relation)
+        except NotComparableError:
+            return True  # nobody can tell
+
+    def speaks_of(self, ref: Ref, names: AbstractSet[str]) -> bool:
+        """Whether a premise is a line, or is about one of some letters."""
+        known = None if isinstance(ref, int) else known_of_letters(ref, self.setting)
+        return known is None or bool(known.letters & names)
+
+    def _trial(self, line: Line | None) -> Trial:
+        """What may be cited where a line stands, or below all."""
+        options = {} if line is None else self._options(line.number)
+
+        def cited(ref: Ref) -> Relation | Meaning | None:
+            return self._cited(ref, options) if isinstance(ref, int) or ref in self.facts else None
+
+        return Trial(self.setting, cited, lambda ref: known_of_letters(ref, self.setting))
+
+    def _cited(self, ref: Ref, options: Mapping[int, AbstractSet[int]]) -> Relation | Meaning:
+        """What a premise says: of a line of alternatives, the options that a line stands under."""
+        if isinstance(ref, str):
+            return self.facts[ref].relation
+        relation = self.lines[ref].relation
+        if ref in options and isinstance(relation, Relation):
+            return Relation(tuple(relation.options[n] for n in sorted(options[ref])))
+        return relation
+
+    def _said_before(self, line: Line, above: Iterable[Line]) -> Iterator[Complaint]:
+        if line.move.id in ("answer", "shown") or isinstance(line.relation, Meaning):
+            return
+        case = {each.number for each in self.derivation.cases if line.number in each.lines}
+        own = statement_of(line.relation)
+        for each in above:
+            if isinstance(each.relation, Meaning) or statement_of(each.relation) != own:
+                continue
+            other = {c.number for c in self.derivation.cases if each.number in c.lines}
+            part = self.parts.get(line.item or "")
+            if line.item is not None and not self._homes(each.number) <= {None, part}:
+                continue  # it rests on what another part is given
+            if not case or not other or case & other:
+                yield Complaint("said-before", line.number, each.number)
+                return
+
+    # --- the whole ------------------------------------------------------------------------------
+
+    def _whole(self) -> Iterator[Complaint]:
+        on_the_way: set[Ref] = set()
+        for end in self.derivation.items:
+            under = self._under(end.line)
+            on_the_way |= under
+            yield from self._end(end, under)
+            yield from self._in_force(end, under)
+        for note in self.derivation.notes:
+            for ref in note.premises:
+                on_the_way |= self._under(ref)
+            yield from self._note(note)
+        yield from self._cases()
+        for line in self.derivation.lines:
+            if line.number not in on_the_way:
+                yield Complaint("leads-nowhere", line.number)
+        yield from self._facts_used()
+        yield from self._axes_turned()
+
+    def _under(self, number: Ref) -> set[Ref]:
+        """A line, or a fact, and all that it rests on."""
+        return lines_under(self.derivation, number)
+
+    def _axes_turned(self) -> Iterator[Complaint]:
+        """An event has one axis with one sense: components do not count both ways."""
+        senses: dict[Expression, dict[Ref, Expression]] = {}
+        for line in self.derivation.lines:
+            if isinstance(line.relation, Meaning):
+                continue
+            cited = [
+                self.lines[n].relation
+                for n in line.premises
+                if isinstance(n, int) and n in self.lines
+            ]
+            named = [each.quantity for each in cited if isinstance(each, Meaning)]
+            used = {
+                each.arguments[1]
+                for tree in (*trees_of(line.relation), *named)
+                for each in walk(tree)
+                if isinstance(each, Quantity) and each.kind in ("along", "across")
+            }
+            for ref in line.premises:
+                for axis, direction in self._axes_of(ref):
+                    known = senses.setdefault(axis, {})
+                    if axis not in used or ref in known:
+                        continue
+                    if any(
+                        not self._are_apart(ref, other) and not self._same_sense(direction, each)
+                        for other, each in known.items()
+                    ):
+                        yield Complaint("axis-turned", line.number, ref)
+                    known[ref] = direction
+
+    def _are_apart(self, one: Ref, other: Ref) -> bool:
+        """Whether two premises stand in different cases."""
+        cases = self._cases_of(one), self._cases_of(other)
+        return all(cases) and cases[0].isdisjoint(cases[1])
+
+    def _axes_of(self, ref: Ref) -> Iterator[tuple[Expression, Expression]]:
+        """The lines of centres of which a premise gives the direction."""
+        given = self.lines.get(ref) if isinstance(ref, int) else self.facts.get(ref)
+        if given is None or isinstance(given.relation, Meaning):
+            return
+        for links in given.relation.options:
+            for link in links:
+                if isinstance(link.left, Quantity) and link.left.kind == "line_of_centres":
+                    yield link.left, link.right
+
+    def _same_sense(self, a: Expression, b: Expression) -> bool:
+        step = Step(self.setting, _NO_MOVE, (), ())
+        try:
+            one, other = step.world.direction(a), step.world.direction(b)
+            if one is None or other is None:
+                return a == b
+            product = step.world.reduced(one.x * other.x + one.y * other.y)
+        except NotComparableError:
+            return a == b
+        return step.signs.of(product) == 1
+
+    def _in_force(self, end: ItemEnd, under: AbstractSet[Ref]) -> Iterator[Complaint]:
+        """Facts of one part hold for no other, by whatever lines they come to it."""
+        for ref in sorted(each for each in under if isinstance(each, str)):
+            if ref in self.facts and not self._holds(ref, end.part):
+                yield Complaint("premise-of-another-part", end.line, ref)
+
+    def _end(self, end: ItemEnd, under: AbstractSet[Ref]) -> Iterator[Complaint]:
+        line = self.lines.get(end.line)
+        if line is None or isinstance(line.relation, Meaning):
+            yield Complaint("answer-missing", end.line, end.item)
+            return
+        if not _same(line.relation, end.answer):
+            yield Complaint("not-the-answer", end.line, end.item)
+        if line.item != end.item and not self._holds(end.line, end.part):
+            yield Complaint("premise-of-another-part", end.line, end.item)
+        if not end.shown:
+            return
+        statement = statement_of(end.answer)
+        for each in self.derivation.lines:
+            if each.number == end.line:
+                break
+            if line.move.id == "answer" and each.number in line.premises:
+                continue  # the bound of a greatest or least value
+            if isinstance(each.relation, Relation) and statement_of(each.relation) == statement:
+                yield Complaint("shown-by-itself", each.number, end.item)
+
+    # --- notes ----------------------------------------------------------------------------------
+
+    def _note(self, note: Note) -> Iterator[Complaint]:
+        """A note whose premises are unknown, or can hold together after all."""
+        bad = False
+        for ref in note.premises:
+            known = ref in self.lines or ref in self.facts
+            if not known and (isinstance(ref, int) or known_of_letters(ref, self.setting) is None):
+                yield Complaint("premise-unknown", None, ref)
+                bad = True
+            elif not self._holds(ref, note.part):
+                yield Complaint("premise-of-another-part", None, ref)
+        if bad or not note.premises or note.kind not in _EXCLUDING:
+            return
+        if not self._excludes(note, note.premises):
+            yield Complaint("not-excluded", None, note.item)
+            return
+        for n, ref in enumerate(note.premises):
+            if self._excludes(note, (*note.premises[:n], *note.premises[n + 1 :]), sure=True):
+                yield Complaint("premise-not-needed", None, ref)
+
+    def _excludes(self, note: Note, premises: tuple[Ref, ...], sure: bool = False) -> bool:
+        """Whether premises cannot hold together, nor with the claim where letters have values.
+
+        What cannot be compared is not complained of: then the answer is what is ``sure``.
+        """
+        trial = self._trial(None)
+        return excludes(note, trial.step(Move("reject"), premises), unknown=not sure)
+
+    def _facts_used(self) -> Iterator[Complaint]:
+        for fact in unused_facts(self.derivation, self._under):
+            if fact.id not in self.redundant:
+                yield Complaint("fact-not-used", None, fact.id)
+
+
+def _tells_an_axis(relation: Relation) -> bool:
+    """Whether a relation is of a line of centres and a direction."""
+    return any(
+        isinstance(each, Quantity) and each.kind == "line_of_centres"
+        for links in relation.options
+        for link in links
+        for each in (link.left, link.right)
+    )
+
+
+def means_something(meaning: Meaning, setting: Setting) -> bool:
+    """Whether there is what a letter is to stand for, whatever the letters in it are.
+
+    It is not made of the letter itself, nothing in it is divided by what may be zero, and no root
+    is taken of what may be negative. A sense is that of a component, along its axis.
+    """
+    if meaning.letter in letters(meaning.quantity):
+        return False
+    if meaning.sense is not None and not _is_sense(meaning):
+        return False
+    step = Step(setting, _NO_MOVE, (), ())
+    step.world.printed = False
+    signs = Signs(step.world, lambda: Oracle(setting.roles))
+    try:
+        value = step.world.value(meaning.quantity)
+        if meaning.vector != isinstance(value, Plane):
+            return False
+        for node in walk(meaning.quantity):
+            match node:
+                case Binary("/", _, below) if signs.of(step.world.scalar(below)) is None:
+                    return False
+                case Binary("^", _, power) if not isinstance(power, Number):
+                    return False
+                case Apply("sqrt", inside) if signs.of(step.world.scalar(inside)) != 1:
+                    return False
+                case Apply("arcsin" | "arccos"):
+                    return False
+    except NotComparableError:
+        return False
+    return True
+
+
+def _is_sense(meaning: Meaning) -> bool:
+    match meaning.quantity:
+        case Quantity("along" | "across", (_, axis)):
+            return _is_direction(axis) and _is_direction(meaning.sense)
+    return False
+
+
+def _is_direction(tree: Expression | None) -> bool:
+    return tree is not None and not isinstance(tree, Number | Degrees)
+
+
+def _same(line: Relation, answer: Relation) -> bool:
+    """Whether a line says an answer: the last link of a chain does, with the first subject."""
+    if statement_of(line) == statement_of(answer):
+        return True
+    subject = answer.options[0][0].left
+    if all(subject in {link.left for link in links} for links in line.options):
+        # Of several unknowns one is what was asked.
+        own = (tuple(link for link in links if link.left == subject) for links in line.options)
+        if statement_of(Relation(tuple(dict.fromkeys(own)))) == statement_of(answer):
+            return True
+    if len(line.options) != 1 or len(line.only) < 2:
+        return False
+    links = line.only
+    if any(a.sign != "=" or a.right != b.left for a, b in itertools.pairwise(links)):
+        return False
+    whole = Link(links[0].left, links[-1].sign, links[-1].right)
+    return statement_of(Relation(((whole,),))) == statement_of(answer)
+
+
+_NO_MOVE = Move("let")
+_ORDERED = ("<", "<=", ">", ">=")
+# These notes say that something cannot be.
+_EXCLUDING = frozenset({"impossible", "contradiction", "refuted"})

@@ -1,0 +1,168 @@
+"""What lines cite is mended after a working is written: no more than they need, and no less."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from restitution.explaining.following.follower import Reader, reader_of
+from restitution.explaining.following.trials import names_in
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Meaning, Ref, Relation
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.tree import Apply, Binary, Expression, Letter, letters, walk
+from restitution.oracle import Oracle
+
+# What is below these has a sign that may have to be known.
+_RANGED = ("sqrt", "abs", "arcsin", "arccos", "arctan")
+
+
+def without_spare(derivation: Derivation, oracle: Oracle) -> Derivation:
+    """The same working, in which no line cites of letters and angles what it does not need.
+
+    Where two terms cancel, no line cites what is given of a letter that was in them alone.
+
+    Lines that do not follow are left as they are.
+    """
+    ratios = {
+        line.number
+        for line in derivation.lines
+        if isinstance(line.relation, Relation)
+        and len(line.relation.options) == 1
+        and isinstance(line.relation.only[0].left, Apply)
+    }
+    facts = {fact.id for fact in derivation.facts if not _is_ratio(fact.relation)}
+    given = {fact.id for fact in derivation.facts if fact.kind == "given"}
+    read: Reader | None = None
+    lines = []
+    for line in derivation.lines:
+        known = [
+            ref
+            for ref in line.premises
+            if ref in ratios or (isinstance(ref, str) and ref not in facts)
+        ]
+        if given & set(line.premises) and _cancels(line):
+            known += [ref for ref in line.premises if ref in given]
+        if line.move.id in ("inverse", "triangle"):
+            # The range of an angle is needed wherever it is told by a ratio.
+            read = read or reader_of(derivation, oracle)
+            own = names_in(line.relation)
+            known = [each for each in known if not read.speaks_of(each, own)]
+        if known and isinstance(line.relation, Relation):
+            read = read or reader_of(derivation, oracle)
+            line = replace(line, premises=read.needed(line.number, known))
+        lines.append(line)
+    return replace(derivation, lines=tuple(lines))
+
+
+def with_ranges(derivation: Derivation, oracle: Oracle) -> Derivation:
+    """The same working, in which lines with roots of letters cite the ranges of these.
+
+    Lines that follow, and those that do not even with that, are left as they are.
+    """
+    read: Reader | None = None
+    lines = []
+    for line in derivation.lines:
+        names = _below_roots(line)
+        ranges = [each for name in sorted(names) for each in _ranges(name, oracle)]
+        if ranges and isinstance(line.relation, Relation):
+            read = read or reader_of(derivation, oracle)
+            line = replace(line, premises=read.completed(line.number, ranges))
+        lines.append(line)
+    return replace(derivation, lines=tuple(lines))
+
+
+def with_identities(derivation: Derivation, oracle: Oracle) -> Derivation:
+    """The same working, in which a line that takes sin² + cos² = 1 to follow says so."""
+    read: Reader | None = None
+    lines = []
+    for line in derivation.lines:
+        other = _by_identity(line)
+        if other is not None:
+            read = read or reader_of(derivation, oracle)
+            settled_ = read.lines[line.number]
+            if not read.accepts(settled_):
+                named = _by_identity(settled_)
+                line = other if named is not None and read.accepts(named) else line
+        lines.append(line)
+    return replace(derivation, lines=tuple(lines))
+
+
+def without_idle_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
+    """The same working, in which of a sine and a cosine that are found together none is idle."""
+    ends = {item.line for item in derivation.items}
+    for line in derivation.lines:
+        own = line.relation
+        if (
+            line.move.id != "triangle"
+            or line.number in ends
+            or not isinstance(own, Relation)
+            or len(own.options) != 1
+            or len(own.only) != 2
+        ):
+            continue
+        users = [each.number for each in derivation.lines if line.number in each.premises]
+        for link in own.only:
+            alone = replace(line, relation=Relation(((link,),)))
+            lines = tuple(alone if each is line else each for each in derivation.lines)
+            shorter = replace(derivation, lines=lines)
+            read = reader_of(shorter, oracle)
+            if all(read.accepts(read.lines[each]) for each in (line.number, *users)):
+                derivation = shorter
+                break
+    return derivation
+
+
+def _by_identity(line: Line) -> Line | None:
+    """A line with sines and cosines of one angle, by the identity and not by arithmetic."""
+    if isinstance(line.relation, Meaning) or not _mixes(line):
+        return None
+    if line.move.id == "rearrange":
+        return replace(line, move=replace(line.move, id="identity", record="pythagoras"))
+    if len(line.relation.options) != 1 or line.relation.only[-1].by != "rearrange":
+        return None
+    *links, last = line.relation.only
+    return replace(line, relation=Relation(((*links, replace(last, by="identity")),)))
+
+
+def _mixes(line: Line) -> bool:
+    """Whether a sine and a cosine of one angle stand in a line."""
+    angles: dict[str, set[Expression]] = {"sin": set(), "cos": set()}
+    for tree in trees_of(line.relation):
+        for node in walk(tree):
+            if isinstance(node, Apply) and node.function in angles:
+                angles[node.function].add(node.argument)
+    return bool(angles["sin"] & angles["cos"])
+
+
+def _below_roots(line: Line) -> set[str]:
+    """The letters in roots, sizes and inverse ratios of a line."""
+    return {
+        name
+        for tree in trees_of(line.relation)
+        for each in walk(tree)
+        if isinstance(each, Apply) and each.function in _RANGED
+        for name in letters(each)
+    }
+
+
+def _ranges(name: str, oracle: Oracle) -> tuple[Ref, ...]:
+    role = oracle.roles.get(name)
+    if role is None or role.kind != "restitution":
+        return ()
+    return f"{name} >= 0", f"{name} <= 1"
+
+
+def _is_ratio(relation: Relation) -> bool:
+    """Whether a fact is a sine, cosine or tangent of an angle."""
+    match relation.options:
+        case ((Link(Apply("sin" | "cos" | "tan", Letter())),),):
+            return True
+    return False
+
+
+def _cancels(line: Line) -> bool:
+    """Whether a line takes a term away from itself."""
+    return any(
+        isinstance(each, Binary) and each.op == "-" and each.left == each.right
+        for tree in trees_of(line.relation)
+        for each in walk(tree)
+    )

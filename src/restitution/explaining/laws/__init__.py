@@ -1,0 +1,1 @@
+"""The laws, definitions and identities as records."""

@@ -1,0 +1,153 @@
+"""Trees of lines rebuilt: other names, other stages, one form for what is the same."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from functools import lru_cache
+from typing import Any
+
+from restitution.explaining.lines.derivation import FLIPPED, Event, Link, Meaning, Relation
+from restitution.expression.tree import (
+    LEAVES,
+    PARTS,
+    AtTime,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    walk,
+)
+
+# Of these, a stage after an event in which a body took no part is the stage before it.
+_LASTING = frozenset({"velocity", "speed", "direction", "energy", "momentum"})
+
+
+def rebuilt(tree: Expression, change: Callable[[Expression], Expression]) -> Expression:
+    """A tree with each node changed, innermost first."""
+    if type(tree) in LEAVES:
+        return change(tree)
+    if type(tree) is Binary:
+        left, right = rebuilt(tree.left, change), rebuilt(tree.right, change)
+        if left is not tree.left or right is not tree.right:
+            tree = Binary(tree.op, left, right, place=tree.place)
+        return change(tree)
+    put: dict[str, Any] = {}
+    for name in PARTS[type(tree)]:
+        value = getattr(tree, name)
+        new = _rebuilt(value, change)
+        if new is not value:
+            put[name] = new
+    return change(replace(tree, **put) if put else tree)
+
+
+def exchanged(tree: Expression, values: Mapping[Expression, Expression]) -> Expression:
+    """A tree with others in place of some of its parts, outermost first."""
+    if tree in values:
+        return values[tree]
+    put: dict[str, Any] = {}
+    for name in PARTS[type(tree)]:
+        value = getattr(tree, name)
+        if type(value) in PARTS:
+            put[name] = exchanged(value, values)
+        elif isinstance(value, tuple):
+            put[name] = tuple(
+                exchanged(each, values) if type(each) in PARTS else each for each in value
+            )
+    return replace(tree, **put) if put else tree
+
+
+def _rebuilt(value: object, change: Callable[[Expression], Expression]) -> object:
+    if isinstance(value, tuple):
+        new = tuple(_rebuilt(each, change) for each in value)
+        return new if any(a is not b for a, b in zip(new, value, strict=True)) else value
+    if isinstance(value, AtTime):
+        time = rebuilt(value.time, change)
+        return value if time is value.time else AtTime(time)
+    return rebuilt(value, change) if type(value) in PARTS else value  # type: ignore[arg-type]
+
+
+def of_relation(relation: Relation, change: Callable[[Expression], Expression]) -> Relation:
+    """A relation with each node of its trees changed."""
+    return Relation(
+        tuple(
+            tuple(
+                Link(rebuilt(link.left, change), link.sign, rebuilt(link.right, change), link.by)
+                for link in links
+            )
+            for links in relation.options
+        )
+    )
+
+
+def trees_of(relation: Relation | Meaning) -> Iterable[Expression]:
+    """The trees of a relation, or of a meaning."""
+    if isinstance(relation, Meaning):
+        yield Letter(relation.letter)
+        yield relation.quantity
+        return
+    for links in relation.options:
+        for link in links:
+            yield link.left
+            yield link.right
+
+
+def statement_of(relation: Relation) -> frozenset[frozenset[object]]:
+    """What a relation says, whichever way round it is written."""
+    return frozenset(frozenset(_turned(link) for link in links) for links in relation.options)
+
+
+def _turned(link: Link) -> object:
+    if link.sign in (">", ">="):
+        return (FLIPPED[link.sign], link.right, link.left)
+    if link.sign in ("=", "!=", "parallel to", "perpendicular to"):
+        return (link.sign, frozenset((link.left, link.right)))
+    return (link.sign, link.left, link.right)
+
+
+def renamed(relation: Relation, names: Mapping[str, str], event: int) -> Relation | None:
+    """A template for an event: its bodies by name, and its stages by number.
+
+    None where it speaks of a body for which there is no name.
+    """
+    wanted = {
+        each.name for tree in trees_of(relation) for each in walk(tree) if isinstance(each, Name)
+    }
+    if not wanted <= names.keys():
+        return None
+
+    def change(tree: Expression) -> Expression:
+        if isinstance(tree, Name):
+            return Name(names[tree.name])
+        if isinstance(tree, Quantity) and isinstance(tree.stage, int):
+            return replace(tree, stage=tree.stage + event - 1)
+        return tree
+
+    return of_relation(relation, change)
+
+
+@lru_cache(maxsize=4096)
+def settled(tree: Expression, events: tuple[Event, ...]) -> Expression:
+    """A tree in which a velocity has the number of the last event that changed it.
+
+    To come to a point, or to a wall, changes none.
+    """
+
+    def change(tree: Expression) -> Expression:
+        if not (isinstance(tree, Quantity) and tree.kind in _LASTING and tree.arguments):
+            return tree
+        (body,) = tree.arguments
+        if not isinstance(tree.stage, int) or not isinstance(body, Name):
+            return tree
+        last = max(
+            (
+                e.number
+                for e in events
+                if e.number <= tree.stage and e.kind != "arrival" and body.name in e.bodies[:2]
+            ),
+            default=0,
+        )
+        return tree if last == tree.stage else replace(tree, stage=last)
+
+    return rebuilt(tree, change)

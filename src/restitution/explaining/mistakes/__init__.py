@@ -1,0 +1,1 @@
+"""Misconceptions and slips: their altered laws, and what they lead to."""

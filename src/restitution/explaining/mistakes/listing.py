@@ -1,0 +1,69 @@
+"""The mistakes as text for a terminal: all of them, or one with its variants."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from textwrap import wrap
+
+from restitution.explaining.mistakes.misconceptions import (
+    MISCONCEPTIONS,
+    SLIPS,
+    Misconception,
+    misconception,
+)
+
+_WORLDS = {
+    "motion": "It alters the motion: solve --as and play --as show it.",
+    "result": "It alters a result alone: solve --as shows it.",
+    "none": "It has no world of its own.",
+}
+
+
+def all_mistakes(columns: int = 80) -> str:
+    """Every misconception and slip, by id and in a sentence."""
+    longest = max(map(len, MISCONCEPTIONS))
+    lines: list[str] = []
+    for each in MISCONCEPTIONS.values():
+        lines += _beside(each.id, each.sentence, longest, columns)
+    lines += ["", "Slips, which have no world of their own:"]
+    for slip in SLIPS.values():
+        lines += _beside(slip.id, slip.sentence, longest, columns)
+    return "\n".join(lines) + "\n"
+
+
+def _beside(name: str, text: str, room: int, columns: int) -> list[str]:
+    return wrap(
+        text,
+        max(columns, room + 20),
+        initial_indent=f"{name:<{room}}  ",
+        subsequent_indent=" " * (room + 2),
+    )
+
+
+def about_mistake(name: str, columns: int = 80) -> str:
+    """One misconception, or one variant of it. Raises StatementError for an unknown id."""
+    if name in SLIPS:
+        return f"{name}: {SLIPS[name].sentence} It is a slip, and has no world of its own.\n"
+    about = misconception(name)
+    return "\n".join(_about(about, name, columns)) + "\n"
+
+
+def _about(about: Misconception, name: str, columns: int) -> Iterator[str]:
+    yield f"{about.title} ({about.id})"
+    yield ""
+    yield from wrap(about.sentence, columns)
+    yield from wrap(about.consequence, columns)
+    yield from wrap(_WORLDS[about.world], columns)
+    yield ""
+    yield f"A usual line:  {about.line}"
+    marks = "; ".join(f"{mark} in {principle}" for principle, mark in about.marks)
+    yield from wrap(f"Marks:         {marks}. {about.rule}".rstrip(), columns)
+    variants = [each for each in about.variants if name in (each.id, about.id)]
+    if not variants:
+        return
+    yield ""
+    room = max(len(each.id) for each in variants)
+    for each in variants:
+        place = {"wall": "wall", "spheres": "spheres", "impact": ""}[each.where]
+        known = "" if each.solvable else " (lines only)"
+        yield from _beside(each.id, f"{place}: {each.words}{known}", room, columns)

@@ -1,0 +1,1 @@
+"""One line and what it cites: values put in, signs, equations solved."""

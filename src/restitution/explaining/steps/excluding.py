@@ -1,0 +1,84 @@
+"""What a note says cannot be: premises that do not hold together, or not with a claim."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.explaining.data.setting import Cited
+from restitution.explaining.lines.derivation import Link, Meaning, Note, Relation
+from restitution.explaining.lines.quotients import NotComparableError, Plane
+from restitution.explaining.lines.trees import of_relation
+from restitution.explaining.steps.step import Step
+from restitution.expression.quantities import ANGLES
+from restitution.expression.tree import Quantity, walk
+from restitution.oracle import BeyondError, Oracle, compared, negation
+
+_WORDS = frozenset({"parallel to", "perpendicular to", "≈"})
+
+
+def excludes(note: Note, step: Step, unknown: bool = False, *, quickly: bool = False) -> bool:
+    """Whether what a step cites cannot hold together, nor with the claim of a note.
+
+    Letters have the values of its instance. ``unknown`` is the answer for what cannot be compared:
+    directions, decimals, and angles. Of what is ``quickly`` seen, values are put into the claim.
+    """
+    claim = None if note.claim is None else _at(note, note.claim)
+    if claim is not None and any(_is_beyond(e) for links in claim.options for e in links):
+        return unknown
+    cited = tuple(
+        Cited(e.ref, e.relation if isinstance(e.relation, Meaning) else _at(note, e.relation))
+        for e in step.cited
+    )
+    there = step.under(cited=cited)
+    try:
+        if claim is not None and len(claim.options) == 1 and _is_refuted(there, claim.only):
+            return True
+        if claim is None and any(_is_against(there, each) for each in cited):
+            return True
+        if quickly:
+            return False
+        facts = (*there.facts, *(() if claim is None else (there.formula(claim),)))
+        return Oracle(there.roles, facts).possible.answer == "refuted"
+    except (NotComparableError, BeyondError):
+        return unknown
+
+
+def _is_beyond(link: Link) -> bool:
+    """Whether a claim is of what the oracle does not know."""
+    return link.sign in _WORDS or any(
+        isinstance(each, Quantity) and each.kind in ANGLES
+        for side in (link.left, link.right)
+        for each in walk(side)
+    )
+
+
+def _is_against(step: Step, own: Cited) -> bool:
+    """Whether a fact of the statement is false with the values put in that are cited beside it."""
+    relation = own.relation
+    if isinstance(own.ref, int) or isinstance(relation, Meaning) or len(relation.options) != 1:
+        return False
+    if any(map(_is_beyond, relation.only)):
+        return False
+    others = step.under(cited=tuple(each for each in step.cited if each is not own))
+    return _is_refuted(others, relation.only)
+
+
+def _is_refuted(step: Step, links: tuple[Link, ...]) -> bool:
+    """Whether one of some links is false with the values put in that are cited: the quick way."""
+    oracle = Oracle(step.roles)
+    zero = sp.Integer(0)
+    for link in links:
+        value = step.residual(link, step.rules())
+        parts = (value.x, value.y) if isinstance(value, Plane) else (value,)
+        for part in parts:
+            gap = step.world.expression(part, step.roles)
+            plain = {symbol.name for symbol in gap.free_symbols} <= step.roles.keys()
+            if plain and oracle.proves(negation(compared(gap, link.sign, zero))):
+                return True
+    return False
+
+
+def _at(note: Note, relation: Relation) -> Relation:
+    """A relation with the values of an instance for its letters."""
+    values = {each.left: each.right for each in note.instance}
+    return of_relation(relation, lambda tree: values.get(tree, tree)) if values else relation

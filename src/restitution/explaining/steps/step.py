@@ -1,0 +1,777 @@
+"""One line and what it cites: values to put in, directions, angles, and what is known of signs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, TypeGuard
+
+import sympy as sp
+
+from restitution.explaining.data.offset_angles import named_angles
+from restitution.explaining.data.setting import Cited, Known, Setting, is_angle, is_direction
+from restitution.explaining.lines.algebra import Identity, Value, World
+from restitution.explaining.lines.derivation import Event, Link, Meaning, Move, Relation, whole_of
+from restitution.explaining.lines.quotients import CONSTANT, NotComparableError, Plane, Quotient
+from restitution.explaining.lines.trees import settled
+from restitution.explaining.steps.rules import Rules
+from restitution.explaining.steps.signs import Signs, ratio
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Polar,
+    Quantity,
+    Unit,
+    walk,
+)
+from restitution.oracle import All, Formula, Oracle, Some, compared, joined
+from restitution.oracle.roles import POSITIVE, REAL, Role
+
+_COMPONENTS = ("along", "across")
+_POSITIVE = ("speed", "mass")
+
+
+def _runs_forward(tree: Expression) -> bool:
+    """Whether a tree is the time of an event, or that from one event to a later one."""
+    match tree:
+        case Quantity("time", (), int(number)):
+            return number > 0
+        case Binary("-", Quantity("time", (), int(late)), Quantity("time", (), int(early))):
+            return late > early
+    return False
+
+
+def _factors(tree: Expression) -> Iterator[Expression]:
+    """The factors of a product or a quotient."""
+    match tree:
+        case Binary("*" | "/", left, right):
+            yield from _factors(left)
+            yield from _factors(right)
+        case _:
+            yield tree
+
+
+def _is_a_wall(line: Expression) -> TypeGuard[Quantity]:
+    """Whether a direction is that of a wall."""
+    match line:
+        case Quantity("direction", (Name(),), None):
+            return True
+    return False
+
+
+@dataclass
+class Step:
+    """One line and what it cites: the room in which a move is judged."""
+
+    setting: Setting
+    move: Move
+    cited: tuple[Cited, ...]
+    known: tuple[Known, ...]
+    opaque: frozenset[Expression] = frozenset()
+    identities: frozenset[Identity] = frozenset()
+
+    # --- the world of what is cited -------------------------------------------------------------
+
+    @cached_property
+    def links(self) -> list[Link]:
+        """The relations that are cited without alternatives."""
+        return [
+            link
+            for each in self.cited
+            if isinstance(each.relation, Relation) and len(each.relation.options) == 1
+            for link in each.relation.only
+        ]
+
+    @cached_property
+    def lets(self) -> list[Meaning]:
+        """The meanings that are cited."""
+        return [each.relation for each in self.cited if isinstance(each.relation, Meaning)]
+
+    @cached_property
+    def world(self) -> World:
+        """The generators, with the directions and the angles that are cited."""
+        world = World(
+            self.setting.roles,
+            self.setting.vectors,
+            self.setting.angles,
+            _without_circles(self._directions()),
+            {},
+            self.identities,
+            self.opaque,
+            frozenset(self._nonnegative()),
+        )
+        world.turns = _without_circles(self._turns(world))
+        for link in self._inequalities():
+            less, greater = (world.value(each) for each in (link.left, link.right))
+            world.put_in_order(*((less, greater) if link.sign[0] == "<" else (greater, less)))
+        return world
+
+    def _inequalities(self) -> Iterator[Link]:
+        """The inequalities between expressions of letters that are cited."""
+        known = (each.relation for each in self.known if len(each.relation.options) == 1)
+        for link in (*self.links, *(link for each in known for link in each.only)):
+            plain = not any(
+                isinstance(e, Quantity) for s in (link.left, link.right) for e in walk(s)
+            )
+            if link.sign in ("<", "<=", ">", ">=") and plain:
+                yield link
+
+    def _nonnegative(self) -> Iterator[str]:
+        """The letters that are cited as not negative, and the angles up to 90° that are cited.
+
+        A mass or a speed for which a line has a letter is none that is negative either.
+        """
+        for name, meaning in self.setting.meanings.items():
+            if isinstance(meaning.quantity, Quantity) and meaning.quantity.kind in _POSITIVE:
+                yield name
+        for each in self.known:
+            for name in each.letters:
+                role = self.setting.role(name)
+                if role.kind == "angle" and role.low == 0 and bool(role.high <= sp.pi / 2):
+                    yield name
+            for links in each.relation.options:
+                for link in links:
+                    match link:
+                        case Link(Letter(name), ">" | ">=", Number(0)):
+                            yield name
+                        case Link(Number(0), "<" | "<=", Letter(name)):
+                            yield name
+        for own in self.cited:
+            if isinstance(own.relation, Relation) and len(own.relation.options) == 1:
+                yield from self._by_a_time(whole_of(own.relation.only))
+
+    def _by_a_time(self, link: Link | None) -> Iterator[str]:
+        """The one letter of a time that may be of either sign: no time is before the clock starts.
+
+        Nor is an event before one that is told before it. All else in the time has to be positive.
+        """
+        match link:
+            case Link(left, "=", right) if _runs_forward(left):
+                factors = list(_factors(right))
+                open_ = [
+                    factor.name
+                    for factor in factors
+                    if isinstance(factor, Letter)
+                    and self.setting.role(factor.name).kind != "positive"
+                ]
+                if len(open_) == 1 and all(map(self._is_no_loss, factors)):
+                    yield open_[0]
+
+    def _is_no_loss(self, factor: Expression) -> bool:
+        """Whether a factor of a time is a letter or a number, or a sum that is plainly positive."""
+        match factor:
+            case Binary("+", Number(value), Letter(name)) if value > 0:
+                role = self.setting.role(name)
+                cited = any(name in each.letters for each in self.known)
+                return cited and role.low is not None and bool(role.low >= 0)
+        return isinstance(factor, Letter | Number)
+
+    def _directions(self) -> Iterator[tuple[Expression, Expression]]:
+        for meaning in self.lets:
+            if meaning.vector:
+                yield from self._axis_of(meaning.quantity)
+                yield meaning.quantity, Letter(meaning.letter)
+            elif meaning.angle == "acute":
+                yield from self._on_one_side(meaning.quantity, Letter(meaning.letter))
+        for link in self.links:
+            if link.sign == "=":
+                yield from self._axis_of(link.left)
+                yield from self._on_one_side(link.left, link.right)
+        for link in self.links:
+            if link.sign not in ("=", "parallel to"):
+                continue
+            for left, right in ((link.left, link.right), (link.right, link.left)):
+                if isinstance(left, Name) and link.sign == "parallel to":
+                    left = Quantity("direction", (left,))
+                if is_direction(left, self.setting) and left not in self.opaque:
+                    yield left, right
+                    break
+        for meaning, own in named_angles(self.lets, self.links, self.setting):
+            if own.axis not in self.opaque:
+                yield own.axis, own.at(meaning.letter)
+
+    def _axis_of(self, quantity: Expression) -> Iterator[tuple[Expression, Expression]]:
+        """The line of centres by an impulse: on the second body along it, on the first against."""
+        match quantity:
+            case Quantity("impulse", (Name(body),), int(stage)):
+                event = self.setting.event(stage)
+                axis = Quantity("line_of_centres", (), stage)
+                if event is not None and axis not in self.opaque:
+                    yield axis, Negate(quantity) if body == event.bodies[0] else quantity
+
+    def _on_one_side(
+        self, angle: Expression, value: Expression
+    ) -> Iterator[tuple[Expression, Expression]]:
+        """A line of centres, or a wall, by its angle with **i**, on the side of **j**.
+
+        Where it may as well be on the other side, all is the same there but for what is mirrored.
+        """
+        match angle:
+            case Quantity("angle", (Name(name), Unit("i")) | (Unit("i"), Name(name))):
+                for event in self.setting.events:
+                    if event.number not in self.setting.either or name not in event.bodies[1:]:
+                        continue
+                    axis = Quantity("line_of_centres", (), event.number)
+                    if axis not in self.opaque:
+                        yield axis, Binary("-", value, Degrees(Fraction(90)))
+                    wall = Quantity("direction", (Name(name),))
+                    if wall not in self.opaque:
+                        yield wall, value
+            case Quantity(
+                "angle", (Quantity("line_of_centres", (), int(number)) as axis, Unit("i"))
+            ):
+                if number in self.setting.either and axis not in self.opaque:
+                    yield axis, value
+
+    def _turns(self, world: World) -> Iterator[tuple[Expression, Expression]]:
+        """Angles by what is cited of them; one with a wall tells the one with its normal."""
+        for quantity, value in self._told_turns(world):
+            yield quantity, value
+            match quantity:
+                case Quantity("angle", (velocity, Name(wall))):
+                    rest = Binary("-", Degrees(Fraction(90)), value)
+                    for event in self.setting.events:
+                        if event.wall and event.bodies[1] == wall:
+                            normal = Quantity("line_of_centres", (), event.number)
+                            yield Quantity("angle", (velocity, normal)), rest
+
+    def _told_turns(self, world: World) -> Iterator[tuple[Expression, Expression]]:
+        for meaning in self.lets:
+            if is_angle(meaning):
+                yield meaning.quantity, Letter(meaning.letter)
+        for link in self.links:
+            if link.sign != "=" or link.left in self.opaque:
+                continue
+            subject = isinstance(link.left, Letter | Quantity) and world.is_angle(link.left)
+            if subject and link.left not in set(walk(link.right)):
+                yield link.left, link.right
+        for link in self.links:
+            yield from self._angles_of_data(link, world)
+
+    def _angles_of_data(self, link: Link, world: World) -> Iterator[tuple[Expression, Expression]]:
+        """The angles that a velocity makes with lines, where its direction is given, or worked out.
+
+        They are those to walls, lines of centres, and **i** or **j**.
+        """
+        match link:
+            case Link(Quantity("velocity") as velocity, "=", Polar(_, angle, _, Name() as wall)):
+                if self._is_up_to(world, angle, sp.pi / 2):
+                    yield Quantity("angle", (velocity, wall)), angle
+                return
+            case Link(Quantity("velocity") as velocity, "=", Polar(_, angle, origin, _)):
+                given = Unit("i") if origin is None else origin
+                if self._is_up_to(world, angle, sp.pi):
+                    yield Quantity("angle", (velocity, given)), angle
+            case Link(Quantity("velocity") as velocity, "=", right):
+                along = self._along_a_unit(world, right)
+                if along is None:
+                    return
+                given, angle = along, Degrees(Fraction(0))
+            case Link(Letter(name), "=", angle):
+                meaning = next((let for let in self.lets if let.letter == name), None)
+                match meaning and meaning.quantity:
+                    case Quantity("direction", (Name() as body,), int(stage)):
+                        velocity, given = Quantity("velocity", (body,), stage), Unit("i")
+                    case _:
+                        return
+            case _:
+                return
+        for line, direction in world.directions.items():
+            own = self._from_a_line(world, angle, given, direction)
+            if own is not None:
+                wall_ = line.arguments[0] if _is_a_wall(line) else line
+                yield Quantity("angle", (velocity, wall_)), own
+
+    def _along_a_unit(self, world: World, velocity: Expression) -> Expression | None:
+        """**i** or **j**, perhaps reversed, where a velocity is a positive number of it."""
+        match velocity:
+            case Unit():
+                return velocity
+            case Negate(operand):
+                own = self._along_a_unit(world, operand)
+                return None if own is None else Negate(own)
+            case Binary("*", size, Unit() as unit):
+                value = world.expression(world.scalar(size), self.setting.roles)
+                positive = Oracle(self.setting.roles).proves(compared(value, ">", sp.Integer(0)))
+                return unit if positive else None
+        return None
+
+    def _from_a_line(
+        self, world: World, angle: Expression, given: Expression, line: Expression
+    ) -> Expression | None:
+        """The angle of up to 90° to a line, of what is turned by an angle from a direction."""
+        if world.is_angle(line):
+            unit = given.operand if isinstance(given, Negate) else given
+            if not isinstance(unit, Unit):
+                return None
+            right = Degrees(Fraction(90))
+            turned = Binary("-", line, right) if unit == Unit("j") else line
+            angle = Binary("-", angle, turned)
+        elif given not in (line, Negate(line)) and Negate(given) != line:
+            units = [each.operand if isinstance(each, Negate) else each for each in (given, line)]
+            if not all(isinstance(each, Unit) for each in units):
+                return None
+            angle = Binary("-", Degrees(Fraction(90)), angle)
+        straight = Degrees(Fraction(180))
+        forms = (angle, Binary("-", straight, angle), Negate(angle), Binary("+", straight, angle))
+        return next((form for form in forms if self._is_up_to(world, form, sp.pi / 2)), None)
+
+    def _is_up_to(self, world: World, angle: Expression, most: sp.Expr) -> bool:
+        """Whether an angle of the data is from zero to a bound, as angles of directions are."""
+        value = world.expression(world.scalar(angle), self.setting.roles)
+        oracle = Oracle(self.setting.roles)
+        return all(
+            oracle.proves(compared(a, "<=", b)) for a, b in ((sp.Integer(0), value), (value, most))
+        )
+
+    # --- values put in --------------------------------------------------------------------------
+
+    def rules(self, cited: Sequence[Cited] | None = None) -> Rules:
+        """What is cited as values: of a letter or a quantity by a number or other letters."""
+        if cited is None:
+            return self._rules
+        rules = Rules(self.world, apart=self._letters_apart)
+        self._put_together(cited, rules)
+        for each in cited:
+            if isinstance(each.relation, Meaning):
+                meaning = each.relation
+                if isinstance(meaning.quantity, Binary):
+                    rules.add(Letter(meaning.letter), meaning.quantity)
+                rules.add(meaning.quantity, Letter(meaning.letter), self._sense(meaning))
+            elif len(each.relation.options) == 1:
+                for left, right in _values(each.relation.only):
+                    rules.add(left, right)
+        for left, right in self._resolved(tuple(cited), rules):
+            rules.add(left, right)
+        for left, right in self._stays(tuple(cited), rules):
+            rules.add(left, right)
+        return rules
+
+    @cached_property
+    def _letters_apart(self) -> frozenset[str]:
+        """The letters of components that are cited, in a line about how far, or how fast, apart."""
+        sizes = any(
+            isinstance(each, Apply) and each.function == "abs"
+            for link in self.links
+            for side in (link.left, link.right)
+            for each in walk(side)
+        )
+        if not sizes and self.move.record not in ("distance", "size"):
+            return frozenset()
+        return frozenset(let.letter for let in self.lets)
+
+    def _put_together(self, cited: Sequence[Cited], rules: Rules) -> None:
+        """Vectors of which both components are cited, in directions that are told in letters.
+
+        Both directions are unit vectors at right angles: no identity of angles is needed.
+        """
+        parts: dict[tuple[Expression, Expression], dict[str, tuple[Expression, int]]] = {}
+        for each in cited:
+            sense = self._sense(each.relation) if isinstance(each.relation, Meaning) else 1
+            for left, right in self._cited_values(each):
+                match left:
+                    case Quantity("along" | "across" as kind, (Quantity() as vector, axis)):
+                        if axis in self.world.directions:
+                            parts.setdefault((vector, axis), {})[kind] = right, sense
+        for (whole, line), pair in parts.items():
+            if len(pair) == 2:
+                rules.assemble(whole, line, *(pair[kind] for kind in _COMPONENTS))
+
+    @cached_property
+    def _rules(self) -> Rules:
+        """What is cited in all, as values."""
+        return self.rules(self.cited)
+
+    def _stays(
+        self, cited: Sequence[Cited], rules: Rules
+    ) -> Iterator[tuple[Expression, Expression]]:
+        """Coordinates that are the same at the next event, as a body does not move that way."""
+        placed: set[tuple[Name, int]] = set()
+        for each in cited:
+            for left, _ in self._cited_values(each):
+                match left:
+                    case Quantity("position", (Name() as body,), int(stage)):
+                        placed.add((body, stage))
+                    case Quantity(
+                        "along", (Quantity("position", (Name() as body,), int(stage)), _)
+                    ):
+                        placed.add((body, stage))
+        # A line about the way of a body says itself where that leads.
+        own = self.move.bodies if self.move.record == "straight-line" else ()
+        for body, stage in sorted(placed, key=repr):
+            velocity = rules.put_into(self.world.value(Quantity("velocity", (body,), stage)))
+            if not isinstance(velocity, Plane):
+                continue
+            for unit, pace in ((Unit("i"), velocity.x), (Unit("j"), velocity.y)):
+                if pace.vanishes:
+                    for number in self._until(body, stage):
+                        ends = number == self.move.event and body.name in own
+                        if ends or (body, number) in placed:
+                            continue
+                        later, now = (
+                            Quantity("along", (Quantity("position", (body,), each), unit))
+                            for each in (number, stage)
+                        )
+                        yield later, now
+
+    def _until(self, body: Expression, stage: int) -> Iterator[int]:
+        """The events after one, to the next in which a body takes part."""
+        for event in self.setting.events:
+            if event.number > stage:
+                yield event.number
+                if isinstance(body, Name) and body.name in event.bodies:
+                    return
+
+    def _resolved(
+        self, cited: Sequence[Cited], rules: Rules
+    ) -> Iterator[tuple[Expression, Expression]]:
+        """Components of a velocity of which the size and an angle are cited.
+
+        At a wall a body comes towards it and goes away, and keeps the sense along it that its
+        velocity before, as cited, has. On which side of a line of centres it goes, an angle to it
+        does not tell.
+        """
+        speeds, angles, directed = {}, {}, {}
+        for each in cited:
+            for left, right in self._cited_values(each):
+                match left, right:
+                    case Quantity("velocity", arguments, stage), Polar(size, _):
+                        yield Quantity("speed", arguments, stage), size
+                    case Quantity("velocity", arguments, stage), Pair(Number(0), Number(0)):
+                        yield Quantity("speed", arguments, stage), right.x
+                        yield from self._of_nothing(left, right.x)
+                match left:
+                    case Quantity("speed", (body,), int(stage)):
+                        speeds[Quantity("velocity", (body,), stage)] = right
+                    case Quantity("direction", (body,), int(stage)):
+                        directed[Quantity("velocity", (body,), stage)] = right
+                    case Quantity("angle", (Quantity("velocity") as velocity, axis), _):
+                        angles[velocity] = axis, right
+        for velocity, angle in directed.items():
+            if velocity in speeds:
+                yield velocity, Polar(speeds[velocity], angle)
+        for velocity, (axis, angle) in angles.items():
+            if velocity not in speeds:
+                continue
+            size = speeds[velocity]
+            cosine = Binary("*", size, Apply("cos", angle))
+            sine = Binary("*", size, Apply("sin", angle))
+            for event in self.setting.events:
+                centres = Quantity("line_of_centres", (), event.number)
+                along = Quantity("along", (velocity, centres))
+                across = Quantity("across", (velocity, centres))
+                if not event.wall or axis != Name(event.bodies[1]):
+                    continue
+                before = replace(velocity, stage=event.number - 1)
+                before = settled(before, self.setting.events)  # type: ignore[assignment]
+                away = velocity.stage == event.number
+                if velocity.arguments != (Name(event.bodies[0]),) or not (
+                    away or velocity == before
+                ):
+                    continue
+                if self._towards(event, rules):
+                    yield along, Negate(sine) if away else sine
+                sense = self._sense_along(Quantity("across", (before, centres)), rules)
+                if sense is not None:
+                    yield across, cosine if sense == 1 else Negate(cosine)
+
+    def _of_nothing(
+        self, velocity: Expression, zero: Expression
+    ) -> Iterator[tuple[Expression, Expression]]:
+        """Who is at rest has no component in any direction, whether that is cited or not."""
+        for event in self.setting.events:
+            axis = Quantity("line_of_centres", (), event.number)
+            if axis not in self.world.directions:
+                for kind in _COMPONENTS:
+                    yield Quantity(kind, (velocity, axis)), zero
+
+    def _sense_along(self, component: Expression, rules: Rules) -> int | None:
+        """1 or −1 where a component, with what is cited put in, is never of the other sign."""
+        try:
+            value = rules.put_into(self.world.value(component))
+        except NotComparableError:
+            return None
+        assert isinstance(value, Quotient)
+        own = self.world.expression(value, self.setting.roles)
+        if own.has(*(x for x in own.free_symbols if x.name.startswith("q_"))):
+            return None
+        oracle = Oracle(self.setting.roles)
+        for sign in (1, -1):
+            if oracle.proves(compared(sign * own, ">=", sp.Integer(0))):
+                return sign
+        return None
+
+    def _towards(self, event: Event, rules: Rules) -> bool:
+        """Whether the direction of an event at a wall is the one into it, as far as is cited."""
+        velocity = Quantity("velocity", (Name(event.bodies[0]),), event.number - 1)
+        axis = Quantity("line_of_centres", (), event.number)
+        tree = settled(Quantity("along", (velocity, axis)), self.setting.events)
+        own = self.world.scalar(tree)
+        value = rules.put_into(own)
+        if value == own or not isinstance(value, Quotient):
+            return True
+        claim = compared(self.world.expression(value, self.setting.roles), ">=", sp.Integer(0))
+        return Oracle(self.setting.roles).proves(claim)
+
+    @staticmethod
+    def _cited_values(each: Cited) -> Iterator[tuple[Expression, Expression]]:
+        if isinstance(each.relation, Meaning):
+            yield each.relation.quantity, Letter(each.relation.letter)
+        elif len(each.relation.options) == 1:
+            yield from _values(each.relation.only)
+
+    def _sense(self, meaning: Meaning) -> int:
+        """−1 where a component is counted against the direction in which it is taken."""
+        if meaning.sense is None:
+            return 1
+        if not (isinstance(meaning.quantity, Quantity) and meaning.quantity.kind in _COMPONENTS):
+            raise NotComparableError("the sense of what has none")
+        axis = meaning.quantity.arguments[-1]
+        if meaning.sense == axis:
+            return 1
+        if Negate(axis) == meaning.sense or Negate(meaning.sense) == axis:
+            return -1
+        a, b = self.world.direction(axis), self.world.direction(meaning.sense)
+        if a is None or b is None:
+            raise NotComparableError("the sense of a letter")
+        if meaning.quantity.kind == "across":
+            a = Plane(-a.y, a.x)
+        product_ = self.world.reduced(a.x * b.x + a.y * b.y)
+        sign = self.world.reduced(a.x * b.y - a.y * b.x).vanishes and _plain_sign(self, product_)
+        if not sign:
+            raise NotComparableError("the sense of a letter")
+        return sign
+
+    # --- what is known of signs -----------------------------------------------------------------
+
+    @cached_property
+    def roles(self) -> Mapping[str, Role]:
+        """What each letter may be: nothing beyond what is silent or cited."""
+        roles = dict(self.setting.silent)
+        for each in self.known:
+            for name in each.letters:
+                if self.setting.role(name).kind == "angle":
+                    roles[name] = self.setting.role(name)
+        for name, meaning in self.setting.meanings.items():
+            if name in roles:
+                continue
+            if isinstance(meaning.quantity, Quantity) and meaning.quantity.kind in _POSITIVE:
+                roles[name] = POSITIVE  # as the speeds and the masses of a statement are
+            elif _never_negative(meaning.quantity):
+                roles[name] = Role("real", sp.Integer(0), None, (True, False))
+        return roles
+
+    def formula(self, relation: Relation) -> Formula:
+        """A relation for the oracle."""
+        options = [
+            joined(formula for link in links for formula in self._formulas(link))
+            for links in relation.options
+        ]
+        return options[0] if len(options) == 1 else Some(tuple(options))
+
+    def _formulas(self, link: Link) -> list[Formula]:
+        world = self.world
+        if link.sign in ("parallel to", "perpendicular to", "≈"):
+            return []
+        left, right = alike(world.value(link.left), world.value(link.right))
+        if isinstance(left, Plane) and isinstance(right, Plane):
+            pairs = [(left.x, right.x), (left.y, right.y)]
+        elif isinstance(left, Plane) or isinstance(right, Plane):
+            raise NotComparableError("a vector beside a number")
+        else:
+            pairs = [(left, right)]
+        return [
+            compared(world.expression(a, self.roles), link.sign, world.expression(b, self.roles))
+            for a, b in pairs
+        ]
+
+    @cached_property
+    def facts(self) -> tuple[Formula, ...]:
+        """What is cited, as facts for the oracle."""
+        formulas: list[Formula] = []
+        for each in self.cited:
+            if isinstance(each.relation, Meaning):
+                formulas += self._of_meaning(each.relation)
+            else:
+                formulas.append(self.formula(each.relation))
+        for left, right in self._stays(self.cited, self._rules):
+            formulas += self._formulas(Link(left, "=", right))
+        for speed in self._squared_speeds():
+            formulas += self._formulas(Link(speed, ">=", Number(Fraction(0))))
+        for ahead in self._ahead():
+            formulas += self._formulas(Link(ahead, ">", Number(Fraction(0))))
+        for known in self.known:
+            if not known.letters or not all(
+                self.roles.get(n, REAL).kind == "angle" for n in known.letters
+            ):
+                formulas.append(self.formula(known.relation))
+        return tuple(each for each in formulas if each != All(()))
+
+    def _ahead(self) -> Iterator[Expression]:
+        """The components of velocities in the directions that are cited for them."""
+        for link in self.links:
+            match link:
+                case Link(Quantity("direction", (Name() as body,), int(stage)), "=", angle) if (
+                    isinstance(angle, Degrees)
+                ):
+                    velocity = Quantity("velocity", (body,), stage)
+                    yield Quantity("dot", (velocity, Polar(Number(Fraction(1)), angle)))
+
+    def _squared_speeds(self) -> list[Quantity]:
+        """The speeds whose squares are cited: they are what is not negative of the roots."""
+        squares = dict.fromkeys(
+            each.left
+            for cited in self.cited
+            if isinstance(cited.relation, Relation)
+            for links in cited.relation.options
+            for link in links
+            for side in (link.left, link.right)
+            for each in walk(side)
+            if isinstance(each, Binary) and each.op == "^"
+        )
+        return [e for e in squares if isinstance(e, Quantity) and e.kind == "speed"]
+
+    def _of_meaning(self, meaning: Meaning) -> list[Formula]:
+        if meaning.vector or is_angle(meaning):
+            return []
+        try:
+            sense = self._sense(meaning)
+        except NotComparableError:
+            return []
+        quantity = meaning.quantity if sense == 1 else Negate(meaning.quantity)
+        return self._formulas(Link(Letter(meaning.letter), "=", quantity))
+
+    @cached_property
+    def oracle(self) -> Oracle:
+        """The oracle, under what is cited."""
+        return Oracle(self.roles, self.facts)
+
+    @cached_property
+    def signs(self) -> Signs:
+        """The signs of factors, under what is cited."""
+        return Signs(self.world, lambda: self.oracle)
+
+    # --- comparing ------------------------------------------------------------------------------
+
+    def residual(self, link: Link, rules: Rules | None = None) -> Value:
+        """Left minus right, with values put in."""
+        left, right = alike(self.world.value(link.left), self.world.value(link.right))
+        if isinstance(left, Plane) != isinstance(right, Plane):
+            raise NotComparableError("a vector beside a number")
+        if isinstance(left, Plane) and isinstance(right, Plane):
+            value: Value = Plane(left.x - right.x, left.y - right.y)
+        else:
+            assert isinstance(left, Quotient)
+            assert isinstance(right, Quotient)
+            value = self.world.reduced(left - right)
+        return value if rules is None else rules.put_into(value)
+
+    def is_multiple(self, line: Value, expected: Value, sign: bool = False) -> int | None:
+        """1 or −1 where a residual is k times the expected one, with k of that sign.
+
+        Where ``sign`` is not asked for, it is enough that k is not zero, and 1 is the answer.
+        """
+        k = self.multiple(line, expected)
+        if k is None:
+            return None
+        known = self.signs.of(k, sure=sign)
+        if known is None or (sign and known == 0):
+            return None
+        return known or 1
+
+    def multiple(self, line: Value, expected: Value) -> Quotient | None:
+        """The factor by which a residual is the expected one, which may be zero."""
+        if isinstance(line, Plane) and isinstance(expected, Plane):
+            pairs = [(line.x, expected.x), (line.y, expected.y)]
+            if any(a.vanishes != b.vanishes for a, b in pairs):
+                return None
+            pairs = [(a, b) for a, b in pairs if not b.vanishes]
+            if not pairs:
+                return None
+            if len(pairs) == 2:
+                (a, b), (c, d) = pairs
+                if not self.world.reduced(a * d - c * b).vanishes:
+                    return None
+            return ratio(self.world, *pairs[0])
+        if isinstance(line, Plane) or isinstance(expected, Plane):
+            return None
+        return ratio(self.world, line, expected)
+
+    def under(self, **changes: Any) -> Step:
+        """The same line in another world."""
+        return replace(self, **changes)
+
+
+def alike(left: Value, right: Value) -> tuple[Value, Value]:
+    """Two values, of which a 0 beside a vector is the vector of no length."""
+    nothing = Plane(CONSTANT(0), CONSTANT(0))
+    if isinstance(left, Plane) and isinstance(right, Quotient) and right.vanishes:
+        return left, nothing
+    if isinstance(right, Plane) and isinstance(left, Quotient) and left.vanishes:
+        return nothing, right
+    return left, right
+
+
+def _values(links: Sequence[Link]) -> Iterator[tuple[Expression, Expression]]:
+    """The values that a relation gives: of a chain of equations, the last side of its first."""
+    subject, last = None, None
+    for link in links:
+        if link.sign != "=":
+            subject = None
+            continue
+        if subject is not None and link.left == last:
+            last = link.right
+            continue
+        if subject is not None:
+            assert last is not None
+            yield subject, last
+        subject, last = link.left, link.right
+    if subject is not None:
+        assert last is not None
+        yield subject, last
+
+
+def _without_circles(
+    pairs: Iterable[tuple[Expression, Expression]],
+) -> dict[Expression, Expression]:
+    """What stands for what, the last that is cited, but nothing for what it is made of itself."""
+    chosen: dict[Expression, Expression] = {}
+    for left, right in pairs:
+        others = {key: value for key, value in chosen.items() if key != left}
+        if not _leads_to(right, left, others):
+            chosen[left] = right
+    return chosen
+
+
+def _leads_to(tree: Expression, goal: Expression, by: Mapping[Expression, Expression]) -> bool:
+    pending, seen = [tree], set()
+    while pending:
+        for node in walk(pending.pop()):
+            own = Quantity("direction", (node,)) if isinstance(node, Name) else node
+            if goal in (node, own):
+                return True
+            for key in (node, own):
+                if key in by and key not in seen:
+                    seen.add(key)
+                    pending.append(by[key])
+    return False
+
+
+def _plain_sign(step: Step, x: Quotient) -> int:
+    """The sign of what is made of positive letters and numbers; 0 where that does not tell it."""
+    return Signs(step.world, lambda: Oracle(step.setting.silent)).of(x) or 0
+
+
+def _never_negative(quantity: Expression) -> bool:
+    return isinstance(quantity, Quantity) and (
+        quantity.kind in ("distance", "energy") or quantity == Quantity("impulse")
+    )

@@ -1,0 +1,1 @@
+"""Exact algebra: polynomials, numbers, roots, and what is printed of them."""

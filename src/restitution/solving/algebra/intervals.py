@@ -1,0 +1,123 @@
+"""Intervals of values with exact ends, and what several of them have in common."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from restitution.errors import UnsupportedError
+from restitution.expression.enclosed import Enclosed, UndefinedError
+from restitution.oracle import (
+    All,
+    Formula,
+    Relation,
+    Some,
+)
+from restitution.solving.algebra import forms
+from restitution.solving.algebra.numbers import Sample, at
+
+INFINITE = 10**1000
+
+
+@dataclass(frozen=True)
+class End:
+    """One end of an interval, exact, and whether it belongs to it."""
+
+    value: sp.Expr
+    closed: bool
+
+
+Piece = tuple[End, End]
+Pick = Callable[[Iterable[Enclosed]], Enclosed]
+
+
+def inside_of(x: sp.Expr, pieces: Sequence[Piece]) -> Formula:
+    """The claim that a value lies in one of some intervals."""
+    parts: list[Formula] = []
+    for low, high in pieces:
+        if low.value == high.value:
+            parts.append(Relation(x - low.value, "="))
+            continue
+        ends: list[Formula] = []
+        if low.value != -sp.oo:
+            ends.append(Relation(x - low.value, ">=" if low.closed else ">"))
+        if high.value != sp.oo:
+            ends.append(Relation(high.value - x, ">=" if high.closed else ">"))
+        parts.append(All(tuple(ends)))
+    return parts[0] if len(parts) == 1 else Some(tuple(parts))
+
+
+def joined_cells(cells: list[tuple[sp.Expr | None, bool]]) -> list[Piece]:
+    """Alternating gaps and points, true or false, as intervals."""
+    pieces: list[Piece] = []
+    start: End | None = None
+    for index, (point, inside) in enumerate(cells):
+        if point is None:  # a gap between points
+            if inside and start is None:
+                before = cells[index - 1][0] if index else None
+                start = End(-sp.oo if before is None else before, False)
+            continue
+        if inside:
+            if start is None:
+                start = End(point, True)
+            after = cells[index + 1][1] if index + 1 < len(cells) else False
+            if not after:
+                pieces.append((start, End(point, True)))
+                start = None
+        elif start is not None:
+            pieces.append((start, End(point, False)))
+            start = None
+    if start is not None:
+        pieces.append((start, End(sp.oo, False)))
+    return pieces
+
+
+def reconcile(shapes: list[tuple[list[Piece], Sample]]) -> list[Piece]:
+    """One form for all the trials; ends that change places become the larger or the smaller."""
+    counts = Counter(tuple(pieces) for pieces, _ in shapes)
+    if len(counts) == 1:
+        return shapes[0][0]
+    sizes = {len(pieces) for pieces, _ in shapes}
+    if sizes != {1}:
+        raise UnsupportedError("the form of the range depends on the values of the data")
+    lows = {pieces[0][0] for pieces, _ in shapes}
+    highs = {pieces[0][1] for pieces, _ in shapes}
+    low = _extreme(lows, [(p[0][0], d) for p, d in shapes], sp.Max, max)
+    high = _extreme(highs, [(p[0][1], d) for p, d in shapes], sp.Min, min)
+    return [(low, high)]
+
+
+def _extreme(
+    ends: set[End], seen: list[tuple[End, Sample]], form: type[sp.Max | sp.Min], pick: Pick
+) -> End:
+    if len(ends) == 1:
+        return next(iter(ends))
+    for end, drawn in seen:
+        values = [_end_at(each, drawn) for each in ends]
+        if (_end_at(end, drawn) - pick(values)).sign:
+            raise UnsupportedError("the form of the range depends on the values of the data")
+    return End(form(*[each.value for each in ends]), all(each.closed for each in ends))
+
+
+def _end_at(end: End, drawn: Sample) -> Enclosed:
+    if end.value in (sp.oo, -sp.oo):
+        return Enclosed.of(INFINITE if end.value == sp.oo else -INFINITE)
+    try:
+        return at(end.value, drawn)
+    except UndefinedError:
+        raise UnsupportedError("the form of the range depends on the values of the data") from None
+
+
+def to_set(pieces: Sequence[Piece]) -> sp.Set:
+    """Intervals as one SymPy set, the ends in textbook form."""
+    sets = []
+    for low, high in pieces:
+        a, b = (forms.bound(each.value) for each in (low, high))
+        if a == b:
+            sets.append(sp.FiniteSet(a))
+        else:
+            sets.append(sp.Interval(a, b, not low.closed, not high.closed))
+    return sp.Union(*sets) if sets else sp.S.EmptySet

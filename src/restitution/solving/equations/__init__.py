@@ -1,0 +1,1 @@
+"""The equations of a part, their unknowns, and which roots are admissible."""

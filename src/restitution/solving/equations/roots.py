@@ -1,0 +1,320 @@
+"""The equations of a part: which unknowns they determine, and the roots of these."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from restitution.errors import StatementError, UnsupportedError
+from restitution.expression.enclosed import UndefinedError
+from restitution.expression.evaluate import Angle, Evaluator
+from restitution.expression.tree import Expression, Letter, has_quantity, letters
+from restitution.oracle.roles import REAL, Role
+from restitution.problem import Compare, Impact
+from restitution.solving.algebra.numbers import at
+from restitution.solving.algebra.systems import Root, solve_system
+from restitution.solving.equations.setting import Setting, out_of_range
+from restitution.solving.equations.stages import fixed_besides, solve_in_stages
+from restitution.solving.story import missing
+from restitution.solving.story.conditions import AnyOf, Condition
+from restitution.solving.story.unknowns import SYMBOLIC, Letters
+
+
+@dataclass(frozen=True)
+class Decision:
+    """The choice of one letter that the left-over facts are taken to fix."""
+
+    present: frozenset[str]
+    chosen: frozenset[str]
+    letter: str | None
+
+
+def equations_of_letters(setting: Setting) -> list[tuple[Expression, Expression]]:
+    """The sides of what the facts say of letters alone."""
+    return [
+        (left, right)
+        for given, _ in setting.facts
+        for relation in given.relations
+        if isinstance(relation, Compare)
+        for left, op, right in zip(
+            relation.operands, relation.operators, relation.operands[1:], strict=False
+        )
+        if op == "="
+        and not has_quantity(left)
+        and not has_quantity(right)
+        and not letters_of_pair((left, right)) & set(setting.lets)
+    ]
+
+
+def letters_of_pair(pair: tuple[Expression, Expression]) -> frozenset[str]:
+    """The letters of both sides of an equation."""
+    return letters(pair[0]) | letters(pair[1])
+
+
+def letter_branches(
+    setting: Setting,
+) -> list[tuple[dict[str, sp.Expr], dict[str, tuple[sp.Expr, sp.Expr]]]]:
+    """Values of letters that facts between letters alone give, before the story is told."""
+    symbols = Letters(setting.roles)
+    equations = equations_of_letters(setting)
+    branches: list[tuple[dict[str, sp.Expr], dict[str, tuple[sp.Expr, sp.Expr]]]] = [({}, {})]
+    if not equations:
+        return branches
+    evaluator = Evaluator(SYMBOLIC, symbols.letter)
+    pending: list[sp.Expr] = []
+    for left, right in equations:
+        try:
+            a, b = evaluator.value(left), evaluator.value(right)
+        except StatementError:
+            continue
+        if isinstance(a, tuple) or isinstance(b, tuple):
+            continue
+        a = a.measure() if isinstance(a, Angle) else a
+        b = b.measure() if isinstance(b, Angle) else b
+        pending.append(sp.sympify(a - b, strict=True))
+    taken: set[str] = set()
+    # A letter alone on one side stands for the other side.
+    substitutions: dict[sp.Symbol, sp.Expr] = {}
+    for left, right in equations:
+        for lone, other in ((left, right), (right, left)):
+            if not isinstance(lone, Letter) or lone.name in setting.protected | setting.spared:
+                continue
+            if lone.name in letters(other) or lone.name in taken or not letters(other):
+                continue
+            if lone.name in setting.asked:
+                continue
+            value = evaluator.scalar(other).xreplace(substitutions)
+            symbol = setting.roles[lone.name].symbol(lone.name)
+            if symbol in value.free_symbols:
+                continue
+            substitutions = {k: v.xreplace({symbol: value}) for k, v in substitutions.items()}
+            substitutions[symbol] = value
+            taken.add(lone.name)
+            break
+    for equation in pending:
+        _substitute_linear(setting, equation, substitutions)
+    branches = [({s.name: v for s, v in substitutions.items()}, {})]
+    progress = True
+    while progress:
+        progress = False
+        for equation in list(pending):
+            new = []
+            for values, angles in branches:
+                put = {setting.roles[n].symbol(n): v for n, v in values.items()}
+                current = sp.sympify(equation.xreplace(put), strict=True)
+                current = current.doit() if current.free_symbols else current
+                free = current.free_symbols
+                if len(free) != 1:
+                    new.append((values, angles))
+                    continue
+                (x,) = free
+                progress = True
+                for assignment in _one_letter(setting, current, x):
+                    value = assignment.values[x.name]
+                    deeper = {n: v.xreplace({x: value}) for n, v in values.items()}
+                    new.append(({**deeper, **assignment.values}, {**angles, **assignment.angles}))
+            if any(len(b[0]) != len(a[0]) for a, b in zip(branches, new, strict=False)) or len(
+                new
+            ) != len(branches):
+                pending.remove(equation)
+            branches = new
+    return branches
+
+
+def _substitute_linear(
+    setting: Setting, equation: sp.Expr, substitutions: dict[sp.Symbol, sp.Expr]
+) -> None:
+    """β = 90° − α from α + β = 90°: angles that stand as themselves are not left under a sine."""
+    current = sp.expand(equation.xreplace(substitutions))
+    if len(current.free_symbols) < 2:
+        return
+    for symbol in sorted(
+        current.free_symbols, key=lambda s: (s.name in setting.asked, s.name), reverse=False
+    ):
+        coefficient = current.coeff(symbol)
+        rest = sp.expand(current - coefficient * symbol)
+        if (
+            setting.roles[symbol.name].kind != "angle"
+            or symbol.name in setting.protected | setting.spared
+            or not coefficient.is_Rational
+            or coefficient == 0
+            or rest.has(symbol)
+        ):
+            continue
+        value = sp.expand(-rest / coefficient)
+        for key, old in substitutions.items():
+            substitutions[key] = old.xreplace({symbol: value})
+        substitutions[symbol] = value
+        return
+
+
+def _one_letter(setting: Setting, equation: sp.Expr, x: sp.Symbol) -> list[Root]:
+    role = setting.roles[x.name]
+    is_angle = role.kind == "angle"
+    if is_angle and not equation.has(sp.sin, sp.cos, sp.tan, sp.cot):
+        is_angle = False
+    acute = frozenset({x}) if _acute(role) else frozenset()
+    kept = []
+    for assignment in solve_system(
+        [equation], [x], frozenset({x}) if is_angle else frozenset(), acute, setting.roles
+    ):
+        if x.name not in assignment.values:
+            continue
+        try:
+            value = at(assignment.values[x.name], {})
+        except (UndefinedError, KeyError):
+            continue
+        wrong = out_of_range(x.name, value, role)
+        if wrong is None or wrong[1] == "coefficient":  # which is refused with its reason, later
+            kept.append(assignment)
+    return kept
+
+
+def _acute(role: Role) -> bool:
+    return bool(
+        role.kind == "angle"
+        and role.low is not None
+        and role.high is not None
+        and role.low >= 0
+        and role.high <= sp.pi / 2
+    )
+
+
+def solve_equations(
+    setting: Setting,
+    letters_: Letters,
+    equations: Sequence[sp.Expr],
+    decisions: list[Decision],
+    conditions: Sequence[Condition | AnyOf] = (),
+) -> list[Root]:
+    """Solutions for hidden unknowns, for letters asked for, and for letters the facts fix."""
+    values = [equation for equation in equations if equation != 0]
+    known = letters_.all_roles()
+    chosen = setting.unknown - set(letters_.values)
+    for _ in range(8):
+        unknowns = _ranked(setting, letters_, values, chosen)
+        angles = frozenset(s for s in unknowns if setting.roles.get(s.name, REAL).kind == "angle")
+        acute = frozenset(s for s in angles if _acute(setting.roles[s.name]))
+        letter = None
+        present = fixed_besides(values, unknowns)
+        if present:
+            letter = to_fix(setting, present, chosen)
+            decisions.append(Decision(present, chosen, letter))
+        if letter is not None:
+            chosen = chosen | {letter}
+            continue
+        try:
+            assignments = solve_in_stages(values, unknowns, angles, acute, known, conditions)
+        except UnsupportedError as error:
+            if len(unknowns) <= len(values):
+                raise
+            raise missing.too_many(
+                letters_.phrases.get(s.name, s.name) for s in unknowns
+            ) from error
+        leftover = [each for one in assignments for each in one.leftover]
+        if not leftover:
+            return assignments
+        present = frozenset(s.name for each in leftover for s in each.free_symbols)
+        letter = to_fix(setting, present, chosen)
+        decisions.append(Decision(present, chosen, letter))
+        if letter is None:
+            kept = [one for one in assignments if not one.leftover]
+            return kept
+        chosen = chosen | {letter}
+    raise UnsupportedError("the facts fix more letters than can be sorted out")
+
+
+def _ranked(
+    setting: Setting,
+    letters_: Letters,
+    equations: Sequence[sp.Expr],
+    chosen: frozenset[str],
+) -> list[sp.Symbol]:
+    """The unknowns in these equations, in the order in which to eliminate them."""
+    present = {s for each in equations for s in each.free_symbols}
+
+    def rank(symbol: sp.Symbol) -> tuple[int, str]:
+        name = symbol.name
+        if name.startswith("_"):
+            return 0, name
+        if name in setting.asked:
+            return 2, name
+        return 1, name
+
+    return sorted((s for s in present if s.name.startswith("_") or s.name in chosen), key=rank)
+
+
+def to_fix(setting: Setting, present: frozenset[str], chosen: frozenset[str]) -> str | None:
+    """Which of the letters in left-over facts they are taken to fix."""
+    candidates = present - chosen - setting.protected
+    candidates = candidates - setting.spared or candidates
+    if not candidates:
+        # Facts may fix a letter that answers were to be in terms of: then they need not be.
+        candidates = present - chosen - setting.fixed
+    if not candidates:
+        return None
+    left_out = any(
+        isinstance(step, Impact) and step.e is None for _, step in setting.problem.steps()
+    )
+    shown = {
+        each.name
+        for step in setting.shows
+        if isinstance(step.relation, Compare)
+        for each in step.relation.operands
+        if isinstance(each, Letter)
+    }
+    equated = {
+        each.name
+        for given, _ in setting.facts
+        for relation in given.relations
+        if isinstance(relation, Compare) and any(has_quantity(t) for t in relation.operands)
+        for each in relation.operands
+        if isinstance(each, Letter)
+    }
+    in_shows = {
+        name
+        for step in setting.shows
+        if isinstance(step.relation, Compare)
+        for tree in step.relation.operands
+        if not has_quantity(tree)
+        for name in letters(tree)
+    }
+
+    def priority(name: str) -> tuple[int, str]:
+        role = setting.roles[name]
+        if name in shown:
+            return 0, name
+        if name == "e" and left_out:
+            return 1, name
+        if name in equated:
+            return 2, name
+        if role.kind == "restitution":
+            return 3, name
+        if name in in_shows:
+            return 4, name
+        if role.kind == "angle":
+            return 5, name
+        if role.kind == "real":
+            return 6, name
+        return 7, name
+
+    chosen_letter: str = min(candidates, key=priority)
+    return chosen_letter
+
+
+def put_back(
+    values: Mapping[str, sp.Expr], angles: Mapping[str, tuple[sp.Expr, sp.Expr]], assignment: Root
+) -> Root:
+    """The root with the values and angles of `letter_branches`, its own values put in."""
+    put: dict[sp.Symbol, sp.Expr] = {}
+    combined = dict(assignment.values)
+    pairs = dict(assignment.angles)
+    for name, value in values.items():
+        symbols = {s for s in value.free_symbols if s.name in assignment.values}
+        put = {s: assignment.values[s.name] for s in symbols}
+        combined[name] = value.xreplace(put) if put else value
+        if name in angles and not put:
+            pairs[name] = angles[name]
+    return Root(combined, pairs, assignment.leftover)

@@ -1,0 +1,1 @@
+"""All values that something can take: ranges, extrema, and for which letters an answer holds."""

@@ -1,0 +1,240 @@
+"""A range whose form depends on the data: one form for each interval of one letter of the data.
+
+Where the form changes, two of its ends meet, or an end begins to have a value. Those borders are
+found exactly; between them, and at them, the form is sought at one point and then proved.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Protocol
+
+import sympy as sp
+
+from restitution.errors import RestitutionError, UnsupportedError
+from restitution.expression.enclosed import Enclosed, UndefinedError
+from restitution.oracle import BeyondError, Formula, Oracle, Proof, Verdict
+from restitution.oracle.roles import Role
+from restitution.solving.algebra import forms
+from restitution.solving.algebra.intervals import End, Piece, inside_of, to_set
+from restitution.solving.algebra.numbers import Sample, at, bound, sample
+from restitution.solving.ranges.zeros import deciding, zeros
+
+KINDS = ("positive", "real", "angle", "restitution")
+MOST_BORDERS = 10
+MOST_ENDS = 8
+_NO_NUMBERS = (sp.oo, sp.nan, sp.zoo)
+SAMPLES = 4
+
+
+class Family(Protocol):
+    """Intervals of values that depend on data: of a letter (`Region`) or of a quantity.
+
+    ``shapes`` are their forms at some values of the data, and ``critical`` all that may be an end;
+    ``given`` are facts of the data, and ``formula`` is all that is asked, if letters can say it.
+    """
+
+    @property
+    def role(self) -> Role: ...
+    @property
+    def shapes(self) -> list[tuple[list[Piece], Sample]]: ...
+    @property
+    def critical(self) -> Sequence[sp.Expr]: ...
+    @property
+    def roles(self) -> Mapping[str, Role]: ...
+    @property
+    def given(self) -> tuple[Formula, ...]: ...
+    @property
+    def formula(self) -> Formula | None: ...
+    def data(self) -> list[str]: ...
+    def pieces_at(self, drawn: Sample) -> list[Piece]: ...
+    def proved(self, pieces: Sequence[Piece], more: Sequence[Formula] = ()) -> Verdict: ...
+
+
+@dataclass(frozen=True)
+class Case:
+    """The form of a range for some values of one letter of the data."""
+
+    letter: str
+    where: Piece
+    pieces: tuple[Piece, ...]
+    proof: Proof
+
+    @property
+    def values(self) -> sp.Set:
+        """The values of the letter of the data."""
+        return to_set([self.where])
+
+
+def cases(region: Family) -> list[Case]:
+    """The forms of a range, each proved; none, where that is not possible.
+
+    For the values of the data that no case has, nothing is possible.
+    """
+    ends = {end.value for pieces, _ in region.shapes for piece in pieces for end in piece}
+    ends |= {x for x in (region.role.low, region.role.high) if x is not None}
+    more = [x for x in dict.fromkeys(region.critical) if x not in ends]
+    ends |= set(more[: max(0, MOST_ENDS - len(ends))])
+    finite = sorted((end for end in ends if not end.has(*_NO_NUMBERS)), key=sp.default_sort_key)
+    if not any(end.free_symbols for end in finite):
+        return []
+    names = {s.name for end in finite for s in end.free_symbols} & set(region.data())
+    for name in sorted(names, key=lambda n: (KINDS.index(region.roles[n].kind), n)):
+        borders = _borders(region, finite, name)
+        if 0 < len(borders) <= MOST_BORDERS:
+            try:
+                cases_ = _along(region, name, borders)
+            except (RestitutionError, BeyondError, UndefinedError):
+                continue
+            if cases_:
+                return cases_
+    return []
+
+
+def _borders(region: Family, ends: Sequence[sp.Expr], name: str) -> list[sp.Expr]:
+    """Where ends meet or cease to have a value, as values of one letter."""
+    symbol = region.roles[name].symbol(name)
+    changing = [a - b for a, b in combinations(ends, 2)] + list(ends)
+    borders: list[sp.Expr] = []
+    for each in dict.fromkeys(part for x in changing for part in deciding(x)):
+        if each.has(symbol):
+            borders += [x for x in zeros([each], [symbol], region.roles, name) if x not in borders]
+    return borders
+
+
+def _along(region: Family, name: str, borders: Sequence[sp.Expr]) -> list[Case]:
+    """The forms as one letter of the data grows, or none where one is not proved."""
+    drawn, order = _ordered(region, name, borders)
+    role = region.roles[name]
+    cells = _merged(list(_cells(region, name, role, order, drawn)), drawn, name)
+    cases_: list[Case] = []
+    for where, pieces in cells:
+        inside = inside_of(role.symbol(name), [where])
+        if pieces:
+            verdict = region.proved(pieces, (inside,))
+            if verdict.answer != "proved":
+                return []
+            plain = tuple(_without_bars(region, inside, piece) for piece in pieces)
+            cases_.append(Case(name, where, plain, verdict.proof))
+        elif not _empty(region, inside):
+            return []
+    return cases_
+
+
+def _without_bars(region: Family, inside: Formula, piece: Piece) -> Piece:
+    """The ends of an interval without bars around what has one sign where this form holds."""
+    oracle = Oracle(region.roles, (*region.given, inside))
+    low, high = (
+        End(forms.tidy(end.value.xreplace(forms.bars_of(end.value, oracle))), end.closed)
+        if end.value.has(sp.Abs)
+        else end
+        for end in piece
+    )
+    return low, high
+
+
+def _empty(region: Family, inside: Formula) -> bool:
+    if region.formula is None:
+        return False
+    facts = (*region.given, inside, region.formula)
+    return Oracle(region.roles, facts).possible.answer == "refuted"
+
+
+def _ordered(region: Family, name: str, borders: Sequence[sp.Expr]) -> tuple[Sample, list[sp.Expr]]:
+    """Values of the other data, and the borders in the order that they always seem to have."""
+    rng = random.Random(31)
+    role = region.roles[name]
+    others = [each for each in region.data() if each != name]
+    seen: list[tuple[Sample, list[sp.Expr]]] = []
+    for _ in range(SAMPLES if others else 1):
+        drawn = sample(others, region.roles, rng)
+        numbers: list[tuple[Enclosed, sp.Expr]] = []
+        for border in borders:
+            try:
+                value = at(border, drawn)
+            except UndefinedError:
+                continue
+            if _within(value, role) and all((value - n).sign for n, _ in numbers):
+                numbers.append((value, border))
+        seen.append((drawn, [border for _, border in sorted(numbers, key=lambda pair: pair[0])]))
+    if any(order != seen[0][1] for _, order in seen):
+        raise UnsupportedError("the form of the range depends on the values of the data")
+    return seen[0]
+
+
+def _within(value: Enclosed, role: Role) -> bool:
+    """Whether a letter may have a value, which may be a closed end of its range."""
+    low, high = bound(role.low), bound(role.high)
+    above = low is None or value > low or (role.closed[0] and not (value - low).sign)
+    return above and (high is None or value < high or (role.closed[1] and not (value - high).sign))
+
+
+Cell = tuple[Piece, list[Piece]]
+
+
+def _cells(
+    region: Family, name: str, role: Role, order: Sequence[sp.Expr], drawn: Sample
+) -> Iterator[Cell]:
+    """Gaps between borders and the borders by turns, each with the form of the range there."""
+    low = End(-sp.oo, False) if role.low is None else End(role.low, role.closed[0])
+    last = End(sp.oo, False) if role.high is None else End(role.high, role.closed[1])
+    for border in order:
+        point = End(border, False)
+        if border != low.value:
+            yield (low, point), region.pieces_at({**drawn, name: _between(low, point, drawn)})
+        yield (
+            (End(border, True), End(border, True)),
+            region.pieces_at({**drawn, name: at(border, drawn)}),
+        )
+        low = point
+    if low.value == last.value:
+        return
+    yield (low, last), region.pieces_at({**drawn, name: _between(low, last, drawn)})
+
+
+def _between(low: End, high: End, drawn: Sample) -> Enclosed:
+    if low.value == -sp.oo:
+        return Enclosed.of(0) if high.value == sp.oo else at(high.value, drawn) - 1
+    if high.value == sp.oo:
+        return 2 * at(low.value, drawn) + 1
+    return (2 * at(low.value, drawn) + 3 * at(high.value, drawn)) / 5
+
+
+def _merged(cells: list[Cell], drawn: Sample, name: str) -> list[Cell]:
+    """The cells, neighbours of one form as one."""
+    merged: list[Cell] = []
+    for where, pieces in cells:
+        if merged:
+            (low, high), known = merged[-1]
+            place = None if high.value.is_infinite else {**drawn, name: at(high.value, drawn)}
+            point = where[0].value == where[1].value
+            if pieces == known or (point and place and _same(known, pieces, place)):
+                merged[-1] = ((low, where[1]), known)
+                continue
+            was_point = low.value == high.value
+            if was_point and place and _same(pieces, known, place):
+                merged[-1] = ((low, where[1]), pieces)
+                continue
+        merged.append((where, pieces))
+    return merged
+
+
+def _same(form: Sequence[Piece], pieces: Sequence[Piece], drawn: Sample) -> bool:
+    """Whether a form has the same intervals as another, at one point."""
+    try:
+        return len(form) == len(pieces) and all(
+            a.closed == b.closed and (a.value == b.value or _near(a.value, b.value, drawn))
+            for one, other in zip(form, pieces, strict=True)
+            for a, b in zip(one, other, strict=True)
+        )
+    except UndefinedError:
+        return False
+
+
+def _near(a: sp.Expr, b: sp.Expr, drawn: Sample) -> bool:
+    if a.is_infinite or b.is_infinite:
+        return False
+    return not (at(a, drawn) - at(b, drawn)).sign

@@ -1,0 +1,424 @@
+"""For which values of the letters an answer holds, where it does not hold for all of them.
+
+What the statement itself asks of its letters (bodies approach, a given inequality) goes without
+saying. What a solution asks beyond that, such as 0 ≤ e ≤ 1 of an e that was found, is put as bounds
+of one letter, with ends in the others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import sympy as sp
+
+from restitution import exact
+from restitution.errors import RestitutionError
+from restitution.oracle import (
+    BeyondError,
+    Formula,
+    Oracle,
+    Relation,
+    letters_of,
+    relations,
+)
+from restitution.oracle.roles import Role
+from restitution.render.layout import Layout, Phrase, Words, from_set, relation
+from restitution.render.text import to_text
+from restitution.solving.algebra import forms
+from restitution.solving.algebra.intervals import inside_of, to_set
+from restitution.solving.algebra.polynomials import factors
+from restitution.solving.equations.part import Outcome
+from restitution.solving.equations.setting import Trial
+from restitution.solving.equations.solution import Answer
+from restitution.solving.ranges.cases import KINDS
+from restitution.solving.ranges.regions import Region
+from restitution.solving.story.admission import Demand, demands_for
+from restitution.solving.story.conditions import Condition
+
+MOST_LETTERS = 6
+_SIGNS = {">": ">", ">=": "≥", "!=": "≠", "=": "="}
+
+
+@dataclass(frozen=True)
+class Limitation:
+    """A condition on the letters: ``text`` as a relation to be read again, and as mathematics.
+
+    Where it bounds what was found for a ``letter``, ``own`` says so by the letter itself.
+    """
+
+    text: str
+    layout: Layout
+    letter: str | None = None
+    own: Layout | None = None
+
+
+def limitations(outcome: Outcome, trial: Trial) -> tuple[Limitation, ...]:
+    """What an accepted solution asks of the letters beyond what the statement does."""
+    admission = trial.admission
+    roles = outcome.letters.all_roles() if admission is None else admission.roles
+    demands = _at_contacts(outcome, trial) if admission is None else admission.demands
+    base = Oracle(roles, presupposed(outcome)) if demands else Oracle(roles)
+    rest = [
+        demand
+        for demand in dict.fromkeys(demands)
+        if _is_of_visible_letters(demand) and not base.decide(demand.formula)
+    ]
+    return tuple(_limits(outcome, trial, base, _needed(base, rest)))
+
+
+def _at_contacts(outcome: Outcome, trial: Trial) -> tuple[Demand, ...]:
+    """What the motion asks of places of contact, where the story is not told again with them.
+
+    A time of flight and a size that are sought are positive, and so of no account in a product.
+    """
+    places = {name: x for name, x in trial.root.values.items() if name.startswith("_c_")}
+    if not places:
+        return ()
+    roles = outcome.letters.all_roles()
+    put = {roles[name].symbol(name): value for name, value in places.items()}
+    demands: list[Demand] = []
+    for need in outcome.open_story.conditions:
+        if not isinstance(need, Condition):
+            continue
+        value = sp.together(sp.sympify(need.value, strict=True))
+        if not value.free_symbols & put.keys():
+            continue
+        hidden = {each for each in value.free_symbols - put.keys() if each.name.startswith("_")}
+        positive = [each for each in hidden if each.is_positive]
+        value = sp.Mul(*(x for x in sp.Mul.make_args(value) if x.as_base_exp()[0] not in positive))
+        value = forms.tidy(sp.together(value.xreplace(put)))
+        demands.append(Demand(Relation(value, need.relation), need.reason, need.kind))
+    return tuple(demands)
+
+
+def range_limitations(outcome: Outcome, region: Region, values: sp.Set) -> tuple[Limitation, ...]:
+    """For which of the other letters a range of one is not empty."""
+    if not isinstance(values, sp.Interval) or region.proof == "undecided":
+        return ()
+    gap = _gap(values)
+    if not region.trials:
+        return ()
+    facts = [each for each in presupposed(outcome) if region.letter not in letters_of(each)]
+    base = Oracle(region.roles, tuple(facts))
+    if gap is None or base.decide(gap.formula):
+        return _defined(outcome, region.trials[0], base, values.args[:2])
+    return tuple(_limits(outcome, region.trials[0], base, [gap]))
+
+
+def defined(outcome: Outcome, trial: Trial, values: Iterable[sp.Expr]) -> tuple[Limitation, ...]:
+    """For which letters values exist: no divisor is zero, and no root is that of less than zero."""
+    if trial.admission is None:
+        return ()
+    base = Oracle(trial.admission.roles, presupposed(outcome))
+    return _defined(outcome, trial, base, values)
+
+
+def _defined(
+    outcome: Outcome, trial: Trial, base: Oracle, values: Iterable[sp.Expr]
+) -> tuple[Limitation, ...]:
+    rest = [
+        each
+        for each in _existence(values)
+        if _is_of_visible_letters(each)
+        and letters_of(each.formula) <= base.roles.keys()
+        and not base.decide(each.formula)
+    ]
+    return tuple(_limits(outcome, trial, base, _needed(base, rest))) if rest else ()
+
+
+def _existence(values: Iterable[sp.Expr]) -> list[Demand]:
+    """That no divisor in some values is zero, and that no root is that of less than zero."""
+    demands: list[Demand] = []
+    for power in {each for value in values for each in value.atoms(sp.Pow)}:
+        inside, exponent = power.as_base_exp()
+        if not inside.free_symbols or not exponent.is_Rational:
+            continue
+        if exponent < 0 or not exponent.is_Integer:
+            sign: Literal[">=", "!=", ">"] = (
+                ">=" if exponent > 0 else "!=" if exponent.is_Integer else ">"
+            )
+            demands.append(Demand(Relation(inside, sign), "", "fact"))
+    return demands
+
+
+def always_exist(values: sp.Set, base: Oracle) -> bool:
+    """Whether the ends of a range have values for all that the other letters may be."""
+    ends = values.args[:2] if isinstance(values, sp.Interval) else ()
+    return all(base.decide(each.formula) for each in _existence(ends))
+
+
+def _gap(values: sp.Interval) -> Demand | None:
+    """The demand that an interval is not empty."""
+    if values.start.is_infinite or values.end.is_infinite:
+        return None
+    width = values.end - values.start
+    if not width.free_symbols:
+        return None
+    open_ = bool(values.left_open or values.right_open)
+    return Demand(Relation(width, ">" if open_ else ">="), "", "fact")
+
+
+def with_condition(
+    answer: Answer, plain: Layout, limits: Sequence[Limitation], letter: str | None = None
+) -> Answer:
+    """An answer, perhaps for a letter, with the condition under which it holds."""
+    if not limits:
+        return answer
+    condition = _listed(
+        [
+            limit.own if limit.own is not None and limit.letter == letter else limit.layout
+            for limit in limits
+        ]
+    )
+    layout = Phrase((plain, Phrase((Words("for"), condition))), ", ")
+    return replace(
+        answer,
+        layout=layout,
+        display=to_text(layout),
+        condition=tuple(limit.text for limit in limits),
+        condition_layout=condition,
+    )
+
+
+def _listed(conditions: Sequence[Layout]) -> Layout:
+    """Conditions that all have to hold: ``u > v, k ≥ 1 and m ≤ M``."""
+    *others, last = conditions
+    if not others:
+        return last
+    split = any(isinstance(condition, Phrase) for condition in conditions)
+    return Phrase((Phrase(tuple(others), ", "), last), ", and " if split else " and ")
+
+
+def presupposed(outcome: Outcome) -> tuple[Formula, ...]:
+    """What the statement asks of its letters before anything is solved."""
+    story = outcome.open_story
+    try:
+        needs = [*story.conditions, *outcome.setting.requirements(story)]
+    except RestitutionError:
+        return ()
+    sought = {name for trial in outcome.trials for name in trial.root.values}
+    demands, _ = demands_for(needs)
+    return tuple(
+        dict.fromkeys(
+            demand.formula
+            for demand in demands
+            if _is_of_visible_letters(demand) and not letters_of(demand.formula) & sought
+        )
+    )
+
+
+def _is_of_visible_letters(demand: Demand) -> bool:
+    """Whether a demand is one of the letters that people see."""
+    names = letters_of(demand.formula)
+    return bool(names) and not any(name.startswith("_") for name in names)
+
+
+def _needed(base: Oracle, demands: list[Demand]) -> list[Demand]:
+    """Demands of which none follows from the others, the shortest of them kept."""
+    kept = sorted(demands, key=_size)
+    for demand in reversed(list(kept)):
+        others = [each for each in kept if each is not demand]
+        if others and base.with_facts(d.formula for d in others).decide(demand.formula):
+            kept = others
+    return kept
+
+
+def _size(demand: Demand) -> int:
+    return sum(int(sp.count_ops(each.value)) for each in relations(demand.formula))
+
+
+def _limits(
+    outcome: Outcome, trial: Trial, base: Oracle, demands: list[Demand]
+) -> Iterator[Limitation]:
+    if not demands:
+        return
+    names = sorted(
+        {name for each in demands for name in letters_of(each.formula)},
+        key=lambda name: (KINDS.index(_role(base, name).kind), -_share(name, demands), name),
+    )
+    for name in names if len(names) <= MOST_LETTERS else []:
+        region = _region(outcome, trial, base, demands, name)
+        if region is None:
+            continue
+        gap = _gap(region) if isinstance(region, sp.Interval) else None
+        proved = gap is None or base.decide(gap.formula)
+        if not proved and not _is_everywhere(base, region):
+            continue  # where an end has no value, nothing is said of the letter
+        bounds = bounds_of(name, region, base.roles)
+        if _has_roots(region):
+            plain = list(_plainly(base, trial, demands))
+            if sum(len(each.text) for each in plain) < len(bounds.text):
+                yield from plain
+                return
+        yield bounds
+        # For which of the other letters there are such values at all.
+        if gap is not None and not proved:
+            yield from _limits(outcome, trial, base, [gap])
+        return
+    yield from _plainly(base, trial, demands)
+
+
+def _is_everywhere(base: Oracle, values: sp.Interval) -> bool:
+    """Whether the ends of an interval have values for all values of the other letters."""
+    for end in values.args[:2]:
+        below = sp.fraction(sp.together(end))[1]
+        if not below.is_number and not base.decide(Relation(below, "!=")):
+            return False
+    return True
+
+
+def _has_roots(values: sp.Set) -> bool:
+    """Whether letters stand under roots in the ends of some intervals."""
+    parts = values.args if isinstance(values, sp.Union) else (values,)
+    ends = [end for each in parts if isinstance(each, sp.Interval) for end in each.args[:2]]
+    return any(
+        x.base.free_symbols for end in ends for x in end.atoms(sp.Pow) if not x.exp.is_Integer
+    )
+
+
+def _plainly(base: Oracle, trial: Trial, demands: Sequence[Demand]) -> Iterator[Limitation]:
+    """The inequalities themselves, without those that follow from the others."""
+    facts = list(dict.fromkeys(each for d in demands for each in relations(d.formula)))
+    for fact in facts:
+        others = [other for other in facts if other != fact]
+        if base.decide(fact) or base.with_facts(others).decide(fact):
+            facts = others
+    yield from _inequalities(base, trial, facts)
+
+
+def _inequalities(base: Oracle, trial: Trial, facts: Sequence[Relation]) -> Iterator[Limitation]:
+    """Inequalities themselves; two that bound what was found for a letter as one, if shorter."""
+    left = list(facts)
+    for name, root in trial.root.values.items():
+        for low in [each for each in left if each.value == root]:
+            high = next((each for each in left if (each.value + root).is_number), None)
+            if high is None or not {low.operator, high.operator} <= {">", ">="}:
+                continue
+            plain = _inequality(base, low), _inequality(base, high)
+            chain = _chain(name, low, high)
+            if len(chain.text) < sum(len(each.text) for each in plain):
+                left = [each for each in left if each not in (low, high)]
+                yield chain
+    for each in left:
+        yield _inequality(base, each)
+
+
+def _chain(name: str, low: Relation, high: Relation) -> Limitation:
+    """The limitation 0 ≤ e ≤ 1 for the value of e."""
+    value, top = forms.tidy(low.value), high.value + low.value
+    (before, shown_before), (after, shown_after) = (
+        ("<", "<") if each.operator == ">" else ("<=", "≤") for each in (low, high)
+    )
+    layout, own = (
+        relation(sp.Integer(0), shown_before, x, shown_after, top) for x in (value, sp.Symbol(name))
+    )
+    text = f"0 {before} {exact.sympy_text(value)} {after} {exact.sympy_text(top)}"
+    return Limitation(text, layout, name, own)
+
+
+def _role(base: Oracle, name: str) -> Role:
+    return base.roles[name]
+
+
+def _share(name: str, demands: list[Demand]) -> int:
+    return sum(name in letters_of(demand.formula) for demand in demands)
+
+
+def _region(
+    outcome: Outcome, trial: Trial, base: Oracle, demands: list[Demand], name: str
+) -> sp.Set | None:
+    """The values of one letter that the demands allow."""
+    own = replace(outcome, trials=(trial,))
+    try:
+        region = Region(own, name, (), base, tuple(demands))
+        pieces = region.pieces()
+    except (RestitutionError, BeyondError):
+        return None
+    if not pieces or region.proof == "undecided":
+        return None
+    if len(pieces) > 1:
+        # Values that the statement itself excludes need not be told apart.
+        pieces = [
+            piece
+            for piece in pieces
+            if base.with_facts([inside_of(region.symbol, [piece])]).possible.answer != "refuted"
+        ]
+    return to_set(pieces) if pieces else None
+
+
+def bounds_of(name: str, values: sp.Set, roles: Mapping[str, Role]) -> Limitation:
+    """The limitation of a letter to these values, without what its role implies."""
+    role = roles[name]
+    symbol = role.symbol(name)
+    if isinstance(values, sp.Interval):
+        # An end that holds of the letter anyway need not be said.
+        low, high = values.start, values.end
+        if role.low is not None and low == role.low and values.left_open != role.closed[0]:
+            low = -sp.oo
+        if role.high is not None and high == role.high and values.right_open != role.closed[1]:
+            high = sp.oo
+        values = sp.Interval(low, high, values.left_open, values.right_open)
+    layout = from_set(values, symbol, degrees=role.kind == "angle")
+    return Limitation(" or ".join(_chains(name, values)), layout)
+
+
+def _chains(name: str, values: sp.Set) -> Iterator[str]:
+    if isinstance(values, sp.FiniteSet):
+        yield from (f"{name} = {exact.sympy_text(argument)}" for argument in values.args)
+    elif isinstance(values, sp.Union):
+        for part in values.args:
+            yield from _chains(name, part)
+    elif isinstance(values, sp.Interval):
+        text = name
+        if values.start != -sp.oo:
+            sign = "<" if values.left_open else "<="
+            text = f"{exact.sympy_text(values.start)} {sign} {text}"
+        if values.end != sp.oo:
+            sign = "<" if values.right_open else "<="
+            text = f"{text} {sign} {exact.sympy_text(values.end)}"
+        yield text
+
+
+def _inequality(base: Oracle, each: Relation) -> Limitation:
+    """An inequality itself, without the factors whose sign is known."""
+    above, below = (_of_open_sign(base, x) for x in sp.together(each.value).as_numer_denom())
+    operator = each.operator
+    if operator == ">=" and above.is_number:
+        operator = ">"  # what divides is not zero
+    quotient = above / below if operator == ">=" else above * below
+    bars = {
+        node: sign * node.args[0]
+        for node in quotient.atoms(sp.Abs)
+        if (sign := base.sign(node.args[0])) is not None
+    }
+    value = sp.Integer(1)
+    for factor in sp.Mul.make_args(forms.tidy(quotient.xreplace(bars))):
+        sign = base.sign(factor)
+        value *= factor if sign is None else sign
+    if operator == ">" and value.is_Pow and value.exp == sp.S.Half:
+        value = value.base
+    left, right = value, sp.Integer(0)
+    if value.is_Add and len(value.args) == 2:
+        minus = [x for x in value.args if x.could_extract_minus_sign()]
+        if len(minus) == 1:
+            left, right = value - minus[0], -minus[0]
+    text = f"{exact.sympy_text(left)} {operator} {exact.sympy_text(right)}"
+    return Limitation(text, relation(left, _SIGNS[operator], right))
+
+
+def _of_open_sign(base: Oracle, side: sp.Expr) -> sp.Expr:
+    """An expression without the factors whose sign is known, but for the sign itself."""
+    try:
+        parts = factors(sp.expand(side))
+    except sp.PolynomialError:
+        parts = (side,)
+    content = sp.cancel(sp.expand(side) / sp.Mul(*parts)) if parts else side
+    if not content.is_number:
+        content, parts = sp.Integer(1), (side,)
+    product = sp.sign(content)
+    for factor in parts:
+        sign = base.sign(factor)
+        product *= factor if sign is None else sign
+    return product

@@ -1,0 +1,235 @@
+"""Which values of the letters left free a solution admits, and why not the others.
+
+The story is told once with what was found put in. What the physics and the facts then ask for are
+formulas in the letters that stay free: the oracle decides whether any values satisfy them, and
+points are tried in compiled form.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import sympy as sp
+
+from restitution.expression.enclosed import Enclosed, UndefinedError
+from restitution.oracle import (
+    Formula,
+    Oracle,
+    Program,
+    Relation,
+    Some,
+    holds_with,
+    joined,
+    negation,
+    relations,
+)
+from restitution.oracle.points import Value
+from restitution.oracle.roles import COEFFICIENT, Role
+from restitution.solving.algebra.signs import sign as sign_of
+from restitution.solving.story.conditions import AnyOf, Condition, Equation
+
+COEFFICIENT_RULE = "a coefficient of restitution lies in [0, 1]"
+
+# Of more than these it takes long to find the few that clash.
+MOST_DEMANDS = 12
+
+Requirement = Equation | Condition | AnyOf
+
+
+@dataclass(frozen=True)
+class Demand:
+    """Something that the letters left free have to satisfy; else ``reason``, of some kind."""
+
+    formula: Formula
+    reason: str
+    kind: str
+
+
+def formula_of(need: Condition | AnyOf) -> Formula:
+    """A condition as a formula."""
+    if isinstance(need, AnyOf):
+        return Some(tuple(formula_of(option) for option in need.options))
+    return Relation(sp.sympify(need.value, strict=True), need.relation)
+
+
+@dataclass
+class Admission:
+    """What is asked of the free letters of one solution.
+
+    ``equations`` vanish if the solution is one. ``assumed`` are signs that were taken for granted
+    while the story was told: where one is different, the rest says nothing.
+    """
+
+    roles: Mapping[str, Role]
+    demands: tuple[Demand, ...]
+    equations: tuple[sp.Expr, ...]
+    assumed: tuple[Formula, ...] = ()
+
+    @cached_property
+    def oracle(self) -> Oracle:
+        """Decides what follows wherever the demands are satisfied."""
+        return Oracle(
+            self.roles, tuple(dict.fromkeys((*(d.formula for d in self.demands), *self.assumed)))
+        )
+
+    @cached_property
+    def _program(self) -> tuple[tuple[sp.Expr, ...], Program]:
+        values = dict.fromkeys(
+            each.value
+            for formula in (*(d.formula for d in self.demands), *self.assumed)
+            for each in relations(formula)
+        )
+        every = tuple(values)
+        return every, Program.of((*every, *self.equations))
+
+    @cached_property
+    def _constants(self) -> dict[int, int]:
+        """The exact signs, by their places, of what is a number and looks like zero."""
+        every = (*self._program[0], *self.equations)
+        numbers = [x if not x.free_symbols else sp.Integer(1) for x in every]
+        seen = Program.of(numbers).near_signs({})
+        exactly = ((n, sign_of(x)) for n, x in enumerate(numbers) if seen[n] == 0)
+        return {n: own for n, own in exactly if own is not None}
+
+    def objection(self, point: Mapping[str, Enclosed | Value]) -> tuple[str, str] | None:
+        """Why the letters may not have these values, as (reason, kind); None if they may.
+
+        Raises UndefinedError where something has no real value, and LookupError where the story
+        goes another way than it was told.
+        """
+        every, program = self._program
+        near = program.near_signs(point)
+        for n, own in self._constants.items():
+            near[n] = own
+        signs = dict(zip(every, near, strict=False))
+        if not all(holds_with(each, signs) for each in self.assumed):
+            raise LookupError("another telling")
+        for demand in self.demands:
+            holds = holds_with(demand.formula, signs)
+            if holds is None:
+                raise UndefinedError(demand.reason)
+            if not holds:
+                return demand.reason, demand.kind
+        for sign in near[len(every) :]:
+            if sign is None:
+                raise UndefinedError("an equation")
+            if sign:
+                return "a fact", "equation"
+        return None
+
+    def refusal(self) -> Demand | None:
+        """The first demand that no values of the letters satisfy; None if none is known.
+
+        Of several that cannot be satisfied together, it is the last of a few of which none can be
+        left out. An impossible coefficient is blamed only where nothing else is wrong.
+        """
+        alone = Oracle(self.roles, self.assumed)
+        by_blame = sorted(self.demands, key=lambda each: each.kind == "coefficient")
+        refused = next((each for each in by_blame if alone.decide(negation(each.formula))), None)
+        if refused is not None or len(by_blame) > MOST_DEMANDS or not self._clash(by_blame):
+            return refused
+        core = by_blame
+        for each in reversed(by_blame):
+            rest = [other for other in core if other is not each]
+            core = rest if self._clash(rest) else core
+        return core[-1]
+
+    def _clash(self, demands: Sequence[Demand]) -> bool:
+        """Whether it is proved that no values of the letters satisfy these demands together."""
+        facts = (*dict.fromkeys(demand.formula for demand in demands), *self.assumed)
+        return Oracle(self.roles, facts).possible.answer == "refuted"
+
+
+def demands_of(
+    values: Mapping[str, sp.Expr],
+    angles: Mapping[str, tuple[sp.Expr, sp.Expr]],
+    roles: Mapping[str, Role],
+    phrases: Mapping[str, str],
+) -> list[Demand]:
+    """What the role of each letter that was solved for asks of its value."""
+    hidden = [
+        Demand(Relation(radicand, ">="), "it would not be real", "equation")
+        for value in values.values()
+        for radicand in _radicands(value)
+    ]
+    hidden += [
+        Demand(Relation(below, "!="), "it would not be real", "equation")
+        for value in values.values()
+        for below in [sp.fraction(sp.together(value))[1]]
+        if below.free_symbols
+    ]
+    plain: list[Demand] = []
+    coefficients: list[Demand] = []
+    for name, value in values.items():
+        role = roles.get(name)
+        if role is None:
+            continue
+        if name.startswith("_"):
+            if role.low is not None:
+                reason = f"{phrases.get(name, name)} would be negative"
+                hidden.append(Demand(Relation(value, ">"), reason, "sign"))
+            continue
+        if role.kind == "restitution":
+            coefficients.append(
+                Demand(joined(_within(value, None, COEFFICIENT)), COEFFICIENT_RULE, "coefficient")
+            )
+            if role == COEFFICIENT:
+                continue
+        formula = joined(_within(value, angles.get(name), role))
+        reason, kind = reason_outside(name, role)
+        plain.append(Demand(formula, reason, kind))
+    # An impossible coefficient is blamed only where nothing else is wrong.
+    return [*hidden, *plain, *coefficients]
+
+
+def _radicands(value: sp.Expr) -> list[sp.Expr]:
+    """What stands under the square roots of a value, where it has letters."""
+    return sorted(
+        {
+            node.base
+            for node in value.atoms(sp.Pow)
+            if node.exp.is_Rational and node.exp.q % 2 == 0 and node.base.free_symbols
+        },
+        key=sp.default_sort_key,
+    )
+
+
+def _within(value: sp.Expr, angle: tuple[sp.Expr, sp.Expr] | None, role: Role) -> Iterable[Formula]:
+    if angle is not None and role.low == 0 and role.high == sp.pi / 2:
+        c, s = (sp.sympify(each, strict=True) for each in angle)
+        yield Relation(c, ">=" if role.closed[1] else ">")
+        yield Relation(s, ">=" if role.closed[0] else ">")
+        return
+    if role.low is not None:
+        yield Relation(value - role.low, ">=" if role.closed[0] else ">")
+    if role.high is not None:
+        yield Relation(role.high - value, ">=" if role.closed[1] else ">")
+
+
+def reason_outside(name: str, role: Role) -> tuple[str, str]:
+    """Why a letter may not have a value outside its range."""
+    if role.kind == "restitution":
+        return "a given inequality does not hold", "fact"
+    if role.kind == "angle":
+        ends = [
+            f"{float(x) * 180 / float(sp.pi):.4g}°" for x in (role.low, role.high) if x is not None
+        ]
+        return f"the angle must lie between {' and '.join(ends)}", "range"
+    if role.low == 0:
+        return f"{name} must be positive", "range"
+    return f"{name} is outside the range given for it", "range"
+
+
+def demands_for(needs: Sequence[Requirement]) -> tuple[list[Demand], list[sp.Expr]]:
+    """The conditions among some requirements as demands, and the values that must vanish."""
+    demands = [
+        Demand(formula_of(need), need.reason, need.kind)
+        for need in needs
+        if not isinstance(need, Equation)
+    ]
+    equations = [
+        sp.sympify(need.value, strict=True) for need in needs if isinstance(need, Equation)
+    ]
+    return demands, [equation for equation in equations if equation != 0]

@@ -1,0 +1,316 @@
+"""The quantities of a story: what ``speed(P, 2)``, ``deflection(A)`` or ``impulse`` is worth."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from restitution import law
+from restitution.errors import ImpossibleError, StatementError, UnsupportedError
+from restitution.expression.evaluate import Angle, Scalar, Value
+from restitution.expression.tree import AtTime, Expression, Name, Quantity, letters, line_and_column
+from restitution.problem import Arrival, Impact
+from restitution.solving.story.happenings import Happening
+from restitution.solving.story.state import State
+from restitution.vector import Vector
+
+
+def stage_number(state: State, tree: Quantity, now: int, name: str | None) -> int:
+    """After how many events a quantity is meant, ``now`` events being told where it stands."""
+    stage = tree.stage
+    if stage is None:
+        return now
+    if isinstance(stage, int):
+        if stage > len(state.happenings):
+            raise _error(
+                tree,
+                f"event {stage} is asked for, and {len(state.happenings)} "
+                f"{'is' if len(state.happenings) == 1 else 'are'} told",
+            )
+        return stage
+    if stage == "before":
+        latest = state.latest(name, now) if name is not None else None
+        if latest is None:
+            raise _error(tree, f"no event of {name} is told yet")
+        return latest.number - 1
+    raise _error(tree, "a time has no meaning here")
+
+
+def event_of(state: State, tree: Quantity, now: int, name: str | None = None) -> Happening:
+    """The event that a quantity speaks of: the latest, that of a body, or by number."""
+    if isinstance(tree.stage, int):
+        if not 1 <= tree.stage <= len(state.happenings):
+            raise _error(
+                tree,
+                f"event {tree.stage} is asked for, and {len(state.happenings)} "
+                f"{'is' if len(state.happenings) == 1 else 'are'} told",
+            )
+        happening = state.happenings[tree.stage - 1]
+        if name is not None and name not in happening.bodies:
+            raise _error(tree, f"{name} has no part in event {tree.stage}")
+        return happening
+    if name is not None:
+        latest = state.latest(name, now)
+    else:
+        latest = state.happenings[now - 1] if now else None
+    if latest is None:
+        about = "no event" if name is None else f"no event of {name}"
+        raise _error(tree, f"{about} is told before this line")
+    return latest
+
+
+def quantity(state: State, tree: Quantity, now: int) -> Value:
+    """The value of a quantity asked for after ``now`` events."""
+    kind, arguments = tree.kind, tree.arguments
+    evaluator = state.evaluator(now)
+    body = arguments[0].name if arguments and isinstance(arguments[0], Name) else None
+    match kind:
+        case "velocity":
+            return state.velocity(_sphere(state, tree, body), stage_number(state, tree, now, body))
+        case "speed":
+            v = state.velocity(_sphere(state, tree, body), stage_number(state, tree, now, body))
+            return state.size(v)
+        case "direction":
+            if body in state.walls:
+                assert isinstance(arguments[0], Name)
+                return state.wall_direction(arguments[0])
+            v = state.velocity(_sphere(state, tree, body), stage_number(state, tree, now, body))
+            return Angle(v.x, v.y, lambda: state.field.arctan2(v.y, v.x))
+        case "along" | "across":
+            v = evaluator.vector(arguments[0])
+            d = state.direction(arguments[1], now)
+            if kind == "across":
+                d = d.turned_left()
+            length = state.size(d)
+            if state.field.is_zero(length):
+                raise _error(tree, "the zero vector has no direction")
+            return v.dot(d) / length
+        case "angle":
+            return _angle(state, arguments[0], arguments[1], now)
+        case "deflection":
+            name = _sphere(state, tree, body)
+            event = event_of(state, tree, now, name)
+            return angle_between(state, event.before[name], event.after[name])
+        case "impulse":
+            if body is not None:
+                return impulse_on(
+                    state, _sphere(state, tree, body), event_of(state, tree, now, body)
+                )
+            return _impulse_size(state, event_of(state, tree, now))
+        case "energy":
+            names = [_sphere(state, tree, body)] if arguments else list(state.spheres)
+            stage = stage_number(state, tree, now, body)
+            return _add(state, (_energy(state, name, stage) for name in names))
+        case "energy_lost":
+            return energy_lost(state, event_of(state, tree, now))
+        case "total_energy_lost":
+            upto = stage_number(state, tree, now, None)
+            return _add(
+                state, (energy_lost(state, happening) for happening in state.happenings[:upto])
+            )
+        case "momentum":
+            names = [_sphere(state, tree, body)] if arguments else list(state.spheres)
+            stage = stage_number(state, tree, now, body)
+            total = Vector(state.field.zero, state.field.zero)
+            for name in names:
+                total = total + state.velocity(name, stage) * state.mass(name)
+            return total
+        case "line_of_centres":
+            event = event_of(state, tree, now)
+            if event.centres is None:
+                raise _error(tree, _without_a_line(state, event))
+            along = event.oriented()
+            return along / state.size(along)
+        case "mass":
+            return state.mass(_sphere(state, tree, body))
+        case "time":
+            return _time(state, tree)
+        case "position":
+            name = _sphere(state, tree, body)
+            return _position_at(state, name, tree, now)
+        case "distance":
+            one, other = (point_of(state, argument, tree, now) for argument in arguments)
+            return state.size(one - other)
+        case "dot":
+            return evaluator.vector(arguments[0]).dot(evaluator.vector(arguments[1]))
+    raise UnsupportedError(f"the quantity {kind} is not known here", *line_and_column(tree.place))
+
+
+def _without_a_line(state: State, event: Happening) -> str:
+    """That an event has no line of centres, and how that of the last impact before it is named."""
+    earlier = [each for each in state.happenings[: event.number - 1] if each.centres is not None]
+    if not earlier:
+        return "this event has no line of centres"
+    return (
+        f"event {event.number} has no line of centres; that of the impact before it is "
+        f"line_of_centres({earlier[-1].number})"
+    )
+
+
+def angle_between(state: State, a: Vector, b: Vector) -> Angle:
+    """The angle between two vectors, 0 to 180°."""
+    for each in (a, b):
+        if state.field.is_zero(each.x) and state.field.is_zero(each.y):
+            raise ImpossibleError("a body at rest has no direction of motion")
+    x, y = a.dot(b), state.field.abs(a.cross(b))
+    return Angle(x, y, lambda: state.field.arctan2(y, x))
+
+
+def _angle(state: State, left: Expression, right: Expression, now: int) -> Angle:
+    a, b = state.direction(left, now), state.direction(right, now)
+    angle = angle_between(state, a, b)
+    if not (is_line(state, left) or is_line(state, right)):
+        return angle
+    x = state.field.abs(angle.x)
+    return Angle(x, angle.y, lambda: state.field.arctan2(angle.y, x))
+
+
+def is_line(state: State, tree: Expression) -> bool:
+    """Walls and lines of centres are lines: the angle to one is at most 90°."""
+    if isinstance(tree, Name):
+        return tree.name in state.walls
+    return isinstance(tree, Quantity) and (
+        tree.kind == "line_of_centres"
+        or (
+            tree.kind == "direction"
+            and isinstance(tree.arguments[0], Name)
+            and tree.arguments[0].name in state.walls
+        )
+    )
+
+
+def impulse_on(state: State, name: str, event: Happening) -> Vector:
+    """The impulse on a body in an event: a vector, in N s."""
+    if isinstance(event.step, Arrival):
+        return Vector(state.field.zero, state.field.zero)
+    if event.altered and name in state.spheres:
+        change: Vector = (event.after[name] - event.before[name]) * state.mass(name)
+        return change
+    assert event.impulse is not None
+    total = event.impulse
+    if event.impulse_mass is not None:
+        total = total * state.mass(event.impulse_mass)
+    if isinstance(event.step, Impact) and name == event.step.first:
+        return -total
+    return total
+
+
+def _impulse_size(state: State, event: Happening) -> Scalar:
+    vector = impulse_on(state, event.bodies[-1], event)
+    if event.centres is None or event.unknown_line:
+        return state.size(vector)
+    return state.field.abs(vector.dot(event.centres)) / state.size(event.centres)
+
+
+def _energy(state: State, name: str, stage: int) -> Scalar:
+    v = state.velocity(name, stage)
+    return state.mass(name) * (v.x * v.x + v.y * v.y) / 2
+
+
+def energy_lost(state: State, event: Happening) -> Scalar:
+    """Kinetic energy of all spheres lost in an event, in J."""
+    step = event.step
+    by_law = not event.unknown_line and not event.altered
+    if isinstance(step, Impact) and event.centres is not None and by_law:
+        u1 = event.before[step.first]
+        m1 = state.mass(step.first)
+        if step.second in state.walls:
+            zero = Vector(state.field.zero, state.field.zero)
+            return m1 * state.rational(
+                law.kinetic_energy_lost(u1, zero, 1, 0, event.centres, event.e)
+            )
+        m2, u2 = state.mass(step.second), event.before[step.second]
+        return m1 * m2 * law.kinetic_energy_lost(u1, u2, m2, m1, event.centres, event.e)
+    total = state.field.zero
+    for name in event.bodies:
+        if name in state.spheres:
+            u, v = event.before[name], event.after[name]
+            total = total + state.mass(name) * (u.dot(u) - v.dot(v)) / 2
+    return total
+
+
+def _add(state: State, values: Iterable[Scalar]) -> Scalar:
+    total = state.field.zero
+    for value in values:
+        total = total + value
+    return total
+
+
+def _time(state: State, tree: Quantity) -> Scalar:
+    if not isinstance(tree.stage, int):
+        raise _error(tree, "time needs the number of an event")
+    if tree.stage == 0:
+        return state.field.zero
+    event = event_of(state, tree, len(state.happenings))
+    if event.time is None:
+        return state.unknowns.hidden(
+            f"t_{event.number}", f"where the bodies of event {event.number} are", "positive"
+        )
+    return event.time
+
+
+def _position_at(state: State, name: str, tree: Quantity, now: int) -> Vector:
+    stage = tree.stage
+    if isinstance(stage, AtTime):
+        # Of a time about which nothing is known but its letter, "now" is all that can be said.
+        later = bool(letters(stage.time) & state.open_times)
+        return _position_when(state, name, state.evaluator(now).scalar(stage.time), now, later)
+    n = stage_number(state, tree, now, name)
+    known = state.place(name, n)
+    if known is None:
+        return _missing_place(state, name)
+    event = state.happenings[n - 1] if n else None
+    if event is None or name in event.bodies:
+        return known[0]
+    if event.time is None:
+        return _missing_place(state, name)
+    where, when = known
+    moved: Vector = where + state.velocity(name, n) * (event.time - when)
+    return moved
+
+
+def _position_when(state: State, name: str, t: Scalar, now: int, later: bool) -> Vector:
+    """The place at a time: on the piece of the path that the time belongs to.
+
+    ``later`` tells that this is the piece after all events told so far.
+    """
+    places = [place for place in state.tracks[name].places if place[0] <= now]
+    if not places or any(where is None for _, where, _ in places):
+        return _missing_place(state, name)
+    chosen = places[-1] if later else places[0]
+    for each in () if later else places[1:]:
+        sign = state.sign(t - each[2])
+        if sign is not None and sign >= 0:
+            chosen = each
+    n, where, when = chosen
+    moved: Vector = where + state.velocity(name, n) * (t - when)
+    return moved
+
+
+def _missing_place(state: State, name: str) -> Vector:
+    phrase = f"where {name} is"
+    return Vector(
+        state.unknowns.hidden(f"p_{name}x", phrase, "real"),
+        state.unknowns.hidden(f"p_{name}y", phrase, "real"),
+    )
+
+
+def point_of(state: State, argument: Expression, tree: Quantity, now: int) -> Vector:
+    """A point, or the centre of a sphere at the stage of the quantity."""
+    if isinstance(argument, Name) and argument.name in state.spheres:
+        return _position_at(
+            state,
+            argument.name,
+            Quantity("position", (argument,), tree.stage, place=tree.place),
+            now,
+        )
+    return state.evaluator(now).vector(argument)
+
+
+def _sphere(state: State, tree: Quantity, name: str | None) -> str:
+    if name is None or name not in state.spheres:
+        raise _error(tree, f"{tree.kind}(…) needs the name of a sphere")
+    return name
+
+
+def _error(tree: Quantity, message: str) -> StatementError:
+    return StatementError(message, *line_and_column(tree.place))

@@ -1,0 +1,1 @@
+"""What stands before the rows of a line: titles, sentences that introduce."""

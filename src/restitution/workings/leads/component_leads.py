@@ -1,0 +1,142 @@
+"""The words before components of velocities, resolved at an impact."""
+
+from __future__ import annotations
+
+from restitution.explaining.definitions.at_events import tie_of
+from restitution.explaining.lines.derivation import (
+    Line,
+    Link,
+    Meaning,
+    Relation,
+)
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    Unit,
+    is_zero,
+    walk,
+)
+from restitution.workings.leads.lines_around import LinesAround
+from restitution.workings.leads.one_component import struck_at_rest, vector_resolved
+
+# Components before the impact, or after it: at a wall, and of spheres.
+_RESOLVED = {
+    (True, True): "resolved-wall.before-units",
+    (True, False): "resolved-wall.after-units",
+    (False, True): "resolved-spheres.before-units",
+    (False, False): "resolved-spheres.after-units",
+}
+
+
+def _axis_of(vector: Expression) -> Unit | None:
+    """**i** or **j**, where a vector is a multiple of it alone."""
+    units = {each for each in walk(vector) if isinstance(each, Unit)}
+    return units.pop() if len(units) == 1 else None
+
+
+class ComponentLeads(LinesAround):
+    """The words before components of velocities."""
+
+    def resolved(self, line: Line) -> Sentence | None:
+        """What is said before components: of which time they are."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.options[0][0].left:
+            case Quantity("along" | "across", (Quantity("velocity", _, int(stage)), axis)):
+                event = self._naming.event_of_axis(axis)
+                if event is None and stage < (line.move.event or 0):
+                    event = self._naming.events.get(line.move.event or 0)
+                if event is None and isinstance(axis, Unit):
+                    return say("resolved-axes.title")
+                if event is None and isinstance(axis, Name):
+                    return say("resolved-axes.wall", wall=axis.name)
+            case _:
+                return None
+        if event is None:
+            return None
+        bold = self._naming.bold
+        direction = None if bold.has_unit(event.number) else bold.direction(event.number, "across")
+        if stage < event.number and direction is not None and self._has_across(line, axis):
+            if event.wall:
+                return say("resolved-wall.before-sense", wall=event.bodies[1], axis=direction)
+            return say("resolved-spheres.before-sense", axis=direction)
+        if not event.wall and self._is_turned(line, event.number):
+            return say("resolved-spheres.before-turned")
+        vector = vector_resolved(self._derivation, self._naming, line, event)
+        if vector is not None:
+            struck = struck_at_rest(self._derivation, self._naming, line)
+            if struck is not None:
+                return say("resolved.before-moved-off", body=struck, vector=vector)
+            return say("resolved.before-vector", vector=vector)
+        return say(_RESOLVED[event.wall, stage < event.number])
+
+    def _since_nothing(self, line: Line) -> Sentence | None:
+        """That a component is zero, by which a direction is what it is."""
+        assert isinstance(line.relation, Relation)
+        above = [self._derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
+        equations = [e.relation.only for e in above if e and isinstance(e.relation, Relation)]
+        zero = [links for links in equations if is_zero(links[-1].right)]
+        if line.relation.only[0].sign not in ("parallel to", "perpendicular to") or len(zero) != 1:
+            return None
+        equation = Link(zero[0][0].left, "=", zero[0][-1].right)
+        if not isinstance(equation.left, Letter):
+            return say("so")
+        return say("derived.since", facts=(self._naming.relation(Relation(((equation,),))),))
+
+    def _none_in(self, line: Line) -> Sentence | None:
+        """That a velocity at right angles to a direction has no component in it."""
+        assert isinstance(line.relation, Relation)
+        if line.move.record != "perpendicular" or not is_zero(line.relation.only[-1].right):
+            return None
+        meanings = [
+            own.relation.quantity
+            for own in map(self._cited, line.premises)
+            if own is not None and isinstance(own.relation, Meaning)
+        ]
+        for meaning in meanings:
+            match meaning:
+                case Quantity("angle", (Quantity("velocity") as velocity, Unit() as axis)):
+                    formula, direction = self._naming.layout(velocity), self._naming.layout(axis)
+                    return say("given.none-in", velocity=formula, axis=direction)
+                case Quantity("angle", (Quantity("velocity") as velocity, Quantity() as axis)) if (
+                    axis.kind == "line_of_centres" and self._naming.side(axis) is not None
+                ):
+                    formula = self._naming.layout(velocity)
+                    return say("given.none-along", velocity=formula, line=self._naming.side(axis))
+        return None
+
+    def _along_axes(self, line: Line) -> Sentence | None:
+        """That one velocity is along **i** and another along **j**, which are at right angles."""
+        assert isinstance(line.relation, Relation)
+        tie = tie_of(line.relation.only[0])
+        if tie is None:
+            return None
+        cited = [each.relation for each in map(self._cited, line.premises) if each is not None]
+        facts = [self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str)]
+        cited += [fact.relation for fact in facts if fact is not None]
+        vectors = {
+            own.only[0].left: own.only[-1].right for own in cited if isinstance(own, Relation)
+        }
+        axes = [_axis_of(vectors[each]) if each in vectors else None for each in tie[:2]]
+        if None in axes or axes[0] == axes[1]:
+            return None
+        slots = {
+            name: self._naming.layout(own)
+            for name, own in zip(("first", "second"), axes, strict=True)
+            if own is not None
+        }
+        match tie[0], tie[1]:
+            case Quantity("velocity", (Name(one),)), Quantity("velocity", (Name(other),)):
+                if one == other:
+                    return say("derived.turned-square", body=one, **slots)
+                return say("derived.axes-apart", one=one, other=other, **slots)
+        return None
+
+    def _apart(self, line: Line) -> Sentence | None:
+        """Who moves across the line of centres, and who along it, where that is a right angle."""
+        still = self._standing(line)
+        if set(still) != {"along", "across"}:
+            return None
+        return say("derived.apart", one=still["along"], other=still["across"])

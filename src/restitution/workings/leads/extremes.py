@@ -1,0 +1,122 @@
+"""Greatest and least values in words, with where they are reached, or that they are not."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.lines.saying import Sentence, operand, say
+from restitution.explaining.lines.sentences import SentenceId
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import Apply, Binary, Degrees, Letter, Number, is_zero
+from restitution.render import layout as lay
+from restitution.workings.naming.quantities import Naming
+
+# The records of the lines in which such a value is the answer.
+EXTREMA = frozenset({"greatest", "least", "approached"})
+
+
+def extreme(
+    derivation: Derivation, naming: Naming, line: Line, shown: bool
+) -> tuple[lay.Layout, str, tuple[Sentence, ...]]:
+    """The left side, the sign and the reasons of a line that answers with an extremum.
+
+    ``shown`` tells that the statement has the value, and calls it the greatest or the least.
+    """
+    assert isinstance(line.relation, Relation)
+    link = line.relation.only[-1]
+    greatest = link.sign[0] == "<"
+    reached_there = [
+        (reached[0], behind)
+        for ref in line.premises
+        if isinstance(ref, int)
+        and (behind := derivation.line(ref)) is not None
+        and isinstance(behind.relation, Relation)
+        and (reached := value_reached(behind.relation.options)) is not None
+    ]
+    places = [place for place, _ in reached_there]
+    if line.move.record != "approached":
+        called = operand(naming.extreme(link.left, greatest=greatest))
+        where = tuple(naming.relation(Relation(((place,),))) for place in places)
+        reasons: tuple[Sentence, ...] = (say("derived.for", places=where),) if where else ()
+        bound = _bound_above(derivation, line)
+        if bound is not None:
+            reasons += (say("derived.as", reasons=(naming.relation(bound),)),)
+        return called, "=", reasons
+    none: SentenceId = "extremum.no-greatest" if greatest else "extremum.no-least"
+    name: SentenceId = "extremum.approached" if shown else none
+    return (
+        naming.layout(link.left),
+        "→",
+        tuple(
+            say(name, place=_with_another(naming, place, _angle_there(derivation, behind, place)))
+            for place, behind in reached_there
+        ),
+    )
+
+
+def _bound_above(derivation: Derivation, line: Line) -> Relation | None:
+    """The bound that a value reaches, where that is the answer of an earlier item."""
+    ends = {end.line for end in derivation.items}
+    for ref in line.premises:
+        own = derivation.line(ref) if isinstance(ref, int) else None
+        bound = None if own is None or own.number not in ends else own.relation
+        if isinstance(bound, Relation) and bound == line.relation:
+            return bound
+    return None
+
+
+def value_reached(
+    options: tuple[tuple[Link, ...], ...],
+) -> tuple[Link, tuple[Link, ...]] | None:
+    """A value and where it is reached: ``x ≠ a or y = b`` says y = b when x = a."""
+    if len(options) != 2:
+        return None
+    (where, *_), value = options
+    if where.sign != "!=" or len(options[0]) != 1:
+        return None
+    return Link(where.left, "=", where.right), value
+
+
+def _with_another(naming: Naming, place: Link, other: Link | None) -> Sentence | lay.Layout:
+    """To where a letter goes, and with it another angle."""
+    first = _approached(naming, place)
+    if other is None:
+        return first
+    return say("extremum.with", place=first, other=_approached(naming, other))
+
+
+def _angle_there(derivation: Derivation, line: Line, place: Link) -> Link | None:
+    """To 0° or 90°, where an angle goes there whose tangent a line gives by the other."""
+    if not isinstance(place.left, Letter):
+        return None
+    for ref in line.premises:
+        own = derivation.line(ref) if isinstance(ref, int) else None
+        match None if own is None else own.relation:
+            case Relation(((Link(Apply("tan", Letter() as angle), "="), *_) as links,)):
+                pass
+            case _:
+                continue
+        try:
+            end, tangent = in_letters(place.right), in_letters(links[-1].right, positive=True)
+        except RestitutionError:
+            continue
+        symbols = [each for each in tangent.free_symbols if each.name == place.left.name]
+        if len(symbols) != 1 or angle == place.left:
+            continue
+        sense = "+" if end == 0 else "-"
+        limit = sp.limit(tangent, symbols[0], end, sense)
+        if limit in (0, sp.oo):
+            return Link(angle, "=", Degrees(Fraction(0 if limit == 0 else 90)))
+    return None
+
+
+def _approached(naming: Naming, place: Link) -> lay.Layout:
+    """To where a letter goes: to an end of its range, or on without limit."""
+    match place:
+        case Link(Binary("/", Number(), Letter() as letter), _, right) if is_zero(right):
+            return lay.Relation((naming.layout(letter), lay.Words("∞")), ("→",))
+    return lay.Relation((naming.layout(place.left), naming.layout(place.right)), ("→",))

@@ -1,0 +1,204 @@
+"""What stands over lines about places and times: what each of them says."""
+
+from __future__ import annotations
+
+from restitution.explaining.data.resting import is_of_a_body_at_rest
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Number,
+    Quantity,
+    is_zero,
+    walk,
+)
+from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.sources import is_time
+
+
+def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence:
+    """The title of a line about the way of a body from one event to the next."""
+    assert isinstance(line.relation, Relation)
+    left = line.relation.options[0][0].left
+    body = line.move.bodies[0]
+    one = naming.movers == 1
+    if is_time(left) and is_zero(line.relation.options[0][-1].right):
+        return say("flight.at-once", bodies=naming.events[line.move.event or 0].bodies)
+    if _is_of_the_whole_way(naming, line, left):
+        return say("flight.whole-way")
+    if is_time(left) or (isinstance(left, Letter) and _names_a_time(derivation, left)):
+        return say("flight.time") if one else say("flight.time-of", body=body)
+    if isinstance(left, Quantity) and left.kind == "position":
+        if is_of_a_body_at_rest(derivation, line):
+            return say("flight.rest", body=body)
+        if _from_the_origin(derivation, line):
+            if derivation.fact("origin") is not None:
+                return say("flight.origin-taken", body=body)
+            return say("flight.origin") if one else say("flight.origin-of", body=body)
+    if _is_place(left) and not _by_the_way(derivation, line):
+        return say("flight.place") if one else say("flight.place-of", body=body)
+    if _tells_a_time(derivation, line):
+        return say("flight.title") if one else say("flight.title-of", body=body)
+    return say("flight.same-time")
+
+
+def _is_of_the_whole_way(naming: Naming, line: Line, left: Expression) -> bool:
+    """Whether a time from the start is that of several ways at one component."""
+    if not (isinstance(left, Quantity) and left.kind == "time" and "start" in line.premises):
+        return False
+    body, number = line.move.bodies[0], line.move.event or 0
+    return any(body in each.bodies and each.number < number for each in naming.impacts)
+
+
+def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
+    """The title of a line about a chord of a circular wall.
+
+    Inside it, a component along the wall is counted to the left of the radius.
+    """
+    assert isinstance(line.relation, Relation)
+    left, right = line.relation.options[0][0].left, line.relation.options[0][0].right
+    if is_time(left):
+        return say("chord.as-before") if is_time(right) else say("chord.time")
+    if isinstance(left, Quantity) and left.kind == "distance":
+        return _length_title(derivation, line, wall)
+    if _is_on_a_diameter(derivation, line):
+        return say("chord.through", body=line.move.bodies[0])
+    own = (each for each in derivation.lines if each.move.record == "chord")
+    sensed = any(
+        isinstance(each.relation, Relation)
+        and isinstance(each.relation.only[0].left, Quantity)
+        and each.relation.only[0].left.kind == "across"
+        and not is_zero(each.relation.only[-1].right)
+        for each in own
+    )
+    return say("chord.title-sense", wall=wall) if sensed else say("chord.title")
+
+
+def _length_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
+    """The title of the length of a chord: of a diameter, or by its angle with the radius."""
+    if not _is_diameter(line):
+        return say("chord.length")
+    earlier = (each for each in derivation.lines if each.number < line.number)
+    if any(_is_diameter(each) and each.move.bodies == line.move.bodies for each in earlier):
+        return say("chord.through", body=line.move.bodies[0])
+    return say("chord.diameter", body=line.move.bodies[0], wall=wall)
+
+
+def _is_diameter(line: Line) -> bool:
+    """Whether a line gives the length of a chord as twice the radius."""
+    if line.move.record != "chord" or not isinstance(line.relation, Relation):
+        return False
+    match line.relation.options[0][0]:
+        case Link(Quantity("distance"), _, Binary("*", Number(), right)):
+            return not isinstance(right, Binary)
+    return False
+
+
+def _is_on_a_diameter(derivation: Derivation, line: Line) -> bool:
+    """Whether a line above gives the length of the chord of a line, which is a diameter."""
+    return any(
+        _is_diameter(each) and (each.move.event, each.move.bodies) == (event, line.move.bodies)
+        for event in (line.move.event,)
+        for each in derivation.lines
+        if each.number < line.number
+    )
+
+
+def distance_title(derivation: Derivation, line: Line) -> Sentence:
+    """The title of a distance: of the way of a body, of bodies that met, or by coordinates."""
+    level = _apart_along_the_line(derivation, line)
+    if level is not None:
+        return level
+    match line.relation:
+        case Relation(((Link(Quantity("distance", ends), "=", Binary("*")), *_),)) if (
+            not line.move.event
+        ):
+            places = [each for each in ends if isinstance(each, Quantity)]
+            first = min(places, key=lambda each: each.stage if isinstance(each.stage, int) else 0)
+            match first.arguments:
+                case (Name(body),):
+                    return say("flight.title-of", body=body)
+    return say("distance.relative" if line.move.event else "distance.coordinates")
+
+
+def _apart_along_the_line(derivation: Derivation, line: Line) -> Sentence | None:
+    """That two bodies that met are as far apart as they are along the line of centres.
+
+    None where they do not move across it, or not with the same component.
+    """
+    event = next((each for each in derivation.events if each.number == line.move.event), None)
+    cited = (derivation.line(ref) for ref in line.premises if isinstance(ref, int))
+    values = [
+        each.relation.only[-1].right
+        for each in cited
+        if each and isinstance(each.relation, Relation) and each.move.record == "unchanged"
+    ]
+    if event is None or len(values) != 2 or values[0] != values[1] or is_zero(values[0]):
+        return None
+    one, other = event.bodies
+    return say("distance.level", one=one, other=other)
+
+
+def _from_the_origin(derivation: Derivation, line: Line) -> bool:
+    """Whether a place is a velocity times a time, and nothing more."""
+    assert isinstance(line.relation, Relation)
+    right = line.relation.options[0][0].right
+    return _speaks_of_a_time(derivation, line) and not (
+        isinstance(right, Binary) and right.op in ("+", "-")
+    )
+
+
+def _names_a_time(derivation: Derivation, letter: Letter) -> bool:
+    """Whether the statement lets a letter stand for a time."""
+    fact = derivation.fact(" ".join(("let", letter.name)))
+    return fact is not None and is_time(fact.relation.only[0].left)
+
+
+def _is_place(tree: Expression) -> bool:
+    match tree:
+        case Quantity("position"):
+            return True
+        case Quantity("along" | "across", (Quantity("position"), _)):
+            return True
+    return False
+
+
+def _speaks_of_a_time(derivation: Derivation, line: Line) -> bool:
+    """Whether a time is in a line, or is put into it."""
+    assert isinstance(line.relation, Relation)
+    nodes = [node for tree in trees_of(line.relation) for node in walk(tree)]
+    return any(map(is_time, nodes)) or _tells_a_time(derivation, line)
+
+
+def _by_the_way(derivation: Derivation, line: Line) -> bool:
+    """Whether a line tells a place without the time: by the components of the velocity."""
+    moved = any(
+        isinstance(premise, int) or premise.startswith("velocity") for premise in line.premises
+    )
+    assert isinstance(line.relation, Relation)
+    match line.relation.options[0][0].left:
+        case Quantity("along" | "across"):
+            pass
+        case _:
+            return False
+    # Of equal components the quotient is not printed.
+    right = line.relation.options[0][0].right
+    quotient = any(isinstance(node, Binary) and node.op == "/" for node in walk(right))
+    quotient |= isinstance(right, Binary) and right.op in ("+", "-")
+    return moved and quotient and not _speaks_of_a_time(derivation, line)
+
+
+def _tells_a_time(derivation: Derivation, line: Line) -> bool:
+    """Whether a line rests on a time."""
+    for ref in line.premises:
+        if ref == "start":
+            return True
+        own = derivation.line(ref) if isinstance(ref, int) else derivation.fact(ref)
+        match None if own is None else own.relation:
+            case Relation(options=((Link(left=left), *_), *_)) if is_time(left):
+                return True
+    return False

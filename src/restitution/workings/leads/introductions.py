@@ -1,0 +1,190 @@
+"""What letters stand for: the sentences that introduce them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+from typing import Any
+
+from restitution.explaining.lines.derivation import Derivation, Event, Meaning
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Polar,
+    Quantity,
+    Unit,
+    walk,
+)
+from restitution.render import layout as lay
+from restitution.workings.naming.quantities import Naming
+
+# Letters along a line of centres that is given as a direction, and one that is given by its angle.
+_TOWARDS = ("let.component-centres-towards", "let.components-centres-towards")
+_AT = ("let.component-centres-at", "let.components-centres-at")
+
+
+class Introductions:
+    """The introductions of the letters of one derivation."""
+
+    def __init__(self, derivation: Derivation, naming: Naming) -> None:
+        self._derivation = derivation
+        self._naming = naming
+
+    def of(self, lets: Sequence[Meaning]) -> Iterator[Sentence]:
+        """What letters stand for: quantities by name, and the others as equations."""
+        new = [let for let in lets if let.letter not in self._naming.introduced_early]
+        for kind, group in groupby(new, self._kind):
+            meanings = list(group)
+            if kind is None:
+                yield say(
+                    "derived.name",
+                    equations=tuple(
+                        lay.Relation(
+                            (self._letter(meaning), self._naming.layout(meaning.quantity)), ("=",)
+                        )
+                        for meaning in meanings
+                    ),
+                )
+            elif kind == "named" and (vectors := self._resolved(meanings)):
+                yield say("derived.name", equations=vectors)
+            elif kind == "named":
+                yield say(
+                    "derived.let",
+                    meanings=tuple(
+                        say(
+                            "derived.meaning",
+                            letter=self._letter(meaning),
+                            quantity=self._naming.of_letter(meaning),
+                        )
+                        for meaning in meanings
+                    ),
+                )
+            else:
+                yield from self._components(kind, meanings)
+            for meaning in meanings:
+                self._naming.knows(meaning.quantity, meaning.letter)
+
+    def _resolved(self, meanings: Sequence[Meaning]) -> tuple[lay.Layout, ...]:
+        """``𝐮 = a𝐢 + b𝐣`` of each velocity, if the letters are the components of velocities."""
+        parts: dict[Expression, dict[str, Expression]] = {}
+        for meaning in meanings:
+            match meaning.quantity:
+                case Quantity("along", (Quantity("velocity") as velocity, Unit(axis))):
+                    parts.setdefault(velocity, {})[axis] = Letter(meaning.letter)
+        if 2 * len(parts) != len(meanings) or any(len(part) != 2 for part in parts.values()):
+            return ()
+        sums = {
+            velocity: Binary("+", *(Binary("*", each[axis], Unit(axis)) for axis in ("i", "j")))
+            for velocity, each in parts.items()
+        }
+        return tuple(
+            lay.Relation((self._naming.layout(velocity), self._naming.layout(total)), ("=",))
+            for velocity, total in sums.items()
+        )
+
+    def _letter(self, meaning: Meaning) -> lay.Layout:
+        return self._naming.layout(Letter(meaning.letter))
+
+    def _kind(self, meaning: Meaning) -> Any:
+        """Letters that are introduced in one sentence: components of one impact; the others."""
+        match meaning.quantity:
+            case Quantity("along", (Quantity("velocity", (Name(body),), int(stage)), axis)):
+                event = self._naming.event_of_axis(axis)
+                sense = meaning.sense if meaning.sense is not None else axis
+                if event is not None and event.number == stage:
+                    turned = self._turned(axis, sense)
+                    if turned is None:
+                        return ("axis", sense)
+                    return ("wall" if event.wall else "centres", event, turned)
+                if isinstance(sense, Unit) and event is None and stage == self._naming.last(body):
+                    return ("axis", sense)
+                return "named"
+            case Quantity():
+                return "named"
+        return None
+
+    @staticmethod
+    def _turned(axis: Expression, sense: Expression) -> bool | None:
+        """Whether a sense is against the axis; None where it is another direction."""
+        own, back = (
+            (each.operand, True) if isinstance(each, Negate) else (each, False)
+            for each in (axis, sense)
+        )
+        return own[1] != back[1] or own[1] if own[0] == back[0] else None
+
+    def _components(self, kind: tuple[Any, ...], meanings: list[Meaning]) -> Iterator[Sentence]:
+        letters = tuple(self._letter(meaning) for meaning in meanings)
+        bodies = tuple(meaning.quantity.arguments[0].arguments[0].name for meaning in meanings)  # type: ignore[union-attr]
+        if kind[0] == "axis":
+            axis = self._naming.layout(kind[1])
+            if len(letters) > 1:
+                yield say("let.components", letters=letters, bodies=bodies, axis=axis)
+            else:
+                yield say("let.component", letter=letters[0], body=bodies[0], axis=axis)
+            return
+        event: Event = kind[1]
+        first, second = reversed(event.bodies) if kind[2] else event.bodies
+        if kind[0] == "wall":
+            name = "derived.away" if kind[2] else "derived.towards"
+            for letter, body in zip(letters, bodies, strict=True):
+                yield say(name, letter=letter, body=body, wall=event.bodies[1])
+        elif (given := self._given_axis(event, turned=kind[2])) is not None:
+            (one, several), slots = given
+            if len(letters) > 1:
+                yield say(several, letters=letters, bodies=bodies, **slots)
+            else:
+                yield say(one, letter=letters[0], body=bodies[0], **slots)
+        elif len(letters) > 1:
+            yield say(
+                "let.components-centres",
+                letters=letters,
+                bodies=bodies,
+                first=first,
+                second=second,
+            )
+        else:
+            yield say(
+                "let.component-centres",
+                letter=letters[0],
+                body=bodies[0],
+                first=first,
+                second=second,
+            )
+
+    def _given_axis(
+        self, event: Event, *, turned: bool
+    ) -> tuple[tuple[str, str], dict[str, Any]] | None:
+        """The direction in which a line of centres is given, which need not be that of approach.
+
+        The sentences for one letter and for several, and what they say; None where the line is
+        worked out: then it leads from the first body to the second.
+        """
+        fact = self._derivation.fact(" ".join(("axis", str(event.number))))
+        if fact is None:
+            return None
+        axis = fact.relation.only[0].right
+        by_places = any(isinstance(node, Quantity) for node in walk(axis))
+        if isinstance(axis, Polar) or by_places:
+            return None
+        if isinstance(axis.operand if isinstance(axis, Negate) else axis, Degrees | Letter):
+            unit = self._naming.layout(Negate(Unit("i")) if turned else Unit("i"))
+            return _AT, {"axis": self._naming.layout(axis), "unit": unit}
+        sense: Expression = axis
+        if turned:
+            sense = _reversed(axis)
+        return _TOWARDS, {"axis": self._naming.layout(sense)}
+
+
+def _reversed(direction: Expression) -> Expression:
+    """The opposite direction, term by term."""
+    match direction:
+        case Negate(operand):
+            return operand
+        case Binary("+" | "-" as sign, left, right):
+            return Binary("-" if sign == "+" else "+", _reversed(left), right)
+    return Negate(direction)

@@ -1,0 +1,207 @@
+"""What stands around a line of a working: lines it cites, and how bodies move there."""
+
+from __future__ import annotations
+
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Fact,
+    Line,
+    Link,
+    Meaning,
+    Ref,
+    Relation,
+)
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Quantity,
+    Unit,
+    is_zero,
+    letters,
+)
+from restitution.render import layout as lay
+from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.sources import Sources
+from restitution.workings.reasons.premises import Reasons
+
+
+class LinesAround:
+    """One derivation, of which the words before its rows are written from the top."""
+
+    def __init__(
+        self, derivation: Derivation, naming: Naming, sources: Sources, reasons: Reasons
+    ) -> None:
+        self._derivation = derivation
+        self._reasons = reasons
+        self._naming = naming
+        self._sources = sources
+        self._given: set[str] = set()
+        self._behind: dict[int, Sentence] = {}
+
+    def _cited(self, ref: Ref) -> Line | None:
+        return self._derivation.line(ref) if isinstance(ref, int) else None
+
+    def _across_of(self, line: Line, body: str) -> lay.Layout | None:
+        """The component of a body across the line of centres, as a line that is cited has it."""
+        for cited in map(self._cited, line.premises):
+            match None if cited is None else cited.relation:
+                case Relation(
+                    ((Link(Quantity("across", (Quantity(_, (Name(own),)), _)), "=", value),),)
+                ) if own == body:
+                    return self._naming.layout(value)
+        return None
+
+    def _along_the_line(self, line: Line) -> Sentence | None:
+        """That a body moves along the line of centres, where an angle to it is one to that."""
+        body = self._moving_along(line)
+        return None if body is None else say("between.line", body=body)
+
+    def _on_the_line(self, line: Line) -> str | None:
+        """The body of a line that moves along the line of centres: by a component, or from rest."""
+        for body in line.move.bodies:
+            fact = self._derivation.fact(" ".join(("velocity", body)))
+            rest = fact is not None and fact.id in line.premises and is_rest(fact)
+            if rest or self._standing(line).get("across") == body:
+                return body
+        return None
+
+    def _square_to_the_line(self, line: Line) -> tuple[str, str] | None:
+        """Who moves along the line of centres, and who across it, of two at right angles.
+
+        The line is about the component of the other one alone.
+        """
+        mover = self._on_the_line(line)
+        others = [body for body in line.move.bodies if body != mover]
+        if mover is None or len(others) != 1:
+            return None
+        letters = {
+            each.relation.letter: each.relation.quantity
+            for each in self._derivation.lines
+            if isinstance(each.relation, Meaning)
+        }
+        for each in filter(None, map(self._cited, line.premises)):
+            own = each.relation
+            match own.quantity if isinstance(own, Meaning) else own.options[0][0].left:
+                case Letter(name) if name in letters:
+                    quantity = letters[name]
+                case quantity:
+                    pass
+            match quantity:
+                case Quantity("along", (Quantity("velocity", (Name(body),)), _)) if body == mover:
+                    return None
+        return mover, others[0]
+
+    def _moving_along(self, line: Line) -> str | None:
+        """The body that moves along the line of centres, of two between which an angle is."""
+        if line.move.record != "tan" or len(line.move.bodies) != 2:
+            return None
+        for each in filter(None, map(self._cited, line.premises)):
+            match each.relation:
+                case Relation(((Link(left, "="), *_) as links,)) if is_zero(links[-1].right):
+                    match left:
+                        case Quantity("along" | "across", (Quantity("velocity", (Name(body),)), _)):
+                            return body
+        return None
+
+    def _ends_square(self, line: Line) -> bool:
+        """Whether a line rests on one by which a component is zero after the impact."""
+        relations = (each.relation for each in filter(None, map(self._cited, line.premises)))
+        return any(
+            isinstance(relation, Relation) and is_zero(relation.options[0][-1].right)
+            for relation in relations
+        )
+
+    def _standing(self, line: Line) -> dict[str, str]:
+        """The bodies of which a component is zero by the lines that are cited, by its kind."""
+        refs = [ref for ref in line.premises if isinstance(ref, int)]
+        cited = [each for ref in refs if (each := self._derivation.line(ref)) is not None]
+        meanings = {e.relation.letter: e.relation for e in cited if isinstance(e.relation, Meaning)}
+        still: dict[str, str] = {}
+        for each in cited:
+            match each.relation:
+                case Relation(((Link(left, "=", right),),)) if is_zero(right):
+                    if isinstance(left, Letter) and left.name in meanings:
+                        left = meanings[left.name].quantity
+                    match left:
+                        case Quantity(kind, (Quantity("velocity", (Name(body),), _), _)):
+                            still[kind] = body
+        return still
+
+    def _came_along(self, line: Line) -> Sentence | None:
+        """That the angle of deflection is one to an axis, as the body came along that."""
+        (body,) = line.move.bodies
+        events = [n for n, event in self._naming.events.items() if body in event.bodies]
+        if line.move.event != min(events):
+            return None
+        sense = None
+        for ref in line.premises:
+            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            match None if fact is None else fact.relation.options[0][0]:
+                case Link(Quantity("velocity", (Name(own),)), "=", right) if own == body:
+                    if all(map(self._reasons.is_positive, letters(right))):
+                        sense = _sense_of(right)
+        if sense is None:
+            return None
+        late = Quantity("velocity", (Name(body),), line.move.event)
+        velocity, axis = map(self._naming.layout, (late, sense))
+        return say("turned.from-axis", body=body, axis=axis, velocity=velocity)
+
+    def _has_across(self, line: Line, axis: Expression) -> bool:
+        """Whether a component across a line is resolved in the part of a line."""
+        parts = self._derivation.asked
+        for own in self._derivation.lines:
+            match own.relation:
+                case Relation(((Link(Quantity("across", (_, other))), *_),)) if other == axis:
+                    together = parts.get(own.item or "") == parts.get(line.item or "")
+                    if together and own.move.record == line.move.record:
+                        return True
+        return False
+
+    def _is_turned(self, line: Line, number: int) -> bool:
+        """Whether components are those of an earlier impact, at right angles to this one's line."""
+        kinds: set[tuple[str, str]] = set()
+        for own in self._derivation.lines:
+            if own.move != line.move or not isinstance(own.relation, Relation):
+                continue
+            match own.relation.options:
+                case ((Link(Quantity(kind, (Quantity(), _)), "="),),):
+                    pass
+                case _:
+                    continue
+            for each in filter(None, map(self._cited, own.premises)):
+                subject = each.relation
+                left = subject.only[0].left if isinstance(subject, Relation) else subject.quantity
+                meaning = self._naming.meanings.get(left.name) if isinstance(left, Letter) else None
+                left = left if meaning is None else meaning.quantity
+                match left:
+                    case Quantity(other, (Quantity(), Quantity("line_of_centres", _, stage))):
+                        if stage != number:
+                            kinds.add((kind, other))
+        return bool(kinds) and all(kind != other for kind, other in kinds)
+
+
+def is_rest(fact: Fact) -> bool:
+    """Whether a velocity is given as that of a body at rest."""
+    match fact.relation.only[0].right:
+        case Pair(x, y):
+            return is_zero(x) and is_zero(y)
+    return False
+
+
+def _sense_of(velocity: Expression) -> Expression | None:
+    """**i** or **j**, or its opposite, along which a velocity is; None of any other."""
+    match velocity:
+        case Unit():
+            return velocity
+        case Negate(operand):
+            sense = _sense_of(operand)
+            return sense.operand if isinstance(sense, Negate) else sense and Negate(sense)
+        case Binary("*", Number() | Letter() | Binary("*", Number(), Letter()), Unit() as unit):
+            return unit  # numbers carry no sign
+    return None

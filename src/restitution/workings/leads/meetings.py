@@ -1,0 +1,121 @@
+"""When bodies meet again, in words: which gap has to close, or which way one has to move."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from restitution.explaining.lines.derivation import Derivation, Fact, Line, Link, Relation
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.expression.tree import Binary, Letter, Quantity, Unit
+from restitution.problem import Meets, Show
+from restitution.render.layout import Layout
+from restitution.workings.naming.ends import Ends
+from restitution.workings.naming.quantities import Naming
+
+# That a wall is hit, or is not, as an inequality and as a comparison.
+_MEETINGS = {
+    ("condition", "towards"): "condition.towards",
+    ("condition", "away"): "condition.away",
+    ("letter", "towards"): "condition.towards-if",
+    ("letter", "away"): "condition.away-if",
+    ("meeting", "towards"): "meeting.towards",
+    ("meeting", "away"): "meeting.away",
+}
+
+
+def condition_of(
+    relation: Meets, naming: Naming, *, inequality: bool, written: Layout | None = None
+) -> Sentence | None:
+    """When bodies meet; None of two spheres that have not met before.
+
+    With ``inequality`` what it says of components comes next: of a wall, what is ``told`` of the
+    letter for one.
+    """
+    one, other = relation.first.name, relation.second.name
+    if naming.bodies.get(other) == "wall":
+        again = say("again") if relation.again else ""
+        sense = "towards" if relation.happens else "away"
+        topic = "condition" if inequality else "meeting"
+        if inequality and written is not None:
+            return say(_MEETINGS["letter", sense], body=one, wall=other, again=again, told=written)
+        return say(_MEETINGS[topic, sense], body=one, wall=other, again=again)
+    met = [event for event in naming.events.values() if set(event.bodies) == {one, other}]
+    if not met:
+        return None
+    if inequality:
+        name = "collide-again.if" if relation.happens else "collide-again.unless"
+    else:
+        name = "meeting.collide" if relation.happens else "meeting.apart"
+    return say(name, one=one, other=other)
+
+
+def passing_of(relation: Meets, fact: Fact, naming: Naming) -> Sentence | None:
+    """When a path comes to a wall with ends; None of a fact that does not tell of a path."""
+    link = fact.relation.options[0][0]
+    match link.right if len(fact.relation.options) == 1 else link.left:
+        case Binary(
+            "+",
+            _,
+            Binary(
+                "*",
+                Binary("-", level, _),
+                Binary("/", Quantity("along", (_, Unit(beside))), Quantity("along", (_, across))),
+            ),
+        ) if isinstance(across, Unit):
+            pass
+        case _:
+            return None
+    coordinate = {"i": "x", "j": "y"}
+    line = naming.relation(Relation(((Link(Letter(coordinate[across.axis]), "=", level),),)))
+    name = "condition.between" if relation.happens else "condition.beyond"
+    body, wall = relation.first.name, relation.second.name
+    return say(name, body=body, wall=wall, line=line, axis=coordinate[beside])
+
+
+def closing_of(relation: Meets, naming: Naming) -> Sentence | None:
+    """That the gap between spheres closes, or does not, where it was claimed otherwise."""
+    pair = {relation.first.name, relation.second.name}
+    met = [event for event in naming.events.values() if set(event.bodies) == pair]
+    if not met or "wall" in {naming.bodies.get(each) for each in pair}:
+        return None
+    one, other = met[-1].bodies
+    name = "claim.gap-does-not-close" if relation.happens else "claim.gap-closes"
+    return say(name, one=one, other=other)
+
+
+def meetings(derivation: Derivation, ends: Ends, naming: Naming) -> Iterator[tuple[int, Sentence]]:
+    """The lines in which what is to be shown of a meeting begins, and when it happens."""
+    for end in derivation.items:
+        asked = ends.item(end.item)
+        line = derivation.line(end.line)
+        if line is None or not isinstance(asked, Show) or not isinstance(asked.relation, Meets):
+            continue
+        sentence = condition_of(asked.relation, naming, inequality=False)
+        if sentence is not None:
+            yield _first(derivation, line), sentence
+    for note in derivation.notes:
+        asked = ends.item(note.item)
+        line = derivation.line(max(note.lines, default=0))
+        if line is None or not isinstance(asked, Show) or not isinstance(asked.relation, Meets):
+            continue
+        if note.kind == "refuted" and not note.instance and line.item == note.item:
+            true = replace(asked.relation, happens=not asked.relation.happens)
+            sentence = condition_of(true, naming, inequality=False)
+            if sentence is not None:
+                yield _first(derivation, line), sentence
+
+
+def _first(derivation: Derivation, line: Line) -> int:
+    """The line of a difference on which a comparison rests; without one the comparison."""
+    for ref in line.premises:
+        own = derivation.line(ref) if isinstance(ref, int) else None
+        if own is None or own.item != line.item:
+            continue
+        match own.relation:
+            case Relation(((Link(Binary("-"), "=", _), *_),)):
+                return own.number
+    return line.number
+
+
+__all__ = ["closing_of", "condition_of", "meetings", "passing_of"]

@@ -1,0 +1,112 @@
+"""What is said of spheres of which one lies beside the other's path: how that gives the line."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.lines.derivation import Fact, Link
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Negate, Polar, Quantity
+from restitution.planning.writing.forms import tree_of
+from restitution.render import layout as lay
+from restitution.workings.naming.measured import vector_worth, with_its_unit, worth
+from restitution.workings.naming.quantities import Naming
+
+
+def is_offset(fact: Fact) -> bool:
+    """Whether a line of centres is given by how far it lies beside a path."""
+    match fact.relation.options:
+        case ((Link(_, "=", Polar(_, Apply("arcsin"))),),):
+            return True
+    return False
+
+
+def angle_of_offset(fact: Fact, known: Mapping[str, sp.Expr], naming: Naming) -> Sentence | None:
+    """The sine and the cosine of the angle that an offset gives, with letters that are known.
+
+    None where others are left.
+    """
+    match fact.relation.only[0].right:
+        case Polar(_, Apply(_, sine_), origin):
+            sine = worth(sine_)
+        case _:
+            return None
+    sine = sine.subs({each: known[each.name] for each in sine.free_symbols if each.name in known})
+    sine = tidy(sp.cancel(sine))
+    if not sine.is_number:
+        return None
+    one, other = naming.events[int(fact.id.partition(" ")[2])].bodies
+    ratios = (tree_of(each) for each in (abs(sine), tidy(sp.sqrt(1 - sine**2))))
+    sides = dict(zip(("sine", "cosine"), map(naming.layout, ratios), strict=True))
+    return say("offset.angle", path=_path(naming, one, other, origin), **sides)
+
+
+def offset_sentence(fact: Fact, naming: Naming, given: bool, letter: str | None = None) -> Sentence:
+    """How an offset gives a line of centres: by the sine of the angle to the path.
+
+    Where the angle is ``given``, that is said next; it may have a ``letter``.
+    """
+    match fact.relation.only[0].right:
+        case Polar(_, Apply(_, Binary("/", beside, apart)), origin):
+            pass
+        case _:
+            raise ValueError(fact)
+    one, other = naming.events[int(fact.id.partition(" ")[2])].bodies
+    path = _path(naming, one, other, origin)
+    if worth(beside) == 0:
+        return say("offset.none", other=other, path=path)
+    right = worth(beside).as_coeff_Mul()[0] < 0
+    if isinstance(beside, Negate):
+        beside = beside.operand
+    elif right:
+        beside = tree_of(tidy(-worth(beside)))
+    sine = tidy(worth(beside) / worth(apart))
+    sides = naming.layout(Binary("/", beside, apart)), naming.layout(tree_of(sine))
+    slots: dict[str, Any] = {
+        "other": other,
+        "path": path,
+        "offset": _length(naming, beside),
+        "apart": _length(naming, tree_of(tidy(worth(apart)))),
+        "side": say("offset.right" if right else "offset.left"),
+        "sine": sides[0] if sides[0] == sides[1] else lay.Relation(sides, ("=",)),
+    }
+    if letter is not None:
+        del slots["sine"]
+        return say("offset.letter", letter=naming.layout(Letter(letter)), **slots)
+    if given:
+        return say("offset.sine-alone", **slots)
+    angle = sp.asin(sine) if sine.is_number else sp.nan
+    if not (angle / sp.pi).is_Rational:
+        return say("offset.sine", **slots)
+    return say("offset.degrees", angle=naming.layout(tree_of(angle, angle=True)), **slots)
+
+
+def _length(naming: Naming, tree: Expression) -> lay.Layout:
+    """A length, with its unit where it is a number."""
+    return with_its_unit(naming.layout(tree), naming.unit(Quantity("distance", ())))
+
+
+def _path(naming: Naming, one: str, other: str, origin: Expression | None) -> Sentence:
+    """The path of the one sphere, relative to the other where that moves across it or faster."""
+    match origin:
+        case Binary("-", own, _):
+            displacement = vector_worth(origin)
+            first = vector_worth(own)
+            if displacement is None or first is None:
+                return say(
+                    "offset.relative", body=one, other=other, direction=naming.layout(origin)
+                )
+            if (
+                tidy(first.cross(displacement)) != 0
+                or tidy(first.dot(displacement)).as_coeff_Mul()[0] < 0
+            ):
+                direction = naming.layout(tree_of(displacement))
+                return say("offset.relative", body=one, other=other, direction=direction)
+    return say("offset.path", body=one)
+
+
+__all__ = ["angle_of_offset", "is_offset", "offset_sentence"]

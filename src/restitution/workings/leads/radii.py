@@ -1,0 +1,124 @@
+"""Where the centre of a ball is that touches a wall, or another: said before a line needs it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.lines.derivation import Derivation, Event, Fact, Line, Link, Relation
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.expression.tree import Binary, Expression, Quantity, Unit
+from restitution.planning.writing.forms import tree_of
+from restitution.render import layout as lay
+from restitution.vector import Vector
+from restitution.workings.naming.measured import vector_worth, with_its_unit, worth
+from restitution.workings.naming.quantities import Naming
+
+
+def _is_of_time(line: Line) -> bool:
+    """Whether a line says how long a flight takes."""
+    assert isinstance(line.relation, Relation)
+    left = line.relation.only[0].left
+    return all(
+        isinstance(each, Quantity) and each.kind == "time"
+        for each in ((left.left, left.right) if isinstance(left, Binary) else (left,))
+    )
+
+
+class Radii:
+    """What is said of the radii of balls at straight walls, and of two balls, each once."""
+
+    def __init__(self, derivation: Derivation, naming: Naming) -> None:
+        self._derivation = derivation
+        self._naming = naming
+        self._done: set[str] = set()
+        self._radii = {
+            sphere.name: sphere.radius
+            for sphere in naming.problem.spheres
+            if isinstance(sphere.radius, Expression)
+        }
+
+    def before(self, line: Line) -> Iterator[Sentence]:
+        """What stands above a line that uses where a centre is at a wall."""
+        if line.move.record != "straight-line":
+            return
+        for ref in line.premises:
+            if not isinstance(ref, str) or ref.partition(" ")[0] != "contact" or ref in self._done:
+                continue
+            sentence = self._sentence(line, ref)
+            if sentence is not None:
+                self._done.add(ref)
+                yield sentence
+
+    def _of_spheres(self, event: Event, fact: Fact) -> Sentence | None:
+        """Where the second sphere is at an impact, from the place of the first."""
+        one, other = event.bodies
+        (link,) = fact.relation.only
+        match link.left, link.right:
+            case Quantity("position"), Binary("+" | "-" as op, Quantity("position"), gap):
+                away = vector_worth(gap)
+            case _:
+                return None
+        if away is None:
+            return None
+        place = Vector(-away.x, -away.y) if op == "+" else away
+        size = tidy(sp.sqrt(away.dot(away)))
+        return say(
+            "touch.spheres",
+            one=one,
+            other=other,
+            way=self._naming.layout(tree_of(Vector(tidy(place.x / size), tidy(place.y / size)))),
+            distance=self._length(self._naming.layout(tree_of(size))),
+            place=self._length(self._naming.layout(tree_of(place))),
+        )
+
+    def _of_a_gap(self, event: Event, fact: Fact) -> Sentence | None:
+        """How far apart the centres of two spheres are that touch, before the time of that."""
+        match fact.relation.only[0].right:
+            case Binary("+" | "-", Quantity("position"), gap):
+                away = vector_worth(gap)
+            case _:
+                return None
+        if away is None or not any(away):
+            return None
+        one, other = event.bodies
+        size = self._naming.layout(tree_of(tidy(sp.sqrt(away.dot(away)))))
+        return say("touch.gap", one=one, other=other, distance=self._length(size))
+
+    def _sentence(self, line: Line, ref: str) -> Sentence | None:
+        fact = self._derivation.fact(ref)
+        event = self._naming.events.get(int(ref.partition(" ")[2]))
+        if fact is None or event is None:
+            return None
+        if not event.wall and _is_of_time(line):
+            return self._of_a_gap(event, fact)
+        if not event.wall:
+            second = "origin" in line.premises and line.move.bodies == event.bodies[1:]
+            return self._of_spheres(event, fact) if second else None
+        radius = self._radii.get(event.bodies[0])
+        match fact.relation.only[0]:
+            case Link(Quantity("along", (Quantity("position"), Unit(axis))), "=", right):
+                pass
+            case _:
+                return None
+        if radius is None or worth(radius) == 0:
+            return None
+        sides: list[lay.Layout] = [self._naming.layout(right)]
+        value = self._naming.layout(tree_of(worth(right)))
+        if value != sides[0]:
+            sides.append(value)
+        sides[-1] = self._length(sides[-1])
+        return say(
+            "touch.wall",
+            body=event.bodies[0],
+            wall=event.bodies[1],
+            radius=self._length(self._naming.layout(radius)),
+            axis="x" if axis == "i" else "y",
+            value=sides[0] if len(sides) == 1 else lay.Relation(tuple(sides), ("=",)),
+        )
+
+    def _length(self, formula: lay.Layout) -> lay.Layout:
+        """A length, with its unit where it is a number."""
+        return with_its_unit(formula, self._naming.unit(Quantity("distance", ())))

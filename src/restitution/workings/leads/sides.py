@@ -1,0 +1,68 @@
+"""Which of two sides of **i** is worked out: said before the first line that takes it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from restitution.explaining.lines.derivation import Derivation, Line, Relation
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.expression.tree import Binary, Expression, Negate, Unit, walk
+from restitution.workings.naming.quantities import Naming
+
+
+class Sides:
+    """What is said of a line of centres, or a wall, of which the data leave the side open."""
+
+    def __init__(self, derivation: Derivation, naming: Naming) -> None:
+        self._derivation = derivation
+        self._naming = naming
+        self._done: set[int | None] = set()
+        self._open = {
+            line.move.event for line in derivation.lines if line.move.record == "either-side"
+        }
+
+    def before(self, line: Line) -> Iterator[Sentence]:
+        """What stands above the first line of an impact whose line may be on either side."""
+        number = line.move.event
+        event = self._naming.events.get(number or 0)
+        if number not in self._open or number in self._done or event is None:
+            return
+        if line.move.record not in ("component", "assemble"):
+            return
+        self._done.add(number)
+        name = "sided.wall" if event.wall else "sided.spheres"
+        yield say(name, wall=event.bodies[1]) if event.wall else say(name)
+        units = self._units(number)
+        if len(units) == 2:
+            one, other = map(self._naming.layout, units)
+            pair = "sided.wall-units" if event.wall else "sided.spheres-units"
+            slots = {"wall": event.bodies[1]} if event.wall else {}
+            yield say(pair, along=one, across=other, **slots)
+
+    def _units(self, number: int | None) -> tuple[Expression, ...]:
+        """The unit vectors, along the normal and perpendicular to it, of which a line is made."""
+        for line in self._derivation.lines:
+            if line.move.record != "assemble" or line.move.event != number:
+                continue
+            assert isinstance(line.relation, Relation)
+            match line.relation.only[0].right:
+                case Binary("+" | "-", left, right):
+                    units = tuple(map(_unit, (left, right)))
+                    if all(units):
+                        return tuple(each for each in units if each is not None)
+        return ()
+
+
+def _unit(term: Expression) -> Expression | None:
+    """The vector in brackets of a term; None of a term without brackets."""
+    match term:
+        case Negate(operand):
+            return _unit(operand)
+        case Binary("*", _, Binary("+" | "-") as vector) if any(
+            isinstance(each, Unit) for each in walk(vector)
+        ):
+            return vector
+    return None
+
+
+__all__ = ["Sides"]

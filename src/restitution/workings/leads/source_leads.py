@@ -1,0 +1,243 @@
+"""The words that say where a line comes from: what was put in, and what was solved."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from restitution.explaining.lines.derivation import (
+    Line,
+    Link,
+    Meaning,
+    Relation,
+)
+from restitution.explaining.lines.notation import read_tree
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.sentences import SentenceId
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Quantity,
+    is_zero,
+    walk,
+)
+from restitution.render import layout as lay
+from restitution.workings.leads.lines_around import LinesAround
+from restitution.workings.leads.meetings import condition_of, passing_of
+from restitution.workings.naming.sources import Source
+from restitution.workings.reasons.grounds import compared_quantities, motion_of
+
+
+class SourceLeads(LinesAround):
+    """The words before lines that come from others."""
+
+    def _of_the_story(self, line: Line) -> Sentence | None:
+        """What has to be for there to be such an impact, where that is what a line says."""
+        for ref in line.premises:
+            kind, _, number = ref.partition(" ") if isinstance(ref, str) else ("", "", "")
+            if kind == "most":
+                return say("given.most")
+            if kind not in ("within", "approach", "offset"):
+                continue
+            one, other = self._naming.events[int(number)].bodies
+            if kind == "offset":
+                return say("given.offset", one=one, other=other)
+            if kind == "within":
+                return say("given.between", body=one, wall=other)
+            return say("given.approach", one=one, other=other)
+        return None
+
+    def _source(self, source: Source, line: Line) -> Iterator[Sentence]:
+        equations = self._numbers(source)
+        match source.kind:
+            case "combine":
+                letter = self._naming.layout(read_tree(source.eliminated, self._naming.bodies))
+                yield say("derived.combine", letter=letter, equations=equations)
+            case "compare" if not equations:
+                yield say("given.compare")
+            case "times":
+                yield say("flight.add")
+            case "made":
+                yield say(self._made(line))
+            case "formula":
+                yield say("derived.formula")
+            case "solve" if equations:
+                yield say("derived.solve", equations=equations)
+            case "solve":
+                yield say("derived.solve-this")
+            case "divide":
+                first, second = equations
+                yield say("derived.divide", first=first, second=second)
+            case "square-add":
+                yield say("derived.square-add", equations=equations)
+            case "put" if not source.facts and _is_multiple(line.relation):
+                yield say("derived.multiple")
+            case "put":
+                facts = tuple(self._fact(fact) for fact in source.facts)
+                self._given |= {*source.facts}
+                spoken = self._spoken_of(source)
+                # What a line says anew of its own letter is not put into it.
+                subject = None if isinstance(line.relation, Meaning) else _subject(line.relation)
+                letters = tuple(
+                    self._named(self._replaced(each, line))
+                    for each in source.letters
+                    if spoken.isdisjoint(walk(each)) and each != subject
+                )
+                is_claim = any(isinstance(e, Sentence) and e.topic == "claim" for e in facts)
+                moves = self._moves(source.facts)
+                if facts and facts[0] == self._written(line):
+                    yield say("given.data")
+                elif len(facts) == 1 and is_claim:
+                    meeting = self._meeting(source.facts[0], line)
+                    yield meeting or say("given.fact", fact=facts[0])
+                elif moves is not None and not equations:
+                    body, direction, moving = moves
+                    if letters and not source.last:
+                        yield say(
+                            "derived.moves-put",
+                            body=body,
+                            way=direction,
+                            fact=moving,
+                            letters=letters,
+                        )
+                    else:
+                        yield say("derived.moves", body=body, way=direction, fact=moving)
+                elif facts and letters and not source.last and not equations:
+                    yield say("derived.since-put", facts=facts, letters=letters)
+                elif facts and equations:
+                    yield say("derived.since-in", facts=facts, equation=equations[0])
+                elif len(facts) == 1 and isinstance(facts[0], Sentence):
+                    yield say("given.fact", fact=facts[0])
+                elif facts:
+                    yield say("derived.since", facts=facts)
+                elif letters and equations and source.last:
+                    yield say("derived.put-last", equation=equations[0])
+                elif letters and equations:
+                    yield say("derived.put-in", letters=letters, equation=equations[0])
+                elif letters and not source.last:
+                    yield say("derived.put", letters=letters)
+                elif equations:
+                    yield say("derived.add", equations=equations)
+            case _:
+                compared = compared_quantities(self._derivation, line)
+                if compared is not None and equations:
+                    self._given.add(compared.id)
+                    words = self._naming.fact(compared)
+                    yield say("given.fact-from", fact=words, equations=equations)
+                elif equations:
+                    yield say("derived.add", equations=equations)
+
+    def _written(self, line: Line) -> lay.Layout | None:
+        """A line as it is printed."""
+        relation = line.relation
+        return self._naming.relation(relation) if isinstance(relation, Relation) else None
+
+    @staticmethod
+    def _made(line: Line) -> SentenceId:
+        """What a line makes of values above it: their ratio, their product, or their difference."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.options[0][0].left:
+            case Binary("/", Quantity("energy_lost" | "total_energy_lost"), Quantity("energy")):
+                return "made.fraction-lost"
+            case Binary("/", Quantity(), Quantity()):
+                return "made.ratio"
+            case Binary("*", Quantity(), Quantity()):
+                return "made.product"
+            case Binary("-", Quantity(), Quantity()):
+                return "made.difference"
+        return "made.by-these"
+
+    def _named(self, tree: Expression) -> Sentence | lay.Layout:
+        """What is put in: a letter, or words with an article."""
+        formula = self._naming.layout(tree)
+        words = isinstance(formula, lay.Words | lay.Phrase)
+        return say("derived.the", quantity=formula) if words else formula
+
+    def _replaced(self, tree: Expression, line: Line) -> Expression:
+        """What an equation is used for: of tan²α = e that may be e, where the line has tan²α."""
+        if isinstance(line.relation, Meaning):
+            return tree
+        inside = {node for each in trees_of(line.relation) for node in walk(each)}
+        for own in map(self._cited, line.premises) if tree in inside else ():
+            match own.relation if own is not None else None:
+                case Relation(((Link(left, "=", Letter() as other),),)) if left == tree:
+                    return tree if other in inside else other
+        return tree
+
+    def _numbers(self, source: Source) -> tuple[Sentence, ...]:
+        """The numbers of the equations from which a line comes, in their order."""
+        numbers = [self._sources.numbers[each] for each in source.numbered]
+        if source.kind != "divide":
+            numbers.sort()
+        return tuple(say("derived.number", number=str(number)) for number in numbers)
+
+    def _spoken_of(self, source: Source) -> frozenset[Expression]:
+        """The quantities of which the given facts speak that are put in: no word more is needed."""
+        facts = [fact for each in source.facts if (fact := self._derivation.fact(each))]
+        return frozenset(
+            node
+            for fact in facts
+            for tree in trees_of(fact.relation)
+            for node in walk(tree)
+            if isinstance(node, Quantity)
+        )
+
+    def _meeting(self, name: str, line: Line) -> Sentence | None:
+        """When bodies meet, where that is what a given fact tells."""
+        fact = self._derivation.fact(name)
+        relation = None if fact is None else self._naming.meeting(fact)
+        if relation is None or fact is None:
+            return None
+        passing = passing_of(relation, fact, self._naming)
+        if passing is not None:
+            return passing
+        sentence = self._of_letter(line)
+        return condition_of(relation, self._naming, inequality=True, written=sentence)
+
+    def _of_letter(self, line: Line) -> lay.Layout | None:
+        """``v < 0``, where a line says that of the value of the letter."""
+        match line.relation:
+            case Relation(((Link(value, sign, right),),)) if is_zero(right):
+                pass
+            case _:
+                return None
+        for ref in line.premises:
+            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            match own.relation if own is not None else None:
+                case Relation(((Link(Letter() as letter, "=", tree),),)) if tree == value:
+                    return self._naming.relation(Relation(((Link(letter, sign, right),),)))
+        return None
+
+    def _moves(
+        self, names: tuple[str, ...]
+    ) -> tuple[str, lay.Layout, Sentence | lay.Layout] | None:
+        """Which way a body moves, where that is given, and so the sign of its component."""
+        sense = self._derivation.fact(names[0]) if len(names) == 1 else None
+        motion = motion_of(sense)
+        if sense is None or motion is None:
+            return None
+        body, direction = motion
+        return body, self._naming.layout(direction), self._naming.fact(sense)
+
+    def _fact(self, name: str) -> Sentence | lay.Layout:
+        fact = self._derivation.fact(name)
+        assert fact is not None
+        return self._naming.fact(fact)
+
+
+def _is_multiple(relation: Relation | Meaning) -> bool:
+    """Whether a velocity is a multiple of another."""
+    match relation:
+        case Relation(((Link(Quantity("velocity") as one, "=", right),),)):
+            return any(
+                isinstance(node, Quantity) and node.kind == "velocity" and node != one
+                for node in walk(right)
+            )
+    return False
+
+
+def _subject(relation: Relation) -> Expression | None:
+    """The letter of which a line says what it is."""
+    left = relation.options[0][0].left
+    return left if isinstance(left, Letter) else None

@@ -1,0 +1,163 @@
+"""Components that an impact does not change, said as one sentence."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from restitution.explaining.lines.derivation import Derivation, Event, Line, Ref, Relation
+from restitution.explaining.lines.layouts import chains
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.expression.tree import Expression, Number, Pair, Quantity, Unit, is_zero
+from restitution.render import layout as lay
+from restitution.workings.naming.ends import Ends
+from restitution.workings.naming.measured import Measures, is_plain, with_unit
+from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.sources import Sources
+
+
+def _parts(tree: Expression) -> tuple[Expression, ...]:
+    return (tree.x, tree.y) if isinstance(tree, Pair) else (tree,)
+
+
+class Staying:
+    """The lines of one derivation that tell of a component that stays, and of nothing more."""
+
+    def __init__(
+        self,
+        derivation: Derivation,
+        naming: Naming,
+        measures: Measures,
+        sources: Sources,
+        ends: Ends,
+    ) -> None:
+        self._naming = naming
+        self._measures = measures
+        self._sources = sources
+        self._ends = ends
+        self._lines = {line.number: line for line in derivation.lines}
+        self._facts = {fact.id: fact for fact in derivation.facts}
+        self._cases = {n: each.number for each in derivation.cases for n in each.lines}
+
+    def stays(self, line: Line) -> bool:
+        """Whether a line tells of a component that stays, and no more than that."""
+        if line.move.id != "law" or line.move.record != "unchanged" or line.shown != "line":
+            return False
+        if line.number in self._sources.numbers or self._ends.of(line) is not None:
+            return False
+        relation = line.relation
+        return (
+            isinstance(relation, Relation)
+            and len(relation.options) == 1
+            and isinstance(relation.only[0].left, Quantity)
+            and all(each.sign == "=" for each in relation.only)
+            and len(chains(relation.only)) == 1
+        )
+
+    def together(self, line: Line, other: Line) -> bool:
+        """Whether two such lines are about one impact, in one case."""
+        one, two = (self._cases.get(each.number) for each in (line, other))
+        return line.move.event == other.move.event and one == two
+
+    def is_idle(self, line: Line) -> bool:
+        """Whether a line says that a component stays 0, and earns nothing.
+
+        One that was worked out to be 0 is said to stay so.
+        """
+        relation = line.relation
+        return (
+            isinstance(relation, Relation)
+            and relation.only[-1].right == Number(Fraction(0))
+            and not line.marks
+            and not (line.move.record == "unchanged" and any(map(self._is_product, line.premises)))
+        )
+
+    def _is_product(self, ref: Ref) -> bool:
+        """Whether a premise is a component by a scalar product, with what that comes to."""
+        own = self._lines.get(ref) if isinstance(ref, int) else None
+        if own is None or own.move.record != "component" or own.shown != "line":
+            return False
+        return isinstance(own.relation, Relation) and len(own.relation.only) > 1
+
+    def is_nothing(self, line: Line) -> bool:
+        """Whether a line says that a body at rest has no component, or stays where it is.
+
+        No one writes that, nor that a body stays on an axis.
+        """
+        if (line.move.id, line.move.record) == ("define", "straight-line"):
+            assert isinstance(line.relation, Relation)
+            named = line.number in self._sources.numbers or self._ends.of(line) is not None
+            return not named and not line.marks and (self.is_idle(line) or self._rests(line))
+        if (line.move.id, line.move.record) != ("define", "component"):
+            return False
+        assert isinstance(line.relation, Relation)
+        wanted = line.number in self._sources.numbers or self._ends.of(line) is not None
+        return len(line.relation.only) == 1 and not wanted and self.is_idle(line)
+
+    def _sense(self, line: Line, event: Event) -> lay.Layout | None:
+        """The direction in which a component that stays is counted, where it has a short name."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.only[0].left:
+            case Quantity("along", (_, Unit() as own)):
+                return self._naming.layout(own)
+            case Quantity("across", (_, Quantity())):
+                unit: lay.Layout | None = self._naming.bold.unit(event.number, "across")
+                unit = unit or self._naming.bold.direction(event.number, "across")
+                own_ = self._naming.unit_of(event, "across")
+                return unit or (None if own_ is None else self._naming.layout(own_))
+        return None
+
+    def _rests(self, line: Line) -> bool:
+        """Whether a line is about a body that is at rest until then."""
+        facts = [self._facts.get(premise) for premise in line.premises if isinstance(premise, str)]
+        if len(facts) != len(line.premises):
+            return False
+        return any(
+            fact is not None
+            and fact.id.partition(" ")[0] == "velocity"
+            and all(is_zero(part) for part in _parts(fact.relation.only[0].right))
+            for fact in facts
+        )
+
+    def sentences(self, lines: Sequence[Line]) -> tuple[Sentence, Sentence]:
+        """The components that stay as a title and a sentence."""
+        event = self._naming.events[lines[0].move.event or 1]
+        values: list[tuple[str, lay.Layout]] = []
+        for line in lines:
+            assert isinstance(line.relation, Relation)
+            sides = [self._naming.layout(each.right) for each in line.relation.only]
+            unit = self._measures.unit(line.relation.only[0].left)
+            if is_plain(sides[-1]) and sides[-1] != lay.Number("0"):
+                sides[-1] = with_unit(sides[-1], unit)
+            body = line.move.bodies[0] if line.move.bodies else event.bodies[0]
+            whole = lay.Relation(tuple(sides), ("=",) * (len(sides) - 1))
+            values.append((body, whole if len(sides) > 1 else sides[0]))
+        axis = self._sense(lines[0], event)
+        return self._title(event), self._sentence(event, values, axis)
+
+    def _title(self, event: Event) -> Sentence:
+        if not event.wall:
+            return say("unchanged.title")
+        wall = event.bodies[1]
+        if wall in self._naming.circles:
+            return say("unchanged-wall.circle", wall=wall)
+        return say("unchanged-wall.title", wall=wall)
+
+    @staticmethod
+    def _sentence(
+        event: Event, values: Sequence[tuple[str, lay.Layout]], axis: lay.Layout | None
+    ) -> Sentence:
+        """The components that stay, in the direction of an axis where that is not None."""
+        (body, value), *others = values
+        if event.wall:
+            if axis is None:
+                return say("unchanged-wall.component", value=value)
+            return say("unchanged-wall.component-in", value=value, axis=axis)
+        if not others:
+            if axis is None:
+                return say("derived.stays", of=body, value=value)
+            return say("derived.stays-in", of=body, value=value, axis=axis)
+        components = [say("unchanged.component", value=v, body=b) for b, v in values]
+        if axis is None:
+            return say("unchanged.components", components=components)
+        return say("unchanged.components-in", components=components, axis=axis)

@@ -1,0 +1,705 @@
+"""What stands before the rows of a line: its title, and how it comes from the lines above."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+from restitution.exact import tidy
+from restitution.explaining.data.offset_angles import letter_of_offset
+from restitution.explaining.definitions.at_events import past_a_right_angle, tie_of
+from restitution.explaining.laws.principles import RECORDS
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Fact,
+    Line,
+    Link,
+    Meaning,
+    Relation,
+)
+from restitution.explaining.lines.saying import Sentence, say, slots_of
+from restitution.explaining.lines.trees import rebuilt, trees_of
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Polar,
+    Quantity,
+    Unit,
+    has_quantity,
+    is_zero,
+    letters,
+    walk,
+)
+from restitution.render import layout as lay
+from restitution.workings.leads.component_leads import ComponentLeads
+from restitution.workings.leads.flights import chord_title, distance_title, flight_title
+from restitution.workings.leads.lines_around import is_rest
+from restitution.workings.leads.offsets import (
+    angle_of_offset,
+    is_offset,
+    offset_sentence,
+)
+from restitution.workings.leads.source_leads import SourceLeads
+from restitution.workings.leads.touching import touching_beside
+from restitution.workings.leads.turn_leads import BY, TurnLeads
+from restitution.workings.naming.measured import worth
+from restitution.workings.reasons.factors import factor_cancelled
+from restitution.workings.reasons.in_any_case import range_behind
+
+TITLED = frozenset({"law", "define"})
+
+
+class Leads(SourceLeads, TurnLeads, ComponentLeads):
+    """The words before the rows of one derivation, written from the top."""
+
+    def given(self, line: Line) -> tuple[Sentence, ...]:
+        """The given fact that a definition turns into an equation."""
+        if line.move.id != "define":
+            return ()
+        facts = [
+            fact
+            for ref in line.premises
+            if isinstance(ref, str)
+            and (fact := self._derivation.fact(ref)) is not None
+            and (fact.kind == "given" or (fact.kind == "range" and ref.startswith("given")))
+            and fact.id not in self._given
+        ]
+        if line.move.record in ("perpendicular", "parallel"):
+            # What else is given is a value that is put in.
+            facts = [
+                each
+                for each in facts
+                for own in (self._opened(each.relation.only[0]),)
+                if tie_of(own) is not None or past_a_right_angle(own) is not None
+            ]
+        if line.move.record in ("sum", "difference"):
+            # An angle of the data is a value too.
+            facts = [each for each in facts if any(map(has_quantity, trees_of(each.relation)))]
+        if len(facts) != 1:
+            return ()
+        self._given |= {each.id for each in facts}
+        sentence = self._naming.fact(facts[0])
+        along = self._moving_along(line)
+        if along is not None and line.move.record == "tan":
+            return (say("given.fact-along", fact=sentence, body=along),)
+        match facts[0].relation.options[0][0]:
+            case Link(Quantity("velocity", _, _), "=", right) if isinstance(sentence, lay.Layout):
+                if not has_quantity(right):
+                    return ()  # a velocity that is given is a datum
+                resolved = self.resolved(line) if line.move.record == "component" else None
+                if resolved is not None:
+                    return (say("given.and", fact=sentence), resolved)
+        match facts[0].relation.options[0][0]:
+            case Link(Quantity("direction", (Name() as body,), stage), "=", angle) if (
+                abs(_degrees(angle)) == 90
+            ):
+                velocity = self._naming.layout(Quantity("velocity", (body,), stage))
+                axis = self._naming.layout(Unit("i"))
+                return (say("given.direction", fact=sentence, velocity=velocity, axis=axis),)
+        past = past_a_right_angle(self._opened(facts[0].relation.options[0][0]))
+        named = isinstance(facts[0].relation.options[0][0].left, Letter)
+        if named and line.move.record == "perpendicular" and past is not None:
+            if isinstance(past[1], Unit):
+                return (say("derived.since", facts=(sentence,)),)
+            negative = past[2][0] == "<"
+            name = "given.negative-product" if negative else "given.positive-product"
+            return (say(name, fact=sentence),)
+        if named and not isinstance(sentence, Sentence):
+            if self.title(line) is not None:
+                own = facts[0].relation.options[0][0].left
+                of_the_motion = {
+                    each.relation.only[0].right
+                    for each in self._derivation.facts
+                    if each.id.partition(" ")[0] == "let"
+                }
+                if own not in of_the_motion and not any(
+                    own in walk(each) for each in trees_of(line.relation)
+                ):
+                    return ()  # a value of the data, which is put in
+                self._behind[line.number] = say("derived.as", reasons=(sentence,))
+                return ()
+            return (say("derived.since", facts=(sentence,)),)
+        assert isinstance(line.relation, Relation)
+        match facts[0].relation.options[0][0], line.relation.only:
+            case Link(Quantity("velocity"), "perpendicular to", Unit() as unit), (link,) if (
+                line.move.record == "perpendicular" and is_zero(link.right)
+            ):
+                return (say("given.component", fact=sentence, axis=self._naming.layout(unit)),)
+        if line.move.record in ("sum", "difference") and len(line.move.bodies) == 1:
+            turned = self._turned(line)
+            if turned is not None:
+                return (say("given.and", fact=sentence), turned)
+        if line.move.record == "perpendicular" and (pair := self._square_to_the_line(line)):
+            return (say("given.square-to", fact=sentence, one=pair[0], other=pair[1]),)
+        if isinstance(line.relation.options[0][0].left, Letter):
+            return (say("given.fact", fact=sentence),)
+        if line.move.record == "perpendicular" and past is not None:
+            negative = past[2][0] == "<"
+            name = "given.negative-product" if negative else "given.positive-product"
+            return (say(name, fact=sentence),)
+        nothing = is_zero(line.relation.options[0][-1].right)
+        if line.move.record == "perpendicular" and nothing:
+            match line.relation.options[0][0].left:
+                case Quantity("along" | "across"):
+                    pass
+                case Binary("*") if (mover := self._on_the_line(line)) is not None:
+                    return (say("given.product-along", fact=sentence, body=mover),)
+                case _:
+                    return (say("given.product", fact=sentence),)
+        other = _across(self._of_a_wall(facts[0].relation.options[0][0].right))
+        if line.move.record == "parallel" and nothing and other is not None:
+            return (say("given.component", fact=sentence, axis=self._naming.layout(other)),)
+        if line.move.record == "parallel":
+            match line.relation.options[0][0].left:
+                case Quantity("along") if nothing:
+                    return (say("given.fact", fact=sentence),)
+            return (say("given.proportion", fact=sentence),)
+        if line.move.record in ("energy-lost", "energy-change") and not self._by_speeds(line):
+            event = self._naming.events.get(line.move.event or 0)
+            spheres = line.move.record == "energy-lost" and event is not None and not event.wall
+            name = "given.by-those-that-change" if spheres else "given.by-what-changes"
+            return (say("given.and", fact=sentence), say(name))
+        offset = self._sine_of_an_offset(line)
+        return (*offset, self._and_its_sense(line, sentence) or say("given.fact", fact=sentence))
+
+    def _of_a_wall(self, axis: Expression) -> Expression:
+        """The direction that the statement gives a wall; any other direction as it is."""
+        links = (fact.relation.options[0][0] for fact in self._derivation.facts)
+        own = Quantity("direction", (axis,))
+        return next((each.right for each in links if each.left == own), axis)
+
+    def _and_its_sense(self, line: Line, fact: Sentence | lay.Layout) -> Sentence | None:
+        """A given angle to a line, of which the tangent has a component of a certain sign below.
+
+        Or a given speed of what has one component, which has a certain sign.
+        """
+        assert isinstance(line.relation, Relation)
+        match line.relation.options[0]:
+            case (Link(left, "=", Binary("/", _, below)), *_) if line.move.record == "tan":
+                if letters(left):
+                    return None
+            case (Link(left, "=", below),) if line.move.record == "speed":
+                pass
+            case _:
+                return None
+        for own in map(self._cited, line.premises):
+            match None if own is None else own.relation:
+                case Relation((((Link(Letter(), "=") as first), *_),)) as relation:
+                    known = self._reasons.sign_by_a_bound(below)
+                    if relation.only[-1].right != below or known is None:
+                        continue
+                    sense = Relation(((Link(first.left, known[0], Number(Fraction(0))),),))
+                    bound = self._naming.relation(Relation(((known[1],),)))
+                    return say(
+                        "given.fact-sense",
+                        fact=fact,
+                        sense=self._naming.relation(sense),
+                        bound=bound,
+                    )
+        return None
+
+    def given_before(self, line: Line) -> tuple[Sentence, ...]:
+        """The given fact that says a velocity by another one, before a law that takes it."""
+        for ref in line.premises if line.move.id == "law" else ():
+            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            if fact is None or fact.kind != "given" or fact.id in self._given:
+                continue
+            match fact.relation.options[0][0]:
+                case Link(Quantity("velocity"), "=", right) if has_quantity(right):
+                    self._given.add(fact.id)
+                    words = self._naming.fact(fact)
+                    own = self._component_of_multiple(fact)
+                    if own is not None:
+                        component, value = map(self._naming.layout, own)
+                        slots = {"component": component, "value": value}
+                        return (say("given.multiple", fact=words, **slots),)
+                    return (say("given.and", fact=words),)
+                case Link(Quantity("velocity", (Name(body),)), "=") if is_rest(fact):
+                    self._given.add(fact.id)
+                    return (say("given.rest", body=body),)
+        return ()
+
+    def _component_of_multiple(self, fact: Fact) -> tuple[Expression, Expression] | None:
+        """A component along the line of centres and its value, of a multiple of a velocity."""
+        link = fact.relation.options[0][0]
+        for letter, meaning in self._naming.meanings.items():
+            match meaning.quantity:
+                case Quantity("along", (Quantity("velocity") as velocity, line)) if (
+                    velocity in walk(link.right) and meaning.sense is None
+                ):
+                    own = rebuilt(
+                        link.right,
+                        lambda e: Letter(letter) if e == velocity else e,  # noqa: B023
+                    )
+                    if not has_quantity(own) and not _has_vector(own):
+                        return Quantity("along", (link.left, line)), own
+        return None
+
+    def _opened(self, link: Link) -> Link:
+        """A relation of a letter that the statement has for a quantity, said of the quantity."""
+        named = {
+            each.relation.only[0].right: each.relation.only[0].left
+            for each in self._derivation.facts
+            if each.kind == "data" and len(each.relation.options) == 1
+        }
+        is_named = isinstance(link.left, Letter) and link.left in named
+        return replace(link, left=named[link.left]) if is_named else link
+
+    def behind(self, line: Line) -> tuple[Sentence, ...]:
+        """The value of a letter that a definition puts in, which stands behind the line."""
+        return (self._behind[line.number],) if line.number in self._behind else ()
+
+    def _by_speeds(self, line: Line) -> bool:
+        """Whether a line rests on speeds or kinetic energies that are given or stand above."""
+        lines = map(self._derivation.line, (ref for ref in line.premises if isinstance(ref, int)))
+        facts = map(self._derivation.fact, (ref for ref in line.premises if isinstance(ref, str)))
+        relations = (each.relation for each in (*lines, *facts) if each is not None)
+        return any(
+            isinstance(node, Quantity) and node.kind in ("energy", "speed")
+            for each in relations
+            if isinstance(each, Relation)
+            for node in walk(each.options[0][0].left)
+        )
+
+    def title(self, line: Line) -> Sentence | None:
+        """The principle or definition of a line; None where the line speaks for itself."""
+        record = RECORDS.get(line.move.record or "")
+        if line.move.id not in TITLED or record is None or record.id == "component":
+            return None
+        if letter_of_offset(line) is not None:
+            return None
+        if record.id == "parallel" and (_read_off(line) or self._since_nothing(line)) is not None:
+            return None
+        if self._turned(line) is not None or self._along_the_line(line) is not None:
+            return None
+        event = self._naming.events.get(line.move.event or 0)
+        bodies = line.move.bodies or (() if event is None else event.bodies)
+        assert isinstance(line.relation, Relation)
+        first, last = line.relation.options[0][0], line.relation.options[0][-1]
+        name = record.title(event)
+        if record.id == "straight-line" and line.move.bodies:
+            return flight_title(self._derivation, self._naming, line)
+        if record.id == "chord":
+            return chord_title(self._derivation, line, "" if event is None else event.bodies[-1])
+        if record.id == "distance":
+            return distance_title(self._derivation, line)
+        match record.id, first.left:
+            case "assemble", Quantity("position", _, _):
+                name = "derived-place.title"
+            case "energy-lost", _ if not any(isinstance(ref, int) for ref in line.premises):
+                name = "derived-energy.title"  # by speeds of the data
+            case "energy-lost", _ if self._by_speeds(line):
+                name = "derived-energy.title"
+            case "tan-deflection", Apply("cot"):
+                name = "turned.products-over"
+            case "perpendicular", _ if not is_zero(last.right) or self._squares(line):
+                return None
+            case "perpendicular", _ if last.sign in FLIPPED:
+                return None
+            case "round", Binary("+", left, right) if left == right and left in walk(last.right):
+                return say("round.title-same")
+            case "speed", Binary("*"):
+                return say("derived-speed.resolved", body=bodies[0])
+            case "speed", Quantity() if _is_by_an_angle(first.right):
+                return say("derived-speed.by-angle", body=bodies[0])
+            case "size", _ if not any(map(_under, walk(first.right))):
+                return None  # of one component it is read off
+        if name is None:
+            return None
+        if record.id == "along-the-change" and event is not None and not event.wall:
+            rested = [body for body in bodies if self._is_given_off(line, body)]
+            if rested:
+                return say("moves-off.title", body=rested[0])
+        if record.id == "tan-direction" and self._moves_along(line):
+            return say("moves-along.title", body=bodies[0])
+        if record.id == "speed" and (one := self._one_component(line)) is not None:
+            return one
+        if self._by_products(line):
+            return say("restitution.products")
+        if record.id in ("restitution", "restitution-wall") and is_zero(last.right):
+            return say("restitution.none")
+        slots = {"body": bodies[:1], "wall": () if event is None else event.bodies[1:2]}
+        return say(name, **{each: slots[each][0] for each in slots_of(name)})
+
+    def _moves_along(self, line: Line) -> bool:
+        """Whether a direction is that of the line of centres, as there is no component across."""
+        numbers = [ref for ref in line.premises if isinstance(ref, int)]
+        lines = [own for ref in numbers if (own := self._derivation.line(ref))]
+        event = self._naming.events.get(line.move.event or 0)
+        return (
+            event is not None
+            and not event.wall
+            and any(
+                isinstance(each.relation, Relation)
+                and each.move.record == "unchanged"
+                and is_zero(each.relation.options[0][-1].right)
+                for each in lines
+            )
+        )
+
+    def _one_component(self, line: Line) -> Sentence | None:
+        """How a body moves of whose velocity all components but one are zero."""
+        assert isinstance(line.relation, Relation)
+        numbers = [ref for ref in line.premises if isinstance(ref, int)]
+        own = [e for e in map(self._cited, numbers) if e is not None]
+        lasting = [e.relation for e in own if isinstance(e.relation, Relation)]
+        parts = [e.options[0][0].left for e in lasting if not is_zero(e.options[0][-1].right)]
+        right = line.relation.options[0][0].right
+        if len(parts) != 1 or any(isinstance(e, Binary) and e.op == "+" for e in _under(right)):
+            return None
+        part = parts[0]
+        if isinstance(part, Letter) and part.name in self._naming.meanings:
+            part = self._naming.meanings[part.name].quantity
+        match part:
+            case Quantity("along" | "across" as kind, (Quantity("velocity", (Name(body),)), axis)):
+                event = self._naming.event_of_axis(axis)
+                if event is None or event.wall:
+                    return say("derived-speed.one", body=body)
+                along = kind == "along"
+                return say("derived-speed.along" if along else "derived-speed.across", body=body)
+        return None
+
+    def _is_given_off(self, line: Line, body: str) -> bool:
+        """Whether a line takes the direction that is given of a sphere that was at rest."""
+        facts = [self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str)]
+        links = [
+            fact.relation.options[0][0]
+            for fact in facts
+            if fact is not None and fact.kind == "given"
+        ]
+        return any(
+            link.sign in ("parallel to", "perpendicular to")
+            or (isinstance(link.left, Quantity) and link.left.kind == "direction")
+            for link in links
+        )
+
+    def _by_products(self, line: Line) -> bool:
+        """Whether a law of restitution is written by scalar products with a cited vector."""
+        if line.move.record not in ("restitution", "restitution-wall"):
+            return False
+        numbers = [ref for ref in line.premises if isinstance(ref, int)]
+        lines = [own for ref in numbers if (own := self._derivation.line(ref))]
+        links = [
+            each.relation.only[0]
+            for each in lines
+            if isinstance(each.relation, Relation) and len(each.relation.options) == 1
+        ]
+        vectors = any(isinstance(e.left, Quantity) and e.left.kind == "velocity" for e in links)
+        # The vector holds a letter: along one that is known the components are numbers.
+        axes = any(
+            isinstance(e.left, Quantity) and e.sign == "parallel to" and letters(e.right)
+            for e in links
+        )
+        return vectors and axes
+
+    def of(self, line: Line, above: Sentence | None) -> Iterator[Sentence]:
+        """What is said before the rows of a line, under a title ``above``."""
+        source = self._sources.of(line)
+        if line.move.id == "fact":
+            given = [each for ref in line.premises if (each := self._derivation.fact(str(ref)))]
+            needed = self._of_the_story(line)
+            if needed is not None:
+                yield needed
+                return
+            if given and given[0].relation == line.relation and given[0].kind == "geometry":
+                return  # a direction of the data, which the row says in words
+            at = self._naming.at_contact(given[0]) if given else None
+            beside = (
+                touching_beside(self._derivation, self._naming, given[0], line) if given else None
+            )
+            if at is not None:
+                yield beside or at
+            elif given and isinstance(words := self._naming.fact(given[0]), Sentence):
+                yield say("given.fact", fact=words)
+            elif (offset := next(filter(is_offset, given), None)) is not None:
+                # Once the offset is known, the same fact gives the line in numbers.
+                if offset.id in self._given:
+                    yield self._of_a_known_offset(offset, line) or self._worked_out(offset, line)
+                else:
+                    yield offset_sentence(offset, self._naming, given=False)
+                self._given.add(offset.id)
+            else:
+                yield say("given.data")
+            return
+        letter = letter_of_offset(line)
+        if letter is not None:
+            offset = next(e for ref in line.premises if (e := self._derivation.fact(str(ref))))
+            self._given.add(offset.id)
+            yield offset_sentence(offset, self._naming, given=True, letter=letter)
+            return
+        if line.move.record == "component" and line.move.id == "define":
+            title = self.resolved(line)
+            if title is not None and title != above:
+                yield title
+            return
+        if self._beside_normal(line):
+            yield say("wall.beside-normal")
+            return
+        bodies = self._from_centre_to_centre(line)
+        if bodies is not None:
+            yield say("centres.between", one=bodies[0], other=bodies[1])
+            return
+        if line.move.record == "wall-direction":
+            yield say("so")
+            return
+        body = _read_off(line) if line.move.record == "parallel" else None
+        if body is not None:
+            assert isinstance(line.relation, Relation)
+            angle = line.relation.only[0].right
+            size = angle.operand if isinstance(angle, Negate) else angle
+            if size not in (Degrees(Fraction(0)), Degrees(Fraction(90)), Degrees(Fraction(180))):
+                square = isinstance(angle, Binary) and angle.right == Degrees(Fraction(90))
+                which = "derived.across-centres" if square else "derived.along-centres"
+                across = self._across_of(line, body) if square else None
+                if across is not None:
+                    yield say("derived.across-centres-with", body=body, value=across)
+                else:
+                    yield say(which, body=body)
+                return
+            axis: Expression = Unit("j" if size == Degrees(Fraction(90)) else "i")
+            back = size != angle or size == Degrees(Fraction(180))
+            along = self._naming.layout(Negate(axis) if back else axis)
+            yield say("derived.along-axis", body=body, axis=along)
+            return
+        if line.move.record in ("perpendicular", "parallel") and self.title(line) is None:
+            apart = self._apart(line) if line.move.record == "perpendicular" else None
+            yield (
+                apart
+                or self._along_axes(line)
+                or self._none_in(line)
+                or self._since_nothing(line)
+                or say("so")
+            )
+            return
+        turned = self._turned(line) or self._along_the_line(line)
+        if turned is not None:
+            yield turned
+            return
+        factor = factor_cancelled(self._derivation, line) if line.move.id == "cancel" else None
+        known = self._reasons.known(line) if factor is not None else ()
+        if factor is not None and known:
+            formula = self._naming.layout(factor)
+            equations = () if source is None else self._numbers(source)
+            if len(equations) > 1:
+                yield say(
+                    "derived.cancel-by",
+                    factor=formula,
+                    reasons=known,
+                    first=equations[0],
+                    equations=equations[1:],
+                )
+            else:
+                yield say("derived.cancel", factor=formula, reasons=known)
+            return
+        rearranged = self._angles_given(line) if line.move.id == "rearrange" else None
+        if rearranged is not None and line.premises == (rearranged.id,):
+            yield say("derived.since", facts=(self._naming.fact(rearranged),))
+            return
+        divided = self._divided(line)
+        if divided is not None:
+            yield divided
+            return
+        needed = self._of_the_story(line) or self._of_a_sense(line)
+        if needed is not None:
+            yield needed
+        elif line.move.id == "identity" and line.move.record in BY:
+            how = self._by_the_half(line) or say(self._identity(line))
+            equations = () if source is None else self._numbers(source)
+            sentence = self._angles_given(line)
+            if sentence is not None and line.move.record == "complement":
+                yield say("derived.since", facts=(self._naming.fact(sentence),))
+            elif sentence is not None and sentence.id not in self._given:
+                self._given.add(sentence.id)
+                yield say("derived.since-by", facts=(self._naming.fact(sentence),), how=how)
+            elif equations:
+                yield say("derived.by-from", how=how, equations=equations)
+            else:
+                yield say("derived.by", how=how)
+        elif source is not None:
+            yield from self._source(source, line)
+
+    def _of_a_sense(self, line: Line) -> Sentence | None:
+        """The given direction that tells which way a component points."""
+        given = [each for ref in line.premises if (each := self._derivation.fact(str(ref)))]
+        for fact in given if line.move.id == "compare" else ():
+            match fact.relation.options[0][0]:
+                case Link(Quantity("direction", (Name(),), int()), "=", Degrees()) if (
+                    fact.kind == "given"
+                ):
+                    return say("given.fact", fact=self._naming.fact(fact))
+        return None
+
+    def _beside_normal(self, line: Line) -> bool:
+        """Whether a line gives the direction of a wall by its normal, which stands above."""
+        own = [each for each in map(self._cited, line.premises) if each is not None]
+        return any(e.move.record == "wall-direction" and e.shown == "silent" for e in own)
+
+    def _from_centre_to_centre(self, line: Line) -> tuple[str, ...] | None:
+        """The spheres of which a line gives the line of centres by both places."""
+        match line.relation:
+            case Relation(((Link(Quantity("line_of_centres", (), int(number)), "parallel to"),),)):
+                event = self._naming.events.get(number)
+            case _:
+                return None
+        facts = (ref.partition(" ") for ref in line.premises if isinstance(ref, str))
+        by_places = line.move.id == "put" and any(kind == "axis" for kind, _, _ in facts)
+        return event.bodies if by_places and event is not None and not event.wall else None
+
+    def _worked_out(self, fact: Fact, line: Line) -> Sentence:
+        """That an offset is known by now, from which the line of centres follows."""
+        cited = [each for each in map(self._cited, line.premises) if each is not None]
+        known = {
+            each.relation.options[0][0].left
+            for each in cited
+            if isinstance(each.relation, Relation)
+        }
+        angles = [e for e in walk(fact.relation.only[0].right) if isinstance(e, Apply)]
+        names = {node for each in angles for node in walk(each) if isinstance(node, Letter)}
+        names = names & known or names
+        letters = tuple(map(self._naming.layout, sorted(names, key=lambda each: each.name)))
+        return say("derived.put", letters=letters) if letters else say("so")
+
+    def _divided(self, line: Line) -> Sentence | None:
+        """By what top and bottom of a fraction are divided, where only its form changes."""
+        refs = [ref for ref in line.premises if isinstance(ref, int)]
+        own = self._derivation.line(refs[0]) if line.move.id == "rearrange" and refs else None
+        if own is None or not isinstance(own.relation, Relation):
+            return None
+        match own.relation.options[0][-1].right, line.relation:
+            case Binary("/", top, _), Relation(((Link(left, "=", Binary("/", rest, below)),),)):
+                if left != own.relation.options[0][0].left:
+                    return None
+                if any(map(has_quantity, (top, rest, below))):
+                    return None
+            case _:
+                return None
+        inside = {node.right for node in walk(below) if isinstance(node, Binary) and node.op == "/"}
+        for each in inside:
+            if isinstance(each, Letter | Apply) and tidy(
+                worth(top) - worth(rest) * worth(each)
+            ).equals(0):
+                return say("derived.divided", factor=self._naming.layout(each))
+        return None
+
+    def _of_a_known_offset(self, fact: Fact, line: Line) -> Sentence | None:
+        """The angle of an offset that was found, if the line of centres stands in no letters."""
+        assert isinstance(line.relation, Relation)
+        known: dict[str, Any] = {}
+        for each in self._derivation.lines[: line.number - 1]:
+            if not isinstance(each.relation, Relation) or len(each.relation.options) != 1:
+                continue
+            if each.relation.only[0].left == line.relation.only[0].left:
+                return None
+            left = each.relation.only[0].left
+            if each.number in line.premises and isinstance(left, Letter):
+                known[left.name] = worth(each.relation.only[-1].right)
+        return angle_of_offset(fact, known, self._naming)
+
+    def _sine_of_an_offset(self, line: Line) -> Iterator[Sentence]:
+        """How an offset gives the sine of an angle that is given, said the first time."""
+        facts = (self._derivation.fact(str(ref)) for ref in line.premises)
+        for fact in facts:
+            if fact is not None and is_offset(fact) and fact.id not in self._given:
+                self._given.add(fact.id)
+                yield offset_sentence(fact, self._naming, given=True)
+
+    def _squares(self, line: Line) -> bool:
+        """Whether a line rests on a right angle between a velocity and a fixed direction."""
+        lets = (each.relation for each in map(self._cited, line.premises) if each is not None)
+        return any(
+            isinstance(let, Meaning)
+            and isinstance(let.quantity, Quantity)
+            and let.quantity.kind == "angle"
+            and not all(
+                isinstance(e, Quantity) and e.kind == "velocity" for e in let.quantity.arguments
+            )
+            for let in lets
+        )
+
+    def anyway(self, line: Line) -> Iterator[Sentence]:
+        """What is given and holds for all values of the letters, above a range beside others."""
+        match line.relation:
+            case Relation(((Link(_, _, Letter() as letter), Link()),)) if (
+                self._reasons.is_own_range(line)
+            ):
+                above = [each for each in map(self._cited, line.premises) if each is not None]
+                holds = any(each.move.id in ("put", "rearrange", "cancel") for each in above)
+                facts = [self._derivation.fact(str(ref)) for ref in line.premises]
+                if any(fact is not None and fact.kind == "range" for fact in facts):
+                    yield say("given.data")  # what is given of the letter bounds it
+                else:
+                    before = any(
+                        each.item == line.item and each.number < line.number
+                        for each in self._derivation.lines
+                    )
+                    free = "range.every" if before else "range.every-free"
+                    name = "range.every-holds" if holds else free
+                    yield say(name, letter=self._naming.layout(letter))
+        for ref in line.premises if line.move.id == "compare" else ():
+            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            if own is None or own.shown != "silent" or own.move.id != "put":
+                continue
+            match own.relation:
+                case Relation(((Link(_, "<" | "<=" | ">" | ">="),),)) as relation:
+                    words = self._of_letter(own) or self._naming.relation(relation)
+                    bounds = range_behind(self._naming, relation)
+                    if bounds is None:
+                        yield say("derived.anyway", fact=words)
+                    else:
+                        ground = self._naming.relation(bounds)
+                        yield say("derived.anyway-as", fact=words, ground=ground)
+
+
+def _under(tree: Expression) -> tuple[Expression, ...]:
+    """What stands under a root, and its size if it is no sum."""
+    return (tree.argument,) if isinstance(tree, Apply) and tree.function == "sqrt" else ()
+
+
+def _is_by_an_angle(speed: Expression) -> bool:
+    """Whether a speed is a component over a sine or cosine of an angle in degrees."""
+    match speed:
+        case Binary("/", _, below):
+            factors = [below.left, below.right] if isinstance(below, Binary) else [below]
+            return any(
+                isinstance(e, Apply)
+                and e.function in ("sin", "cos")
+                and isinstance(e.argument, Degrees)
+                for e in factors
+            )
+    return False
+
+
+def _across(axis: Expression) -> Unit | None:
+    """The other one of **i** and **j**."""
+    return Unit("j" if axis.axis == "i" else "i") if isinstance(axis, Unit) else None
+
+
+def _degrees(tree: Expression) -> Fraction:
+    """An angle that is a number of degrees; 0 for any other."""
+    match tree:
+        case Negate(operand):
+            return -_degrees(operand)
+        case Degrees(value):
+            return value
+    return Fraction(0)
+
+
+def _has_vector(tree: Expression) -> bool:
+    return any(isinstance(node, Unit | Pair | Polar) for node in walk(tree))
+
+
+def _read_off(line: Line) -> str | None:
+    """The body of which a line says the direction, without a tangent."""
+    match line.relation:
+        case Relation(((Link(Quantity("direction", (Name(body),), int()), "="), *_),)):
+            return body
+    return None

@@ -1,0 +1,113 @@
+"""Where a body is that touches a wall or a point: said before a distance that is measured there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from restitution.explaining.lines.derivation import Derivation, Fact, Line, Link, Relation
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Name,
+    Pair,
+    Quantity,
+    Unit,
+    is_zero,
+)
+from restitution.planning.writing.forms import tree_of
+from restitution.workings.naming.measured import vector_worth, with_its_unit
+from restitution.workings.naming.quantities import Naming
+
+
+class Touching:
+    """The places that contacts tell, each said once."""
+
+    def __init__(self, derivation: Derivation, naming: Naming) -> None:
+        self._derivation = derivation
+        self._naming = naming
+        self._done: set[tuple[str, int]] = set()
+
+    def before(self, line: Line) -> Iterator[Sentence]:
+        """What stands above a distance: the ends that no line gives, as a contact tells them."""
+        if line.move.record != "distance" or line.move.event is not None:
+            return
+        assert isinstance(line.relation, Relation)
+        left = line.relation.only[0].left
+        if not isinstance(left, Quantity):
+            return
+        for argument in left.arguments:
+            match argument:
+                case Name(body) if isinstance(left.stage, int):
+                    end = body, left.stage
+                case Quantity("position", (Name(body),), int(number)):
+                    end = body, number
+                case _:
+                    continue
+            place = self._place(line, *end)
+            if place is not None and end not in self._done:
+                self._done.add(end)
+                yield self._sentence(end, place)
+
+    def _place(self, line: Line, body: str, number: int) -> Pair | None:
+        """The coordinates of a body at a contact; None where a line has said them."""
+        position = Quantity("position", (Name(body),), number)
+        told: dict[str, Expression] = {}
+        for ref in line.premises:
+            own = self._derivation.fact(ref) if isinstance(ref, str) else self._derivation.line(ref)
+            if own is None or not isinstance(own.relation, Relation):
+                continue
+            for link in own.relation.options[0]:
+                match link:
+                    case Link(Quantity("along", (at, Unit(axis))), "=", right) if at == position:
+                        # A coordinate that is not zero has a row of its own.
+                        if isinstance(ref, int) and not is_zero(right):
+                            return None
+                        told[axis] = right
+        return Pair(told["i"], told["j"]) if len(told) == 2 else None
+
+    def _sentence(self, end: tuple[str, int], place: Pair) -> Sentence:
+        body, number = end
+        position = self._naming.quantity(Quantity("position", (Name(body),), number))
+        vector = vector_worth(place)
+        if vector is not None and not any(vector):
+            return say("touch.origin", position=position)
+        layout = self._naming.layout(place if vector is None else tree_of(vector))
+        unit = self._naming.unit(Quantity("distance", ()))
+        return say("touch.at", position=position, place=with_its_unit(layout, unit))
+
+
+def touching_beside(
+    derivation: Derivation, naming: Naming, fact: Fact, line: Line
+) -> Sentence | None:
+    """In which coordinate two centres are apart, where the line of centres is along an axis.
+
+    None of a contact that speaks of no radii, and where both coordinates are in a line.
+    """
+    match fact.relation.only:
+        case (Link(Quantity("position"), "=", Binary("+" | "-", Quantity("position"), apart)),):
+            pass
+        case _:
+            return None
+    match apart:
+        case (Unit() as axis) | Binary("*", _, Unit() as axis):
+            pass
+        case _:
+            return None
+    cited = [derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
+    lefts = [
+        each.relation.only[0].left
+        for each in cited
+        if each and isinstance(each.relation, Relation) and len(each.relation.options) == 1
+    ]
+    axes = {
+        left.arguments[1]
+        for left in lefts
+        if isinstance(left, Quantity) and left.kind == "along" and len(left.arguments) == 2
+    }
+    if len(axes) != 1:
+        return None
+    if axes == {axis}:
+        return say("touch.along")
+    coordinate = "x" if axis == Unit("j") else "y"
+    return say("touch.level", axis=naming.layout(axis), coordinate=coordinate)

@@ -1,0 +1,373 @@
+"""The words before lines of angles: how a body turns, and by which identity."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Fact,
+    Line,
+    Link,
+    Meaning,
+    Relation,
+)
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    Unit,
+    is_zero,
+    walk,
+)
+from restitution.render import layout as lay
+from restitution.workings.leads.lines_around import LinesAround
+
+BY = {
+    "pythagoras": "derived.pythagoras",
+    "double-angle": "derived.double-angle",
+    "half-angle": "derived.half-angle",
+    "sum-of-angles": "derived.sum-of-angles",
+    "complement": "derived.complement",
+}
+# How an angle is made of two to the line of centres, and what is said of it.
+_TANGENTS = {"sum": "derived.tangent-of-sum", "difference": "derived.tangent-of-difference"}
+_TURNED = {
+    "difference": "turned.on",
+    "rest-of-sum": "turned.back",
+    "straight": "turned.straight",
+}
+_OR_ACROSS = {"difference": "turned.on-or-across", "rest-of-sum": "turned.back-or-across"}
+_BESIDE = {
+    "square": "between.beside-same",
+    "square-and-more": "between.beside-opposite",
+}
+_BETWEEN = {
+    "sum": "between.opposite-sides",
+    "difference": "between.one-side",
+    "rest-of-sum": "between.opposite-senses",
+    "rest-of-difference": "between.both-opposite",
+    "square": "between.square-same",
+    "square-and-more": "between.square-opposite",
+    "straight": "between.right",
+}
+
+
+def _is_of_the_rest(base: Line | Fact, line: Line) -> bool:
+    """Whether the double angle is only that of a tangent of what is left of a right angle.
+
+    From tan(90° − 2α) comes 1/tan 2α.
+    """
+    if not isinstance(base.relation, Relation) or not isinstance(line.relation, Relation):
+        return False
+    before, after = (
+        {node for tree in trees_of(each.relation) for node in walk(tree) if isinstance(node, Apply)}
+        for each in (base, line)
+    )
+    right = Degrees(Fraction(90))
+    rests = {
+        node.argument.right
+        for node in before
+        if isinstance(node.argument, Binary)
+        and (node.argument.op, node.argument.left) == ("-", right)
+    }
+    return (
+        bool(rests)
+        and {
+            node.argument
+            for node in after
+            if node.argument not in {each.argument for each in before}
+        }
+        <= rests
+    )
+
+
+class TurnLeads(LinesAround):
+    """The words before angles of deflection, angles that are the same, and identities."""
+
+    def _identity(self, line: Line) -> str:
+        """The name of an identity: of a tangent that of a sum, or of a difference."""
+        name = BY[line.move.record or ""]
+        named = self._angles_given(line) or self._angles_named(line)
+        base = next(filter(None, map(self._cited, line.premises)), named)
+        if line.move.record == "double-angle" and base is not None and _is_of_the_rest(base, line):
+            return BY["complement"]
+        if line.move.record != "sum-of-angles" or base is None:
+            return name
+        assert isinstance(line.relation, Relation)
+        link = line.relation.options[0][0]
+        nodes = (*walk(link.left), *walk(link.right))
+        ratios = {e.function for e in nodes if isinstance(e, Apply)} - {"sqrt"}
+        if ratios != {"tan"}:
+            return _of_differences(base, name)
+        sides: tuple[Expression, ...]
+        if isinstance(base.relation, Relation):
+            whole = base.relation.options[0][0]
+            sides = (whole.right, whole.left)
+        else:
+            sides = (base.relation.quantity,)
+        for side in sides:
+            form = _form_of(side) if isinstance(side, Binary) else ""
+            if form in _TANGENTS:
+                return _TANGENTS[form]
+        return name
+
+    def _by_the_half(self, line: Line) -> Sentence | None:
+        """The formula by which sine and cosine of an angle make the tangent of its half."""
+        base = next(filter(None, map(self._cited, line.premises)), None)
+        if line.move.record != "half-angle" or base is None or isinstance(base.relation, Meaning):
+            return None
+        assert isinstance(line.relation, Relation)
+        match line.relation.only[0].left:
+            case Apply("tan", Binary("/", Letter() as whole, _)) as half:
+                pass
+            case _:
+                return None
+        sine, cosine = Apply("sin", whole), Apply("cos", whole)
+        if not {sine, cosine} <= {each for side in trees_of(base.relation) for each in walk(side)}:
+            return None
+        right = Binary("/", sine, Binary("+", Number(Fraction(1)), cosine))
+        formula = self._naming.relation(Relation(((Link(half, "=", right),),)))
+        return say("derived.by-formula", formula=formula)
+
+    def _angles_given(self, line: Line) -> Fact | None:
+        """The given sum or difference of angles of which a line is the tangent."""
+        facts = (
+            self._derivation.fact(premise) for premise in line.premises if isinstance(premise, str)
+        )
+        for fact in facts:
+            if fact is not None and fact.kind == "given" and len(fact.relation.options) == 1:
+                match fact.relation.only:
+                    case (Link(Binary("+" | "-"), "=") | Link(_, "=", Binary("+" | "-")),):
+                        return fact
+                    case (Link(left, "=", right),) if line.move.record == "double-angle":
+                        if isinstance(left, Binary) or isinstance(right, Binary):
+                            return fact
+        return None
+
+    def _angles_named(self, line: Line) -> Fact | None:
+        """The sum or difference of angles that the statement calls by a letter."""
+        for ref in line.premises:
+            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            if fact is not None and fact.id.partition(" ")[0] == "let":
+                match fact.relation.only:
+                    case (Link(Binary("+" | "-"), "="),):
+                        return fact
+        return None
+
+    def _turned(self, line: Line) -> Sentence | None:
+        """How an angle is made of two others; None of a line that makes none."""
+        if line.move.record == "tan-from-axis":
+            return self._came_along(line)
+        event = self._naming.events.get(line.move.event or 0)
+        if line.move.record not in ("sum", "difference") or event is None:
+            return None
+        assert isinstance(line.relation, Relation)
+        first = line.relation.options[0][0]
+        if isinstance(first.left, Quantity) and first.left.kind == "energy_lost":
+            return None
+        body = line.move.bodies[0]
+        if self._by_directions(line):
+            came = self._came_along(line) if not isinstance(first.right, Binary) else None
+            return came or say("turned.directions", body=body)
+        same = self._same(first)
+        if same is not None:
+            return same
+        if event.wall:
+            name = "turned-wall.sum"
+            if line.move.record == "difference":
+                straight = first.right == Degrees(Fraction(180))
+                name = "turned-wall.straight" if straight else "turned-wall.along"
+                rebounds = self._given_to_rebound(event.number) if straight else None
+                if rebounds is not None:
+                    slots = {"body": body, "wall": event.bodies[1], "bound": rebounds}
+                    return say("turned-wall.straight-as", **slots)
+            return say(name, body=body, wall=event.bodies[1])
+        cited = (self._derivation.line(ref) for ref in line.premises if isinstance(ref, int))
+        named = [each.relation for each in cited if each and isinstance(each.relation, Meaning)]
+        for node in (*walk(first.left), *walk(first.right)):
+            if isinstance(node, Letter) and node.name in self._naming.meanings:
+                named.append(self._naming.meanings[node.name])
+        for each in named:
+            match each.quantity:
+                case Quantity("angle", (Quantity("velocity"), Unit() as axis)):
+                    return self._pushed(line, axis)
+        form = self._form_of(first)
+        alone = len(line.move.bodies) == 1
+        if not alone:
+            still = self._standing(line).get("along")
+            if still is not None and form in _BESIDE:
+                (other,) = (each for each in line.move.bodies if each != still)
+                return say(_BESIDE[form], one=still, other=other)
+            if not isinstance(first.right, Binary | Degrees) and (one := self._on_the_line(line)):
+                return say("between.line", body=one)
+            return say(_BETWEEN[form], bodies=line.move.bodies)
+        if form in _OR_ACROSS and (at := self._reasons.right_angle_among(line)) is not None:
+            return say(_OR_ACROSS[form], body=body, at=self._naming.relation(at))
+        if form == "square":
+            name = "turned.square" if self._ends_square(line) else "turned.from-square"
+            return say(name, body=body)
+        turn = self._turn_too_wide(line, first) if form == "rest-of-sum" else None
+        if turn is not None:
+            return say("turned.back-as", body=body, turn=self._naming.layout(turn))
+        return say(_TURNED[form], body=body) if form in _TURNED else None
+
+    def _pushed(self, line: Line, axis: Unit) -> Sentence:
+        """That a body turns through the difference of its angles to **i** or **j**.
+
+        With the impulse that turns it, where its velocity after the impact is still to come: then
+        the line rests on the velocity of what it meets, and says the later angle by the earlier.
+        """
+        (body,) = line.move.bodies
+        event = self._naming.events[line.move.event or 0]
+        names = {"body": body, "axis": self._naming.layout(axis)}
+        met = {" ".join(("velocity", each)) for each in event.bodies if each != body}
+        assert isinstance(line.relation, Relation)
+        later = line.relation.options[0][0]
+        if not isinstance(later.left, Letter) or met.isdisjoint(map(str, line.premises)):
+            return say("turned.from", **names)
+        if isinstance(later.right, Binary) and later.right.op == "-":
+            return say("turned.pushed-towards", **names)
+        return say("turned.pushed-away", back=self._naming.layout(Negate(axis)), **names)
+
+    def _by_directions(self, line: Line) -> bool:
+        """Whether a deflection is made of directions alone: one of the data, one that stands."""
+        stands = False
+        for ref in line.premises:
+            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            match fact.relation if fact is not None else None if own is None else own.relation:
+                case Relation(((Link(Quantity("direction"), "="), *_),)):
+                    stands = True
+                case Relation(((Link(Letter(name), "="), *_),)) if own is not None:
+                    meaning = self._naming.meanings.get(name)
+                    if meaning is None or _kind_of(meaning.quantity) != "direction":
+                        return False
+                    stands = True
+                case Meaning() | Relation(((Link(Quantity("velocity"), "="), *_),)):
+                    pass
+                case _:
+                    return False
+        return stands
+
+    def _turn_too_wide(self, line: Line, link: Link) -> Expression | None:
+        """The given deflection, where a body that keeps its sense is turned through less."""
+        facts = (self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str))
+        for fact in facts:
+            match None if fact is None else fact.relation.options[0][0]:
+                case Link(Quantity("deflection"), "=", Degrees(value) as turn):
+                    pass
+                case _:
+                    continue
+            degrees = [e.value for e in walk(link.right) if isinstance(e, Degrees)]
+            if sorted(degrees)[-1:] != [180] or value not in degrees or len(degrees) != 3:
+                return None
+            degrees.remove(value)
+            first = min(degrees)
+            return turn if value >= max(first, 90 - first) else None
+        return None
+
+    def _given_to_rebound(self, event: int) -> lay.Layout | None:
+        """The given bound by which the coefficient of a wall, which is a letter, is not zero."""
+        fact = self._derivation.fact(f"e {event}")
+        letter = None if fact is None else fact.relation.only[0].right
+        for each in self._derivation.facts if isinstance(letter, Letter) else ():
+            for link in each.relation.options[0] if each.kind == "range" else ():
+                for own in (link, Link(link.right, FLIPPED.get(link.sign, link.sign), link.left)):
+                    if own.left == letter and own.sign == ">" and is_zero(own.right):
+                        return self._naming.relation(Relation(((own,),)))
+        return None
+
+    def _same(self, link: Link) -> Sentence | None:
+        """That an angle to a wall, or to an axis, is the one from **i** that has a letter."""
+        angles = [
+            meaning.quantity
+            for side in (link.left, link.right)
+            for each in walk(side)
+            if isinstance(each, Letter) and (meaning := self._naming.meanings.get(each.name))
+        ]
+        match angles:
+            case [
+                Quantity("angle", (one, Quantity("line_of_centres"))),
+                Quantity("angle", (other, Name(wall))),
+            ] if one == other:
+                return say("same.parallel", wall=wall)
+            case [one, other] if "direction" in (_kind_of(one), _kind_of(other)):
+                pass
+            case _:
+                return None
+        walls = [
+            side
+            for each in angles
+            if isinstance(each, Quantity) and each.kind == "angle"
+            for side in each.arguments
+            if isinstance(side, Name)
+        ]
+        moving = [
+            side
+            for each in angles
+            for side in (each.arguments if isinstance(each, Quantity) else ())
+            if isinstance(side, Quantity)
+        ]
+        if not walls and moving:
+            velocity, axis = (self._naming.layout(e) for e in (moving[0], Unit("j")))
+            return say("same.angle", velocity=velocity, axis=axis)
+        if not walls:
+            return None
+        return say("same.wall", wall=walls[0].name, axis=self._naming.layout(Unit("i")))
+
+    def _form_of(self, link: Link) -> str:
+        """How an angle is made of two to the line of centres, of which a line may give one."""
+        if isinstance(link.left, Binary):
+            return _form_of(link.left)
+        meaning = (
+            self._naming.meanings.get(link.left.name) if isinstance(link.left, Letter) else None
+        )
+        match None if meaning is None else meaning.quantity:
+            case Quantity("angle", (Quantity("velocity"), Quantity("line_of_centres"))):
+                form = _form_of(link.right)
+                return "difference" if form == "sum" else form
+        return _form_of(link.right)
+
+
+def _of_differences(base: Line | Fact, name: str) -> str:
+    """The name of the identity of a sum of angles; of a difference, where all in it are that."""
+    if not isinstance(base.relation, Relation):
+        return name
+    signs = {
+        each.argument.op
+        for tree in trees_of(base.relation)
+        for each in walk(tree)
+        if isinstance(each, Apply) and isinstance(each.argument, Binary)
+        if each.function in ("sin", "cos", "tan") and each.argument.op in ("+", "-")
+    }
+    return "derived.difference-of-angles" if signs == {"-"} else name
+
+
+def _kind_of(angle: Expression) -> str:
+    return angle.kind if isinstance(angle, Quantity) else ""
+
+
+def _form_of(angle: Expression) -> str:
+    """The form in which an angle is written by others."""
+    straight, right = Degrees(Fraction(180)), Degrees(Fraction(90))
+    match angle:
+        case Degrees():
+            return "straight"
+        case Binary("+" | "-" as sign, left, other) if right in (left, other):
+            return "square" if sign == "-" else "square-and-more"
+        case Binary("+", Binary("-", left, _), _) if left == straight:
+            return "rest-of-difference"
+        case Binary("+"):
+            return "sum"
+        case Binary("-", Binary("-", left, _), _) if left == straight:
+            return "rest-of-sum"
+    return "difference"

@@ -1,0 +1,1 @@
+"""How a working calls what it speaks of, and what its values look like."""

@@ -1,0 +1,120 @@
+"""Angles of the data that are told by a ratio: their sines and cosines, before they are used."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.exact import tidy
+from restitution.explaining.lines.derivation import Derivation, Fact, Line, Link, Relation
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Polar,
+    Quantity,
+    letters,
+    walk,
+)
+from restitution.planning.writing.forms import tree_of
+from restitution.workings.naming.quantities import Naming
+
+_ARCS = ("arctan", "arcsin", "arccos")
+
+
+class DataAngles:
+    """What is said of the angles of the data; each once."""
+
+    def __init__(self, derivation: Derivation, naming: Naming) -> None:
+        self._derivation = derivation
+        self._naming = naming
+        self._seen: set[Expression] = set()
+        self._turned: set[str] = set()
+
+    def in_order(self, lines: Sequence[Line]) -> Iterator[Line]:
+        """Lines with the ratios of angles that follow each other in the order of the statement."""
+        order = {fact.id: n for n, fact in enumerate(self._derivation.facts)}
+        for ratios, run in groupby(lines, lambda each: each.move.id == "triangle"):
+            own = list(run)
+            places = {e.number: [order[r] for r in e.premises if r in order] for e in own}
+            if ratios and all(places.values()):
+                own.sort(key=lambda each: min(places[each.number]))
+            yield from own
+
+    def before(self, line: Line) -> Iterator[Sentence]:
+        """The ratios of an angle in a velocity of which a line takes components."""
+        if line.move.id not in ("law", "define"):
+            return
+        # The angles of all velocities before an impact are spoken of together.
+        alike = (e for e in self._derivation.lines if e.move.event == line.move.event)
+        for ref in dict.fromkeys(ref for each in (line, *alike) for ref in each.premises):
+            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            if fact is None or not _is_of_velocity(fact):
+                continue
+            for node in (each for tree in trees_of(fact.relation) for each in walk(tree)):
+                if not isinstance(node, Apply) or node.function not in _ARCS:
+                    continue
+                if node not in self._seen and not letters(node.argument):
+                    self._seen.add(node)
+                    yield from self._ratios(node)
+            yield from self._to_the_line(fact, line)
+
+    def _to_the_line(self, fact: Fact, line: Line) -> Iterator[Sentence]:
+        """The angle of a velocity with a wall or a line of centres, where both are told from **i**.
+
+        It is said where components are taken by its sine or its cosine.
+        """
+        event = next((e for e in self._derivation.events if e.number == line.move.event), None)
+        if event is None or fact.id in self._turned:
+            return
+        body = fact.id.partition(" ")[2]
+        of_line = " ".join(("wall", event.bodies[1]) if event.wall else ("axis", str(event.number)))
+        line_fact = self._derivation.fact(of_line)
+        right = None if line_fact is None else line_fact.relation.only[-1].right
+        match fact.relation.only[-1].right, right:
+            case Polar(_, Degrees(angle), None, None), Degrees(direction):
+                pass
+            case _:
+                return
+        turn = abs(angle - direction) % 180
+        if body not in event.bodies or not direction or turn > 90 or angle < direction:
+            return
+        self._turned.add(fact.id)
+        link = Link(Binary("-", Degrees(angle), Degrees(direction)), "=", Degrees(turn))
+        equation = self._naming.relation(Relation(((link,),)))
+        if event.wall:
+            yield say("given.turned-wall", body=body, wall=event.bodies[1], angle=equation)
+        else:
+            yield say("given.turned-centres", body=body, angle=equation)
+
+    def _ratios(self, arc: Apply) -> Iterator[Sentence]:
+        try:
+            value = in_letters(arc.argument)
+        except RestitutionError:
+            return
+        angle = {"arctan": sp.atan, "arcsin": sp.asin, "arccos": sp.acos}[arc.function](value)
+        written = self._naming.layout(arc.argument)
+        sine, cosine = (self._naming.layout(tree_of(tidy(f(angle)))) for f in (sp.sin, sp.cos))
+        if arc.function == "arctan":
+            yield say("given.tangent", value=written, sine=sine, cosine=cosine)
+        elif arc.function == "arcsin":
+            yield say("given.sine", value=written, cosine=cosine)
+        else:
+            yield say("given.cosine", value=written, sine=sine)
+
+
+def _is_of_velocity(fact: Fact) -> bool:
+    """Whether a fact says what a velocity is, at the start or after an event."""
+    links = fact.relation.options[0]
+    given = any(isinstance(e.left, Quantity) and e.left.kind == "velocity" for e in links)
+    return fact.id.partition(" ")[0] == "velocity" or given
+
+
+__all__ = ["DataAngles"]

@@ -1,0 +1,219 @@
+"""What a working leads to: its items as they were asked, and the lines in which they end."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from restitution.explaining.lines.derivation import Derivation, ItemEnd, Line, Link, Relation
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    Number,
+    Quantity,
+    is_zero,
+    letters,
+    walk,
+)
+from restitution.problem import (
+    Aligned,
+    Arrival,
+    Find,
+    Impact,
+    Item,
+    Kick,
+    Meets,
+    Problem,
+    Show,
+    Value,
+)
+from restitution.render import layout as lay
+from restitution.wording.asking import names_of
+from restitution.wording.scene import scene_of
+from restitution.wording.structure import Named, Words
+from restitution.workings.naming.quantities import Naming
+
+_ALIGNED = {
+    "perpendicular to": "claim.perpendicular",
+    "parallel to": "claim.parallel",
+    "in the direction of": "claim.same-direction",
+    "opposite to": "claim.opposite",
+}
+
+
+class Ends:
+    """The items of one derivation, and the lines in which they end."""
+
+    def __init__(self, derivation: Derivation, problem: Problem, naming: Naming) -> None:
+        self._naming = naming
+        self._problem = problem
+        self._named: dict[str, Words] | None = None
+        self._ends: dict[int, list[ItemEnd]] = {}
+        for end in _ends(derivation):
+            self._ends.setdefault(end.line, []).append(end)
+        self._parts = derivation.asked
+        self._facts = derivation.facts
+        self._places = {
+            item: [e for e in self._parts if self._parts[e] == self._parts[item]].index(item)
+            for item in self._parts
+        }
+        asked = [each for _, step in problem.steps() for each in _asked(step)]
+        self._asked: Mapping[str, Item | Show] = (
+            dict(zip(self._parts, asked, strict=True)) if len(asked) == len(self._parts) else {}
+        )
+
+    def part(self, line: Line) -> str | None:
+        """The label of the part to which a line belongs."""
+        return self._parts.get(line.item or "")
+
+    def place(self, line: Line) -> int | None:
+        """Which item of its part a line belongs to, counted from 0."""
+        return self.place_of(line.item)
+
+    def place_of(self, item: str | None) -> int | None:
+        """Which of its part an item is, counted from 0."""
+        return self._places.get(item or "")
+
+    def of(self, line: Line) -> ItemEnd | None:
+        """The end of an item in a line; None where none ends.
+
+        Of what is found and shown in one line that of what is found.
+        """
+        return min(self._at(line), key=lambda each: each.shown, default=None)
+
+    def is_required(self, line: Line) -> bool:
+        """Whether a line is, as it stands, what was to be shown in its part."""
+        return any(
+            each.shown and self._parts.get(each.item) == self.part(line)
+            for each in self._at(line)
+            if self._claim(each) is None
+        )
+
+    def _at(self, line: Line) -> Sequence[ItemEnd]:
+        return self._ends.get(line.number, ())
+
+    def asked(self, line: Line) -> Item | Show | None:
+        """What was asked, in the line that ends it."""
+        end = self.of(line)
+        return None if end is None else self._asked.get(end.item)
+
+    def typed(self, line: Line, link: Link) -> lay.Layout | None:
+        """The right side of what was to be shown as it was typed, in the line that says it."""
+        for end in self._at(line):
+            match end.answer.options:
+                case ((own,),) if end.shown and (own.left, own.sign) == (link.left, link.sign):
+                    asked = self._asked.get(end.item)
+                    text = "" if asked is None else asked.text.rstrip()
+                    if isinstance(own.right, Number) and text.endswith("%"):
+                        return lay.Percent(self._naming.as_typed(Number(100 * own.right.value)))
+                    return self._naming.as_typed(own.right)
+        return None
+
+    def item(self, name: str) -> Item | Show | None:
+        """An item by its name in the working."""
+        return self._asked.get(name)
+
+    def text(self, item: str) -> str:
+        """An item as it was typed."""
+        known = self._asked.get(item)
+        return known.text if known is not None and known.text else item
+
+    def named(self, item: str) -> lay.Layout | str:
+        """An item in the words of the question; as it was typed where it has none."""
+        if self._named is None:
+            self._named = {}
+            scene, events = scene_of(self._problem), 0
+            spoken: list[Words] = []
+            for _, step in self._problem.steps():
+                events += isinstance(step, Impact | Kick | Arrival)
+                if isinstance(step, Find | Show):
+                    spoken += names_of(scene.at(events), step)
+            if len(spoken) == len(self._parts):
+                self._named = dict(zip(self._parts, spoken, strict=True))
+        words = self._named.get(item)
+        return self.text(item) if words is None else _laid(words)
+
+    def is_place(self, line: Line) -> bool:
+        """Whether it is a place that was asked."""
+        match self.asked(line):
+            case Value(expression=Quantity("position", _, _)):
+                return True
+        return False
+
+    def claims(self, line: Line) -> Iterator[Sentence]:
+        """What was to be shown, where a line only says by what it holds."""
+        claims = (self._claim(each) for each in self._at(line) if each.shown)
+        yield from dict.fromkeys(claim for claim in claims if claim is not None)
+
+    def _claim(self, end: ItemEnd) -> Sentence | None:
+        """That bodies will meet, or how two velocities stand to each other that are in a ratio."""
+        asked = self._asked.get(end.item)
+        match asked.relation if isinstance(asked, Show) else None:
+            case Meets() as relation:
+                return claim_of_meeting(relation, self._naming)
+            case Aligned(_, how, other) if end.answer.only[0].sign == "=":
+                link = end.answer.only[0]
+                own = [e for e in walk(link.right) if isinstance(e, Quantity)]
+                left, right = map(self._side, (link.left, *own[:1], other)[:2])
+                claim = say(_ALIGNED[how], left=left, right=right)
+                positive = self._given_positive(link.right)
+                if how in ("in the direction of", "opposite to") and positive is not None:
+                    return say("claim.as", claim=claim, reason=self._naming.relation(positive))
+                return claim
+        return None
+
+    def _given_positive(self, multiple: Expression) -> Relation | None:
+        """That a letter of a multiple is positive, where that is given: so the sense is certain."""
+        for fact in self._facts:
+            match fact.relation.options:
+                case ((Link(Letter(name), ">", right),),) if is_zero(right):
+                    if fact.kind in ("given", "range") and name in letters(multiple):
+                        return fact.relation
+        return None
+
+    def _side(self, tree: Expression) -> Sentence | lay.Layout | str:
+        """A direction or a vector; words have their article."""
+        side = self._naming.side(tree)
+        words = isinstance(side, lay.Words | lay.Phrase)
+        return say("derived.the", quantity=side) if words else side
+
+
+def _laid(words: Words) -> lay.Layout | str:
+    """Words of a question as an operand."""
+    pieces = [word.text if isinstance(word, Named) else word for word in words]
+    if all(isinstance(piece, str) for piece in pieces):
+        return "".join(map(str, pieces))
+    if len(pieces) == 1:
+        return pieces[0]
+    return lay.Phrase(tuple(lay.Words(e) if isinstance(e, str) else e for e in pieces), "")
+
+
+def claim_of_meeting(relation: Meets, naming: Naming) -> Sentence:
+    """That two bodies will meet, or that they will not."""
+    one, other = relation.first.name, relation.second.name
+    again = say("again") if relation.again else ""
+    if naming.bodies.get(other) == "wall":
+        if relation.happens:
+            return say("claim.will-hit", body=one, wall=other, again=again)
+        return say("claim.will-not-hit", body=one, wall=other, again=again)
+    if relation.happens:
+        return say("claim.will-collide", one=one, other=other, again=again)
+    return say("claim.will-not-collide", one=one, other=other, again=again)
+
+
+def _ends(derivation: Derivation) -> Iterator[ItemEnd]:
+    """The last lines of items, also of one of which the value is impossible."""
+    yield from derivation.items
+    for note in derivation.notes:
+        line = derivation.line(max(note.lines, default=0))
+        if note.kind == "impossible" and line is not None and line.item == note.item:
+            assert isinstance(line.relation, Relation)
+            yield ItemEnd(note.item, line.number, line.relation, note.part)
+
+
+def _asked(step: Any) -> Iterator[Item | Show]:
+    if isinstance(step, Find):
+        yield from step.items
+    elif isinstance(step, Show):
+        yield step

@@ -1,0 +1,357 @@
+"""Values as a working gives them: with their units, rounded where a reader wants a decimal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import fields, replace
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.exact import tidy
+from restitution.explaining.lines.derivation import Meaning
+from restitution.expression.dimensions import NONE, Dimension
+from restitution.expression.evaluate import in_letters
+from restitution.expression.quantities import dimension_of
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Negate,
+    Number,
+    Unit,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.language.measuring import dimensions_of_letters
+from restitution.problem import Problem
+from restitution.render import layout as lay
+from restitution.vector import Vector
+from restitution.wording.units import style_of
+from restitution.work import remembered
+
+_FIGURES = 3
+
+
+class Measures:
+    """The units of one statement, and of the letters that its working introduces."""
+
+    def __init__(self, problem: Problem, meanings: Mapping[str, Meaning]) -> None:
+        self._style = style_of(problem)
+        #: Whether the statement has decimals: then quantities with units are decimals too.
+        self.decimals = any(
+            isinstance(node, Number) and node.value.denominator > 1
+            for tree in _quantities(problem)
+            for node in walk(tree)
+        )
+        known: dict[str, Dimension] = dict(dimensions_of_letters(problem))
+        for name, meaning in meanings.items():
+            dimension = dimension_of(meaning.quantity, known)
+            if dimension is not None:
+                known[name] = dimension
+        self._letters = known
+
+    def unit(self, tree: Expression) -> str:
+        """The unit of a quantity, with blanks that hold; nothing where letters give the scale."""
+        dimension = dimension_of(tree, self._letters)
+        return self._style.unit(dimension).lstrip()
+
+    def has_units_of_its_own(self, value: Expression) -> bool:
+        """Whether letters in a value stand for what has a unit: then none stands behind it."""
+        return any(self._letters.get(name, NONE) != NONE for name in letters(value))
+
+
+def _quantities(problem: Problem) -> Iterator[Expression]:
+    """The masses, velocities and places of a statement."""
+    for sphere in problem.spheres:
+        for value in (sphere.mass, sphere.velocity, sphere.position, sphere.radius):
+            if isinstance(value, Expression):
+                yield value
+
+
+def as_decimal(tree: Expression) -> Expression:
+    """A fraction that is a decimal with an end as that decimal, also as a component."""
+    match tree:
+        case Negate(operand):
+            return Negate(as_decimal(operand))
+        case Binary("/", Number(above), Number(below)) if _ends(above / below):
+            return Number(above / below)
+        case Binary("*", Binary("/", Number(above), Number(below)) as size, rest) if (
+            above / below != Fraction(1, 2) and not isinstance(rest, Number)
+        ):
+            return Binary("*", as_decimal(size), rest)
+        case Binary("*", size, Unit() as unit):
+            return Binary("*", as_decimal(size), unit)
+        case Binary("+" | "-" as op, left, right) if _of_units(left) and _of_units(right):
+            return Binary(op, as_decimal(left), as_decimal(right))
+    return tree
+
+
+def _of_units(tree: Expression) -> bool:
+    match tree:
+        case Negate(operand):
+            return _of_units(operand)
+        case Binary("*", _, Unit()) | Unit():
+            return True
+        case Binary("+" | "-", left, right):
+            return _of_units(left) and _of_units(right)
+    return False
+
+
+def _ends(value: Fraction) -> bool:
+    return bool(10**5 % value.denominator == 0)
+
+
+def worth(tree: Expression) -> sp.Expr:
+    """The value of a tree of letters that are positive."""
+    value = in_letters(tree, positive=True)
+    return sp.sympify(value, strict=True)
+
+
+def vector_worth(tree: Expression) -> Vector | None:
+    """The value of a vector in letters that are positive; None where a line cannot say it."""
+    try:
+        value = in_letters(tree, positive=True)
+        return Vector(*(tidy(each) for each in value))
+    except (RestitutionError, TypeError):
+        return None
+
+
+def with_unit(value: lay.Layout, unit: str) -> lay.Layout:
+    """A value with its unit; a sum in brackets."""
+    if not unit:
+        return value
+    several = isinstance(value, lay.Sum) and len(value.terms) > 1
+    return lay.Phrase((lay.Brackets(value) if several else value, lay.Words(unit)), "\u00a0")
+
+
+def with_its_unit(value: lay.Layout, unit: str) -> lay.Layout:
+    """A value with its unit where it is a number; in letters as it is."""
+    return with_unit(value, unit) if is_plain(value) else value
+
+
+def is_plain(value: lay.Layout) -> bool:
+    """Whether a value is a number, or a vector of numbers: nothing is left to be worked out."""
+    match value:
+        case lay.Number():
+            return True
+        case lay.Bold(name, ""):
+            return name in ("i", "j")
+        case lay.Root(inside):
+            return is_plain(inside)
+        case lay.Brackets(inside):
+            return is_plain(inside) and not _has_bold(inside)
+        case lay.Function(_, lay.Degrees(angle)):
+            return is_plain(angle)
+        case lay.Fraction(above, below):
+            return is_plain(above) and is_plain(below) and not _has_bold(above)
+        case lay.Product(factors, ""):
+            return all(map(is_plain, factors)) and not any(map(_has_bold, factors[:-1]))
+        case lay.Sum(terms):
+            parts = [each for _, each in terms]
+            vector = len(parts) == 1 or all(map(_along_an_axis, parts))
+            return all(map(is_plain, parts)) and (vector or _is_surd(parts))
+    return False
+
+
+def _has_bold(layout: lay.Layout) -> bool:
+    """Whether there is a vector in a number of any form."""
+    match layout:
+        case lay.Bold():
+            return True
+        case lay.Brackets(inside):
+            return _has_bold(inside)
+        case lay.Fraction(above, _):
+            return _has_bold(above)
+        case lay.Product(factors):
+            return any(map(_has_bold, factors))
+        case lay.Sum(terms):
+            return any(_has_bold(each) for _, each in terms)
+    return False
+
+
+def _is_surd(parts: Sequence[lay.Layout]) -> bool:
+    """Whether no two terms can be added: one of them at most is no multiple of a root."""
+    roots = {str(each) for part in parts for each in _roots(part)}
+    return sum(not [*_roots(part)] for part in parts) <= 1 and len(roots) >= len(parts) - 1
+
+
+def _roots(layout: lay.Layout) -> Iterator[lay.Layout]:
+    """The roots and the sines, cosines and tangents in a number."""
+    match layout:
+        case lay.Root() | lay.Function():
+            yield layout
+        case lay.Fraction(above, below):
+            yield from (*_roots(above), *_roots(below))
+        case lay.Product(factors):
+            for factor in factors:
+                yield from _roots(factor)
+
+
+def _along_an_axis(term: lay.Layout) -> bool:
+    last = term.factors[-1] if isinstance(term, lay.Product) else term
+    return isinstance(last, lay.Bold)
+
+
+@remembered(1024)
+def rounded(tree: Expression) -> lay.Layout | None:
+    """A value to three figures; None where its exact form says enough, or is no number.
+
+    A vector has three figures in every component, or none.
+    """
+    if has_quantity(tree):
+        return None
+    try:
+        value: Any = in_letters(tree, positive=True)
+    except RestitutionError:
+        return None
+    if isinstance(value, Vector):
+        return _rounded_vector(value.x, value.y)
+    if not isinstance(value, sp.Expr):
+        return None
+    if _terminates(value):
+        return None
+    return _rounded(value, _is_angle(tree))
+
+
+def to_figures(tree: Expression, figures: int) -> lay.Layout | None:
+    """A number to so many figures; None for what is none."""
+    try:
+        value = worth(tree)
+    except (RestitutionError, sp.SympifyError):
+        return None
+    return lay.decimal_number(value, figures) if value.is_real else None
+
+
+def to_three_figures(tree: Expression) -> lay.Layout | None:
+    """A rounded number with the zeros at its end: 76.0°; None for what is no such number."""
+    match tree:
+        case Negate(operand):
+            inside = to_three_figures(operand)
+            return None if inside is None else lay.negative(inside)
+        case Degrees(value):
+            return lay.Degrees(lay.Number(_with_zeros(value)))
+        case Number(value):
+            return lay.Number(_with_zeros(value))
+    return None
+
+
+def _with_zeros(value: Fraction) -> str:
+    digits = str(float(value)) if value.denominator > 1 else str(value)
+    whole, _, part = digits.partition(".")
+    kept = len(f"{whole}{part}".lstrip("0"))
+    missing = _FIGURES - kept
+    return f"{whole}.{part}{'0' * missing}" if value and missing > 0 else digits
+
+
+@remembered(1024)
+def as_answer(tree: Expression, place: bool = False) -> tuple[tuple[lay.Layout, str], ...]:
+    """What is added to a value that was asked: its decimal, as answers have it, with its sign.
+
+    Of a ``place`` there are the coordinates too. Nothing is added to what is plain, or no value.
+    """
+    if has_quantity(tree):
+        return ()
+    try:
+        value: Any = in_letters(tree, positive=True)
+    except RestitutionError:
+        return ()
+    if isinstance(value, Vector):
+        display = lay.display_point if place else lay.display_vector
+        x, y = (sp.sympify(each, strict=True) for each in (value.x, value.y))
+        shown, exact = display(x, y), _is_decimal(x) and _is_decimal(y)
+    elif isinstance(value, sp.Expr):
+        shown, exact, place = lay.display(value, angle=_is_angle(tree)), _is_decimal(value), False
+    else:
+        return ()
+    sides = shown.operands if isinstance(shown, lay.Relation) else (shown,)
+    if len(sides) == 1 and _is_rounded_alone(value, shown, tree):
+        sides = (shown, shown)  # the exact form is too long for an answer
+    decimals = tuple((_without_zeros(side), "=") if exact else (side, "≈") for side in sides[1:])
+    return ((sides[0], "="), *decimals) if place else decimals
+
+
+def _without_zeros(layout: Any) -> Any:
+    """An exact decimal as it is: 0.65 and no 0.650, which would be rounded."""
+    if isinstance(layout, tuple):
+        return tuple(_without_zeros(each) for each in layout)
+    if isinstance(layout, lay.Number):
+        digits = layout.digits
+        return lay.Number(digits.rstrip("0").rstrip(".")) if "." in digits else layout
+    if isinstance(layout, lay.Layout):
+        changed = {e.name: _without_zeros(getattr(layout, e.name)) for e in fields(layout)}
+        return replace(layout, **changed)
+    return layout
+
+
+def _is_decimal(value: sp.Expr) -> bool:
+    """Whether a number, or what stands before letters, is a decimal of three figures."""
+    number, rest = value.as_coeff_Mul()
+    factors = sp.Mul.make_args(rest) if rest != 1 else ()
+    if not isinstance(number, sp.Rational) or any(not factor.free_symbols for factor in factors):
+        return False
+    while number and abs(number) < 100:
+        number *= 10
+    return bool(number.q == 1 and abs(number) < 1000) or not number
+
+
+def percentage(tree: Expression) -> tuple[lay.Layout, str] | None:
+    """A number as a percentage, with the sign before it: ≈ where it is rounded."""
+    if has_quantity(tree):
+        return None
+    try:
+        value: Any = in_letters(tree, positive=True)
+    except RestitutionError:
+        return None
+    shown = lay.display(value, percentage=True)
+    sign = "=" if _is_decimal(100 * value) else "≈"
+    return (shown.operands[-1] if isinstance(shown, lay.Relation) else shown), sign
+
+
+def _rounded(value: sp.Expr, angle: bool) -> lay.Layout | None:
+    shown = lay.display(value, angle=angle)
+    if isinstance(shown, lay.Relation):
+        return shown.operands[-1]
+    return None
+
+
+def _is_rounded_alone(value: Any, shown: lay.Layout, tree: Expression) -> bool:
+    """Whether only the decimal of a number is shown, which has an exact form."""
+    if not isinstance(value, sp.Expr) or value.is_Rational or value.free_symbols:
+        return False
+    return shown != lay.from_sympy(value, degrees=_is_angle(tree))
+
+
+def _rounded_vector(x: Any, y: Any) -> lay.Layout | None:
+    parts = [sp.sympify(each, strict=True) for each in (x, y)]
+    if any(part.free_symbols for part in parts):
+        return None
+    if all(_terminates(part) or _rounded(part, False) is None for part in parts):
+        return None
+    return lay.vector(*(_decimal(part) for part in parts))
+
+
+def _decimal(value: sp.Expr) -> lay.Layout:
+    return lay.Number("0") if value == 0 else lay.decimal_number(value, _FIGURES)
+
+
+def _terminates(value: sp.Expr) -> bool:
+    """Whether a number is a decimal with an end, that no rounding makes plainer."""
+    return isinstance(value, sp.Rational) and 1000 % value.q == 0
+
+
+def _is_angle(tree: Expression) -> bool:
+    match tree:
+        case Degrees():
+            return True
+        case Apply(function, _):
+            return function.startswith("arc")
+        case Negate(operand):
+            return _is_angle(operand)
+        case Binary("+" | "-" | "*" | "/", left, right):
+            return _is_angle(left) or _is_angle(right)
+    return False

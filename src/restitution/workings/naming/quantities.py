@@ -1,0 +1,823 @@
+"""How a working calls the quantities of the motion: letters that a reader knows, or plain words.
+
+What is vectors has letters in bold type (`bold_letters`). When something is so is told only where
+it is not plain from what stands above: the heading of an impact, or the end of the motion.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from functools import cached_property
+
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Event,
+    Fact,
+    Link,
+    Meaning,
+    Relation,
+)
+from restitution.explaining.lines.layouts import AsTyped, Forms, of_relation, of_tree, shares_in
+from restitution.explaining.lines.saying import Sentence, operand, say
+from restitution.explaining.lines.sentences import SENTENCES
+from restitution.explaining.lines.trees import rebuilt, settled, trees_of
+from restitution.expression.tree import (
+    Apply,
+    AtTime,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Quantity,
+    Stage,
+    Unit,
+    has_quantity,
+    is_zero,
+    letters,
+    walk,
+)
+from restitution.planning.writing.inequalities import turned
+from restitution.planning.writing.straight_walls import equation_of_line
+from restitution.problem import Arrival, Given, Meets, Problem, comparisons
+from restitution.problem import trees as trees_of_problem
+from restitution.render import layout as lay
+from restitution.shapes import Circle
+from restitution.solving.story.letters import roles
+from restitution.workings.naming.bold_letters import BoldLetters, Used
+from restitution.workings.naming.measured import Measures, is_plain, vector_worth, with_unit, worth
+
+# Letters for angles between two directions.
+_ANGLES = ("beta", "theta", "phi", "psi", "gamma")
+
+
+@dataclass
+class Naming:
+    """The names of one working; ``now`` is the event under whose heading the next line stands.
+
+    ``used`` are the bold letters that it needs, where that is known.
+    """
+
+    derivation: Derivation
+    problem: Problem
+    used: Used | None = None
+    now: int | None = None
+    _own: dict[Expression, lay.Layout] = field(default_factory=dict)
+    _pending: list[Sentence] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.meanings: Mapping[str, Meaning] = self.derivation.meanings
+        self.vectors = frozenset(name for name, each in self.meanings.items() if each.vector)
+        self.events = {event.number: event for event in self.derivation.events}
+        self.impacts = [event for event in self.events.values() if event.kind == "impact"]
+        happenings = [event for event in self.events.values() if event.kind != "arrival"]
+        self.several = len(happenings) > 1
+        shown = (item.answer for item in self.derivation.items if item.shown)
+        typed = [*trees_of_problem(self.problem)]
+        whole = [*typed, *(t for each in shown for t in trees_of(each))]
+        compared = (each.operands for each in comparisons(self.problem))
+        shares = {share for operands in compared for share in shares_in(operands)}
+        self.forms = Forms(each for each in whole if each not in shares)
+        self._used = {name for tree in typed for name in letters(tree)} | {*self.meanings}
+        for line in self.derivation.lines:
+            if not isinstance(line.relation, Meaning):
+                self._used |= {n for tree in trees_of(line.relation) for n in letters(tree)}
+        self.bold = BoldLetters(
+            self.derivation,
+            self._used,
+            self._plain_when,
+            self.layout,
+            self.used,
+            frozenset(self.circles),
+            roles(self.problem),
+        )
+        self._often = Counter(
+            node
+            for line in self.derivation.lines
+            if line.shown != "silent" and not isinstance(line.relation, Meaning)
+            for node in set(self._nodes(trees_of(line.relation)))
+        )
+        times = {each for each in self._often if each.kind == "time" and each.stage}
+        #: The letters by which the statement calls times.
+        self._of_the_statement = dict(_named_times(self.derivation))
+        #: Whether the times of events have numbers: where there are several.
+        self._numbered_times = self.several or len(times) > 1
+        self._inside = {
+            node
+            for line in self.derivation.lines
+            if not isinstance(line.relation, Meaning)
+            for tree in trees_of(line.relation)
+            for each in walk(tree)
+            if isinstance(each, Apply)
+            for node in walk(each.argument)
+            if isinstance(node, Quantity)
+        }
+
+        self.introduced_early: set[str] = set()
+        self._letters = {
+            each.quantity: name
+            for name, each in self.meanings.items()
+            if isinstance(each.quantity, Quantity) and each.quantity in self._inside
+        }
+
+    @staticmethod
+    def _nodes(trees: Iterable[Expression]) -> Iterator[Quantity]:
+        for tree in trees:
+            yield from (node for node in walk(tree) if isinstance(node, Quantity))
+
+    # --- for the writer -------------------------------------------------------------------------
+
+    def layout(self, tree: Expression) -> lay.Layout:
+        """A tree as it stands in a line."""
+        for node in walk(tree):
+            match node:
+                case Binary("-", Quantity("time", (), int()), Quantity("time", (), int()) as early):
+                    self.name(early)  # it is introduced before the later one
+        return of_tree(tree, self.vectors, self.name, self.forms)
+
+    def as_typed(self, tree: Expression) -> lay.Layout:
+        """A tree of the statement in the form in which it stands there."""
+        return of_tree(tree, self.vectors, self.name, AsTyped())
+
+    def relation(self, relation: Relation) -> lay.Layout:
+        """A whole relation in one line."""
+        return of_relation(relation, self.vectors, self.name, self.forms)
+
+    def meeting(self, fact: Fact) -> Meets | None:
+        """The meeting of which a given fact tells; None where it tells of something else."""
+        for _, step in self.problem.steps():
+            if isinstance(step, Given) and step.place == fact.place:
+                match step.relations:
+                    case (Meets() as relation,):
+                        return relation
+        return None
+
+    def fact(self, fact: Fact) -> Sentence | lay.Layout:
+        """A given fact, in words where it is told in words."""
+        match self.meeting(fact):
+            case Meets(Name(one), Name(other), again, happens):
+                more = say("again") if again else ""
+                if self.bodies.get(other) == "wall":
+                    name = "claim.hits" if happens else "claim.does-not-hit"
+                    return say(name, body=one, wall=other, again=more)
+                if happens:
+                    return say("claim.collide", one=one, other=other, again=more)
+                return say("claim.not-collide", one=one, other=other, again=more)
+        link = fact.relation.options[0][0]
+        if len(fact.relation.options) > 1 or len(fact.relation.options[0]) > 1:
+            return self.relation(fact.relation)
+        if link.sign in _BOUNDS and not has_quantity(link.left):
+            link = turned(link)
+        match link:
+            case Link(Quantity("velocity", (Name(body),), _), "=", value) if _is_rest(value):
+                return say("claim.rest", body=body)
+        left, right = self.side(link.left), self.side(link.right)
+        if link.sign in ("parallel to", "perpendicular to"):
+            left, right = (
+                say("derived.the", quantity=each)
+                if isinstance(own, Quantity) and own.kind == "momentum"
+                else each
+                for own, each in ((link.left, left), (link.right, right))
+            )
+            name = "claim.parallel" if link.sign == "parallel to" else "claim.perpendicular"
+            return say(name, left=left, right=right)
+        if link.sign == "=" and isinstance(left, lay.Words | lay.Phrase):
+            match link.right:
+                case Quantity() if isinstance(right, lay.Words | lay.Phrase):
+                    return say("derived.same", quantity=left, value=right)
+                case Binary("*", size, Quantity() as whole) if _is_share(size):
+                    share = _percentage(self.layout(size))
+                    return say("derived.share", quantity=left, share=share, value=self.side(whole))
+                case Binary("*", Letter() as size, Quantity() as whole):
+                    share = self.layout(size)
+                    return say("derived.times", quantity=left, share=share, value=self.side(whole))
+            return say("derived.is", quantity=left, value=self._measured(link, right))
+        if link.sign in _BOUNDS and isinstance(left, lay.Words | lay.Phrase):
+            bound: Sentence | lay.Layout | str = self._measured(link, right)
+            match link.right:
+                case Quantity() if isinstance(right, lay.Words | lay.Phrase):
+                    bound = say("derived.called", quantity=right)
+                case Binary("*", size, Quantity() as whole) if _is_share(size):
+                    share = _percentage(self.layout(size))
+                    bound = say("derived.part", share=share, value=self.side(whole))
+            return say(_BOUNDS[link.sign], quantity=left, value=bound)
+        return self.relation(fact.relation)
+
+    def _measured(
+        self, link: Link, right: Sentence | lay.Layout | str
+    ) -> Sentence | lay.Layout | str:
+        """A given number with the unit of the quantity of which it is the value."""
+        if not isinstance(right, lay.Layout) or not is_plain(right) or is_zero(link.right):
+            return right
+        return with_unit(right, self.unit(link.left))
+
+    @property
+    def bodies(self) -> dict[str, str]:
+        """The bodies of the story, and what each is; and walls that may be struck after it."""
+        return {wall.name: "wall" for wall in self.problem.walls} | {
+            body: "wall" if each.wall and n else "sphere"
+            for each in self.events.values()
+            for n, body in enumerate(each.bodies)
+        }
+
+    def introduced(self) -> tuple[Sentence, ...]:
+        """What letters stand for that have come into use since this was last asked."""
+        pending, self._pending = tuple(self._pending), []
+        return (*self.bold.introduced(), *pending)
+
+    def knows(self, tree: Expression, letter: str) -> None:
+        """A quantity has a letter from now on, and is called by it."""
+        if not isinstance(tree, Quantity):
+            return
+        if tree.kind in ("angle", "deflection", "direction", "time"):
+            self._own[tree] = lay.letter(letter)
+        meaning = self.meanings.get(letter)
+        if (
+            tree.kind == "along"
+            and meaning is not None
+            and meaning.sense in (None, tree.arguments[1])
+        ):
+            vector, axis = tree.arguments
+            axes = [axis]
+            event = self.event_of_axis(axis)
+            name = "" if event is None else " ".join(("axis", str(event.number)))
+            fact = self.derivation.fact(name)
+            if fact is not None and fact.relation.only[0].sign == "=":
+                axes.append(fact.relation.only[0].right)
+            for each in axes:
+                self._own[replace(tree, arguments=(vector, each))] = lay.letter(letter)
+
+    def name(self, tree: Quantity) -> lay.Layout | None:
+        """What a quantity is called among letters."""
+        if tree in self._own:
+            return self._own[tree]
+        match tree:
+            case Quantity("velocity", (Name(body),), _):
+                return self._velocity(tree, body)
+            case Quantity("along" | "across" as kind, (Quantity("velocity", (Name(),)) as v, axis)):
+                return self._scalar_product(kind, v, axis) or operand(self.quantity(tree))
+            case Quantity("time", (), int(stage)) if stage in self.events:
+                if tree in self._of_the_statement:
+                    return lay.letter(self._of_the_statement[tree])
+                return self._lettered(tree, "t", str(stage) if self._numbered_times else "")
+            case Quantity("angle" | "deflection" | "direction") if tree in self._letters:
+                return self._early(tree)
+            case Quantity("deflection", _, _) if tree in self._inside or self._often[tree] > 1:
+                turns = {each for each in self._often if each.kind == "deflection"}
+                turns -= {meaning.quantity for meaning in self.meanings.values()}
+                return self._lettered(tree, "delta", str(tree.stage) if len(turns) > 1 else "")
+            case Quantity("angle", _, _) if tree in self._inside:
+                free = (each for each in _ANGLES if each not in self._used)
+                return self._lettered(tree, next(free, _ANGLES[0]))
+            case Quantity("dot", _, _):
+                return None
+        return operand(self.quantity(tree))
+
+    def _early(self, tree: Quantity) -> lay.Layout:
+        """The letter that a later line has for an angle of which a sine or the like stands here."""
+        letter = self._letters[tree]
+        symbol = lay.letter(letter)
+        meaning = say("derived.meaning", letter=symbol, quantity=self.quantity(tree))
+        self._own[tree] = symbol
+        self.introduced_early.add(letter)
+        self._pending.append(say("derived.let", meanings=(meaning,)))
+        return symbol
+
+    def _lettered(self, tree: Quantity, letter: str, subscript: str = "") -> lay.Layout:
+        """A letter for a quantity without a short name; words where the letter is taken."""
+        name = f"{letter}_{subscript}" if subscript else letter
+        words = self.quantity(tree)
+        if name in self._used:
+            return operand(words)
+        self._used.add(name)
+        symbol = lay.letter(name)
+        self._own[tree] = symbol
+        meaning = say("derived.meaning", letter=symbol, quantity=words)
+        self._pending.append(say("derived.let", meanings=(meaning,)))
+        return symbol
+
+    def _velocity(self, tree: Quantity, body: str) -> lay.Layout:
+        number = self._settled(tree)
+        if number is None or (number == 0 and "u" in self.vectors):
+            own = lay.Bold("v", body)
+            when = self._when(number, body)
+            return own if when is None else operand(say("derived.when", quantity=own, when=when))
+        return self.bold.velocity(body, number)
+
+    def _scalar_product(self, kind: str, vector: Quantity, axis: Expression) -> lay.Layout | None:
+        """A component along a slanting line, or across it: by the unit vector in its direction."""
+        event = None if isinstance(axis, Negate) else self.event_of_axis(axis)
+        if event is None or not self.bold.has_unit(event.number):
+            return None
+        velocity = self.layout(vector)
+        unit = self.bold.unit(event.number, kind)
+        return None if unit is None else lay.product(velocity, unit, sign="·")
+
+    def heading(self, event: Event) -> Sentence:
+        """The heading of an impact, or of an impulse from outside."""
+        if event.kind == "kick":
+            return say("heading.kick", body=event.bodies[0])
+        first, second = event.bodies
+        number = self._order(event)
+        if f"ordinal.{number}" in SENTENCES:
+            order = say(f"ordinal.{number}")
+            return say("heading.impact", order=order, first=first, second=second)
+        return say("heading.impact-number", number=number, first=first, second=second)
+
+    def _event(self, event: Event) -> Sentence:
+        """What an event is called within a sentence: *the impact*, *the second impact*."""
+        if event.kind == "kick":
+            return say("event.kick", body=event.bodies[0])
+        if len(self.impacts_with(event)) < 2:
+            return say("event.only")
+        number = self._order(event)
+        if f"ordinal.{number}" in SENTENCES:
+            return say("event.impact", order=say(f"ordinal.{number}"))
+        return say("event.impact-number", number=number)
+
+    def _order(self, event: Event) -> int:
+        """Which of the impacts an event is, counted from 1."""
+        return 1 + sum(impact.number < event.number for impact in self.impacts_with(event))
+
+    def impacts_with(self, event: Event) -> list[Event]:
+        """The impacts of one story with an event: parts may tell of different bodies."""
+        bodies, size = set(event.bodies), 0
+        while size != len(bodies):
+            size = len(bodies)
+            for each in self.events.values():
+                if bodies & set(each.bodies):
+                    bodies |= set(each.bodies)
+        return [impact for impact in self.impacts if bodies & set(impact.bodies)]
+
+    # --- words ----------------------------------------------------------------------------------
+
+    def quantity(self, tree: Expression) -> Sentence:
+        """A quantity in words, with the time where it is not plain."""
+        match tree:
+            case Quantity("along" | "across" as kind, (vector, axis)):
+                return self._component(kind, vector, axis)
+            case Quantity("restitution", (), _):
+                return self._during(say("derived.coefficient"), tree)
+            case Quantity("impulse", (), _):
+                return self._during(say("derived.impulse-size"), tree)
+            case Quantity("impulse", (Name(body),), int(number)) if (
+                number in self.events and self.events[number].kind == "kick"
+            ):
+                return say("derived.impulse-given", of=(body,))
+            case Quantity("impulse", (Name(body),), _):
+                return self._during(say("derived.impulse", of=(body,)), tree)
+            case Quantity("speed", (Name(body),), _):
+                return self._after(say("derived.speed", of=(body,)), tree, body)
+            case Quantity("energy", bodies, stage):
+                words = self._energy(bodies)
+                if isinstance(stage, int) and stage and self._of_other_times(tree):
+                    return say("derived.when", quantity=words, when=self._plain_when(stage))
+                return self._after(words, tree, None)
+            case Quantity("momentum", (Name(body),), _):
+                return self._after(say("derived.momentum", of=(body,)), tree, body)
+            case Quantity("momentum", (), _):
+                return self._after(say("derived.momentum-all"), tree, None)
+            case Quantity("energy_lost", _, _):
+                return self._during(say("derived.energy-lost"), tree)
+            case Quantity("total_energy_lost", _, _):
+                return say("derived.energy-lost-all")
+            case Quantity("deflection", (Name(body),), _):
+                return self._during(say("derived.deflection", of=(body,)), tree)
+            case Quantity("angle", arguments, _):
+                return say("derived.angle", of=tuple(self.side(argument) for argument in arguments))
+            case Quantity("time", (), int(stage)) if stage in self.events:
+                return say("derived.time", event=self._moment(stage, of=True))
+            case Quantity("position", (Name(body),), stage):
+                return self._at(say("derived.position", body=body), stage)
+            case Quantity("distance") if tree in self._chords:
+                return say("derived.chord")
+            case Quantity("distance", arguments, stage):
+                between = self._between_places(arguments)
+                if between is not None:
+                    return between
+                return self._at(say("derived.distance", of=tuple(map(self._end, arguments))), stage)
+            case Quantity("line_of_centres", _, stage):
+                is_bold = isinstance(stage, int) and self.bold.direction(stage, "along") is not None
+                return say("derived.line-unit") if is_bold else say("derived.line")
+            case Quantity("direction", (Name(),), int()):
+                velocity = Quantity("velocity", tree.arguments, tree.stage)
+                unit = self.layout(Unit("i"))
+                return say("derived.direction", velocity=self.layout(velocity), unit=unit)
+            case Quantity(_, _, stage) if stage is not None:
+                words = say("derived.value", value=lay.from_tree(self._timeless(tree)))
+                return self._at(words, stage)
+        return say("derived.value", value=lay.from_tree(self._timeless(tree)))
+
+    def _between_places(self, ends: tuple[Expression, ...]) -> Sentence | None:
+        """A distance between two places of one body; None of another distance."""
+        match ends:
+            case (
+                Quantity("position", (Name(body),), first),
+                Quantity("position", (Name(other),), second),
+            ) if body == other:
+                early, late = self._when_at(first), self._when_at(second)
+                if early is not None and late is not None:
+                    return say("derived.distance-of", body=body, early=early, late=late)
+        return None
+
+    def _of_other_times(self, tree: Quantity) -> bool:
+        """Whether the working speaks of the same quantity at another time."""
+        return any(
+            each.arguments == tree.arguments
+            and (
+                each.kind == f"total_{tree.kind}"
+                or (each.kind == tree.kind and each.stage != tree.stage)
+            )
+            for each in self._often
+        )
+
+    def of_letter(self, meaning: Meaning) -> Sentence:
+        """What a letter stands for."""
+        match meaning.quantity:
+            case Quantity("speed", (Name(body),), _) as tree if not self.several:
+                late = self._plain_when(self._settled(tree))
+                return say("derived.when", quantity=say("derived.speed", of=(body,)), when=late)
+            case Quantity("angle", arguments) if meaning.angle == "acute":
+                return say(
+                    "derived.acute-angle", of=tuple(self.side(argument) for argument in arguments)
+                )
+        return self.quantity(meaning.quantity)
+
+    def extreme(self, tree: Expression, *, greatest: bool) -> Sentence:
+        """The greatest or the least value of a quantity."""
+        formula = self.layout(tree)
+        if isinstance(formula, lay.Words | lay.Phrase):
+            name = "derived.greatest-named" if greatest else "derived.least-named"
+        else:
+            name = "derived.greatest" if greatest else "derived.least"
+        return say(name, quantity=formula)
+
+    def _end(self, tree: Expression) -> Sentence | lay.Layout | str:
+        """What a distance is measured from."""
+        match tree:
+            case Name(name):
+                return name
+            case Quantity():
+                return say("derived.the", quantity=self.quantity(tree))
+        return self.layout(tree)
+
+    def side(self, tree: Expression) -> Sentence | lay.Layout | str:
+        """A direction or a vector among words."""
+        match tree:
+            case Name(name):
+                return name
+            case Quantity("direction", (Name(name),)) if self.bodies.get(name) == "wall":
+                return name
+            case Quantity("line_of_centres", _, stage):
+                return self._centres(stage)
+        return self.layout(tree)
+
+    def _centres(self, stage: Stage) -> Sentence:
+        """The line of centres of an event: at a wall the normal, at a circular one the radius."""
+        event = self.events.get(stage) if isinstance(stage, int) else None
+        if event is None or not event.wall:
+            return say("derived.centres")
+        if event.bodies[1] in self.circles:
+            return say("derived.radius", body=event.bodies[0])
+        return say("derived.normal", wall=event.bodies[1])
+
+    @property
+    def circles(self) -> set[str]:
+        """The walls that are circular."""
+        return {wall.name for wall in self.problem.walls if isinstance(wall.shape, Circle)}
+
+    @cached_property
+    def _chords(self) -> frozenset[Expression]:
+        """The distances that lines call chords of a circular wall."""
+        return frozenset(
+            line.relation.options[0][0].left
+            for line in self.derivation.lines
+            if line.move.record == "chord" and isinstance(line.relation, Relation)
+        )
+
+    def at_contact(self, fact: Fact) -> Sentence | None:
+        """What a contact tells of the place of a body: how far it is from a centre, or on a wall.
+
+        None of another fact.
+        """
+        kind, _, number = fact.id.partition(" ")
+        event = self.events.get(int(number)) if kind == "contact" else None
+        match fact.relation.only[0]:
+            case Link(Quantity("position"), "=", Binary("+" | "-", Quantity("position"), _)) if (
+                event is not None
+            ):
+                one, other = event.bodies
+                return say("touch.place", one=one, other=other)
+            case Link(Quantity("position"), "=", Quantity("position")) if event is not None:
+                one, other = event.bodies
+                return say("touch.meet", one=one, other=other)
+            case Link(Quantity("dot", (Binary("-", Quantity("position"), _), _)), "=", right) if (
+                event is not None and self.bodies.get(event.bodies[-1]) == "wall" and is_zero(right)
+            ):
+                body, wall = event.bodies
+                line = self._line_of(fact.relation.only[0])
+                if line is None:
+                    return say("contact.wall", body=body, wall=wall)
+                return say("contact.wall-line", body=body, wall=wall, line=line)
+            case Link(Quantity("dot"), "=", Binary("^", radius, _)) if event is not None:
+                one, other = event.bodies
+                length = self.layout(radius)
+                if is_plain(length):
+                    length = with_unit(length, self.unit(Quantity("distance", ())))
+                if other not in self.circles:
+                    return say("touch.apart", one=one, other=other, distance=length)
+                both = self._both_radii(one, other, radius)
+                if both is None:
+                    return say("circle.at", body=one, wall=other, radius=length)
+                equation = lay.Relation((self.layout(both), length), ("=",))
+                return say("circle.centre-at", body=one, wall=other, radius=equation)
+        return None
+
+    def _both_radii(self, body: str, wall: str, distance: Expression) -> Expression | None:
+        """How far the centre of a ball is from that of a circular wall; None without a radius."""
+        shape = next(each.shape for each in self.problem.walls if each.name == wall)
+        radius = next(sphere.radius for sphere in self.problem.spheres if sphere.name == body)
+        if not isinstance(shape, Circle) or not isinstance(radius, Expression) or not worth(radius):
+            return None
+        ways = Binary("-", shape.radius, radius), Binary("+", shape.radius, radius)
+        return next((radii for radii in ways if worth(radii) == worth(distance)), None)
+
+    def _line_of(self, contact: Link) -> lay.Layout | None:
+        """The equation of the line of a straight wall; None where x or y stands for something."""
+        match contact.left:
+            case Quantity("dot", (Binary("-", _, through), normal)):
+                x, y = Letter("x"), Letter("y")
+                if {x.name, y.name} & self._used:
+                    return None
+                across, place = vector_worth(normal), vector_worth(through)
+                if across is None or place is None:
+                    return None
+                return self.relation(Relation(((equation_of_line(across, place, (x, y)),),)))
+        return None
+
+    def _energy(self, bodies: tuple[Expression, ...]) -> Sentence:
+        names = tuple(body.name for body in bodies if isinstance(body, Name))
+        if names:
+            return say("derived.energy-of", bodies=names)
+        return say("derived.energy-all") if self.movers > 1 else say("derived.energy")
+
+    @property
+    def movers(self) -> int:
+        """How many bodies move."""
+        return sum(body == "sphere" for body in self.bodies.values())
+
+    def _component(self, kind: str, vector: Expression, axis: Expression) -> Sentence:
+        of: Sentence | lay.Layout
+        match vector:
+            case Quantity("velocity", (Name(),), _):
+                of = self.layout(vector)
+            case Quantity("position", (Name(body),), stage) if isinstance(axis, Unit):
+                words = (
+                    say("derived.coordinate-x", body=body)
+                    if axis.axis == "i"
+                    else say("derived.coordinate-y", body=body)
+                )
+                return self._at(words, stage)
+            case Quantity("momentum"):
+                of = say("derived.the", quantity=self.layout(vector))
+            case _:
+                of = self.layout(vector)
+        event = self.event_of_axis(axis)
+        unit = None if isinstance(axis, Negate) else self.unit_of(event, kind)
+        if unit is not None and event is not None and not event.wall:
+            return say("derived.component-unit", axis=self.layout(unit), of=of)
+        if event is None:
+            if kind == "along" and isinstance(axis, Unit):
+                return say("derived.component-unit", axis=self.layout(axis), of=of)
+            if kind == "along":
+                return say("derived.component-along-vector", axis=self.layout(axis), of=of)
+            direction = self.bold.across_wall(axis.name) if isinstance(axis, Name) else None
+            if direction is not None:
+                own = self.layout(axis)
+                return say("derived.component-across-sense", axis=own, way=direction, of=of)
+            return say("derived.component-across-vector", axis=self.layout(axis), of=of)
+        if event.wall and kind == "along":
+            wall = event.bodies[1]
+            if wall not in self.circles and not self.bold.leads_into(event):
+                return say("derived.component-across-vector", axis=wall, of=of)
+            return say("derived.component-towards", of=of, wall=wall)
+        if event.wall and event.bodies[1] in self.circles:
+            return say("derived.component-tangent", of=of, wall=event.bodies[1])
+        if event.wall:
+            return say("derived.component-parallel", of=of, wall=event.bodies[1])
+        if kind == "along":
+            return say("derived.component-along", of=of)
+        return say("derived.component-across", of=of)
+
+    def event_of_axis(self, axis: Expression) -> Event | None:
+        """The event along whose axis a component is taken."""
+        own = axis.operand if isinstance(axis, Negate) else axis
+        if isinstance(own, Quantity) and own.kind == "line_of_centres":
+            return self.events.get(own.stage) if isinstance(own.stage, int) else None
+        return None
+
+    def unit_of(self, event: Event | None, kind: str) -> Expression | None:
+        """**i** or **j**, perhaps reversed, where that is along the line of an event, or across."""
+        fact = (
+            None if event is None else self.derivation.fact(" ".join(("axis", str(event.number))))
+        )
+        if fact is None or len(fact.relation.options) != 1:
+            return None
+        axis = fact.relation.only[-1].right
+        back = isinstance(axis, Negate)
+        own = axis.operand if isinstance(axis, Negate) else axis
+        if not isinstance(own, Unit):
+            return None
+        if kind == "across":
+            back = back != (own.axis == "j")
+            own = Unit("j" if own.axis == "i" else "i")
+        return Negate(own) if back else own
+
+    # --- times ----------------------------------------------------------------------------------
+
+    def _settled(self, tree: Quantity) -> int | None:
+        known = settled(tree, self.derivation.events)
+        stage = known.stage if isinstance(known, Quantity) else None
+        return stage if isinstance(stage, int) else None
+
+    def last(self, body: str | None) -> int:
+        """The number of the last event that changes a velocity."""
+        return max(
+            (
+                e.number
+                for e in self.events.values()
+                if e.kind != "arrival" and (body is None or body in e.bodies)
+            ),
+            default=0,
+        )
+
+    def _start(self) -> Sentence:
+        if self.several or len(self.impacts) != 1:
+            return say("derived.at-the-start")
+        return say("derived.before", event=say("event.only"))
+
+    def _when(self, number: int | None, body: str | None) -> Sentence | None:
+        """When a lasting quantity is meant; None where it is plain."""
+        if number is None or number == self.now or (number and number >= self.last(body)):
+            return None
+        return self._plain_when(number)
+
+    def _plain_when(self, number: int | None) -> Sentence:
+        if not number:
+            return self._start()
+        if self.events[number].kind == "arrival":
+            return self._moment(number)
+        return say("event.after", event=self._event(self.events[number]))
+
+    def _after(self, words: Sentence, tree: Quantity, body: str | None) -> Sentence:
+        number = self._settled(tree) if body else _number(tree.stage)
+        when = self._when(number, body)
+        if when is None and number and self.several and self._of_other_times(tree):
+            when = self._plain_when(number)
+        return words if when is None else say("derived.when", quantity=words, when=when)
+
+    def _during(self, words: Sentence, tree: Quantity) -> Sentence:
+        """What belongs to one event."""
+        number = _number(tree.stage)
+        if number not in self.events or not self.several:
+            return words
+        # Of several impacts, the angle through which a body turns could be that of them all.
+        whole = tree.kind == "deflection"
+        if number == self.now and not (whole or self._of_other_times(tree)):
+            return words
+        during = say("event.during", event=self._event(self.events[number]))
+        return say("derived.when", quantity=words, when=during)
+
+    def _moment(self, stage: int, of: bool = False) -> Sentence:
+        event = self.events[stage]
+        if event.kind == "arrival":
+            step = self._arrivals().get(stage)
+            target = self.layout(step.target) if step is not None else lay.Words("")
+            return say("event.arrival", body=event.bodies[0], target=target)
+        named = self._event(event)
+        return say("derived.of", event=named) if of else say("event.during", event=named)
+
+    def _arrivals(self) -> dict[int, Arrival]:
+        kinds = ("Impact", "Kick", "Arrival")
+        arrivals = (step for _, step in self.problem.steps() if type(step).__name__ in kinds)
+        return {n: step for n, step in enumerate(arrivals, 1) if isinstance(step, Arrival)}
+
+    def _at(self, words: Sentence, stage: Stage) -> Sentence:
+        when = self._when_at(stage)
+        return words if when is None else say("derived.when", quantity=words, when=when)
+
+    def _when_at(self, stage: Stage) -> Sentence | None:
+        """When a place is meant, in words: at the start, at an event, or at a time."""
+        match stage:
+            case AtTime(time):
+                return self._later(time)
+            case 0:
+                return say("derived.at-the-start")
+            case int(number) if number in self.events:
+                return self._moment(number)
+        return None
+
+    def _later(self, time: Expression) -> Sentence:
+        """A time by what it is counted from: an event, or where the clock starts."""
+        match time:
+            case Binary("+", Quantity("time", (), int(number)), length) if number in self.events:
+                return self._after_by(length, self._started(number))
+        fact = self.derivation.fact("start")
+        if any(isinstance(node, Quantity) for node in walk(time)) or fact is None:
+            return say("derived.at-time", time=self.layout(time))
+        left = fact.relation.only[0].left
+        begins = left.stage if isinstance(left, Quantity) else None
+        return self._after_by(time, self._started(begins if isinstance(begins, int) else 0))
+
+    def _after_by(self, time: Expression, event: Sentence) -> Sentence:
+        """How long after an event: *2 s after the impact*, *at time r/u after the impact*."""
+        duration = self._in_seconds(time)
+        return say(
+            "derived.later" if duration != self.layout(time) else "derived.later-at",
+            time=duration,
+            event=event,
+        )
+
+    def _started(self, number: int) -> Sentence:
+        """The event, or the start, from which a time is counted."""
+        return self._event(self.events[number]) if number in self.events else say("event.start")
+
+    def unit(self, tree: Expression) -> str:
+        """The unit of a quantity; nothing where letters give the scale."""
+        return Measures(self.problem, self.meanings).unit(tree)
+
+    def _in_seconds(self, time: Expression) -> lay.Layout:
+        """A plain number of seconds with its unit, where the statement has units."""
+        duration = self.layout(time)
+        if not all(isinstance(node, Number | Binary) for node in walk(time)):
+            return duration
+        unit = self.unit(Quantity("time", (), 1))
+        return with_unit(duration, unit)
+
+    @staticmethod
+    def _timeless(tree: Expression) -> Expression:
+        return rebuilt(
+            tree, lambda each: replace(each, stage=None) if isinstance(each, Quantity) else each
+        )
+
+
+def _number(stage: Stage) -> int | None:
+    return stage if isinstance(stage, int) else None
+
+
+def letter_of(tree: Expression) -> str | None:
+    """The name of a letter that stands alone."""
+    return tree.name if isinstance(tree, Letter) else None
+
+
+def _is_rest(tree: Expression) -> bool:
+    """Whether a velocity is that of a body at rest."""
+    match tree:
+        case Number(value):
+            return not value
+        case Pair(Number(x), Number(y)):
+            return not x and not y
+    return False
+
+
+# How a quantity is bounded, in words.
+_BOUNDS: Mapping[str, str] = {
+    ">": "derived.more",
+    ">=": "derived.at-least",
+    "<": "derived.less",
+    "<=": "derived.at-most",
+}
+
+
+def _percentage(share: lay.Layout) -> lay.Layout:
+    """A part in decimals as a percentage; any other as it is written."""
+    if isinstance(share, lay.Number) and "." in share.digits:
+        percent = 100 * Fraction(share.digits)
+        if percent.denominator == 1:
+            return lay.Percent(lay.Number(str(percent)))
+    return share
+
+
+def _is_share(tree: Expression) -> bool:
+    """Whether a number is a part of a whole."""
+    match tree:
+        case Number(value):
+            return 0 < value < 1
+        case Binary("/", Number(above), Number(below)):
+            return 0 < above < below
+    return False
+
+
+def _named_times(derivation: Derivation) -> Iterator[tuple[Quantity, str]]:
+    """The times for which the statement has letters, each with its letter."""
+    for fact in derivation.facts:
+        match fact.relation.options:
+            case ((Link(Quantity("time", (), int()) as time, "=", Letter(name)),),) if (
+                fact.id == " ".join(("let", name))
+            ):
+                yield time, name

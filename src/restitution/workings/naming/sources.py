@@ -1,0 +1,422 @@
+"""From which lines a line comes, as a working says it, and the numbers that it needs for that."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any, Literal
+
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Ref, Relation
+from restitution.explaining.lines.notation import read_relation
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    Quantity,
+    Unit,
+    children,
+    has_quantity,
+    letters,
+    walk,
+)
+
+_PAIRED = frozenset({"combine", "divide", "square-add"})
+_SILENT = frozenset({"law", "define", "fact", "let", "answer", "shown", "triangle"})
+
+
+@dataclass(frozen=True)
+class Source:
+    """What is said of where a line comes from.
+
+    ``numbered`` are the lines named by their numbers, ``letters`` what is put in, ``facts`` the ids
+    of given facts that are, ``reasons`` the lines by which a root is rejected. ``last`` tells that
+    the line just above is what is put in, or that into which it is.
+    """
+
+    kind: Literal[
+        "compare",
+        "combine",
+        "add",
+        "divide",
+        "square-add",
+        "put",
+        "made",
+        "formula",
+        "times",
+        "solve",
+    ]
+    numbered: tuple[int, ...] = ()
+    letters: tuple[Expression, ...] = ()
+    facts: tuple[str, ...] = ()
+    reasons: tuple[int, ...] = ()
+    eliminated: str = ""
+    last: bool = False
+
+
+def is_time(tree: Expression) -> bool:
+    """Whether a tree is a time, or the time between two events."""
+    match tree:
+        case Quantity("time"):
+            return True
+        case Binary("-", Quantity("time"), Quantity("time")):
+            return True
+    return False
+
+
+def is_vector(tree: Expression) -> bool:
+    """Whether a side of an equation is written as a vector."""
+    match tree:
+        case Unit():
+            return True
+        case Quantity("momentum"):
+            return True
+        case Quantity("velocity" | "impulse" | "position", arguments):
+            return bool(arguments)
+        case Quantity() | Apply():
+            return False
+    return any(map(is_vector, children(tree)))
+
+
+def _gives_value(relation: Relation) -> bool:
+    """Whether a line says what one quantity is, or the letter of one."""
+    match relation:
+        case Relation(options=((Link(Quantity() | Letter(), "="), *_),)):
+            return True
+    return False
+
+
+def bound_broken(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], Link] | None:
+    """The one root that a line rejects, and what it would make of another letter: e > 1.
+
+    None where several roots are rejected, or by what is known of the letter itself.
+    """
+    first = line.premises[0] if line.premises else None
+    above = derivation.line(first) if isinstance(first, int) else None
+    if above is None or not isinstance(above.relation, Relation):
+        return None
+    assert isinstance(line.relation, Relation)
+    dropped = [option for option in above.relation.options if option not in line.relation.options]
+    kinds = {"<=": ">", ">=": "<", "<": ">=", ">": "<="}
+    bodies = {body: "sphere" for event in derivation.events for body in event.bodies}
+    bounds = [
+        links[0]
+        for ref in line.premises
+        if isinstance(ref, str) and ref.partition(" ")[2][:1] in ("<", ">")
+        for links in read_relation(ref, bodies).options
+    ]
+    if len(dropped) != 1 or len(bounds) != 1 or bounds[0].sign not in kinds:
+        return None
+    bound = bounds[0]
+    if letters(bound.left) & letters(dropped[0][0].left) or bound.left == dropped[0][0].left:
+        return None
+    sign: Any = kinds[bound.sign]
+    return dropped[0], Link(bound.left, sign, bound.right)
+
+
+def root_of_a_square(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], int] | None:
+    """The one root that a line rejects, and the line with a root by which that is none.
+
+    It came of squaring that line.
+    """
+    cited = [ref for ref in line.premises if isinstance(ref, int)]
+    if line.move.id != "reject" or len(cited) != 2:
+        return None
+    roots, other = (derivation.line(each) for each in cited)
+    if line.premises[0] != cited[0]:
+        return None
+    assert isinstance(line.relation, Relation)
+    if roots is None or other is None or other.move.id == "law":
+        return None
+    if not isinstance(roots.relation, Relation) or not isinstance(other.relation, Relation):
+        return None
+    dropped = [each for each in roots.relation.options if each not in line.relation.options]
+    own = other.relation.options
+    if len(dropped) != 1 or len(own) != 1 or any(each.sign != "=" for each in own[0]):
+        return None
+    nodes = (node for each in own[0] for node in walk(Binary("-", each.left, each.right)))
+    if not any(isinstance(node, Apply) and node.function == "sqrt" for node in nodes):
+        return None
+    return dropped[0], cited[1]
+
+
+class Sources:
+    """The sources of the lines of one derivation, and the numbers of those that are named."""
+
+    def __init__(self, derivation: Derivation) -> None:
+        self._derivation = derivation
+        shown = [
+            each
+            for each in derivation.lines
+            if each.shown != "silent" and isinstance(each.relation, Relation)
+        ]
+        parts = derivation.asked
+        # What stands in another part is not just above.
+        self._above = {
+            line.number: before.number
+            for before, line in pairwise(shown)
+            if parts.get(before.item or "") == parts.get(line.item or "")
+        }
+        self._vectors = {
+            each.number
+            for each in shown
+            if any(is_vector(tree) for tree in trees_of(each.relation))
+        }
+        self._lines = {each.number: each for each in shown}
+        self._ended = {end.line for end in derivation.items}
+        self._cases = {n: each.line for each in derivation.cases for n in each.lines}
+        self._of = {line.number: self._source(line) for line in shown}
+        sources = [each for each in self._of.values() if each]
+        named = {ref for each in sources for ref in (*each.numbered, *each.reasons)}
+        order = [each.number for each in shown if each.number in named]
+        self.numbers: Mapping[int, int] = {number: n for n, number in enumerate(order, 1)}
+
+    def of(self, line: Line) -> Source | None:
+        """What is to be said of a line; None where it is plain."""
+        return self._of.get(line.number)
+
+    def _equations(self, refs: tuple[Ref, ...]) -> list[int]:
+        """The equations among premises; of one that is not printed that which says it."""
+        numbers: list[int] = []
+        for ref in refs:
+            line = self._derivation.line(ref) if isinstance(ref, int) else None
+            if line is None or not isinstance(line.relation, Relation):
+                continue
+            if line.shown != "silent":
+                numbers.append(line.number)
+            elif line.move.id == "rearrange" or self._is_its_letter(line):
+                numbers += self._equations(line.premises)
+        return list(dict.fromkeys(numbers))
+
+    def _is_its_letter(self, line: Line) -> bool:
+        """Whether a line says of a component what one above it says of the letter for it."""
+        if line.move.record != "component" or not isinstance(line.relation, Relation):
+            return False
+        value = line.relation.only[-1].right
+        above = (self._derivation.line(ref) for ref in line.premises if isinstance(ref, int))
+        links = (each.relation for each in above if each is not None)
+        return any(
+            isinstance(own, Relation)
+            and isinstance(own.options[0][0].left, Letter)
+            and own.options[0][-1].right == value
+            for own in links
+        )
+
+    def _source(self, line: Line) -> Source | None:
+        move, cited = line.move.id, self._equations(line.premises)
+        above = self._above.get(line.number)
+        if move == "triangle":
+            facts = self._given(line.premises)
+            if facts:
+                return Source("put", facts=facts)
+            # Below an answer it is a new thought, and says where it comes from.
+            apart = bool(cited) and (cited[0] != above or above in self._ended)
+            return Source("add", tuple(cited)) if apart else None
+        if move == "rearrange" and not cited and (facts := self._given(line.premises)):
+            return Source("put", facts=facts)
+        if move == "solve":
+            return Source("solve", () if cited == [above] else tuple(cited))
+        if line.move.record == "size" and cited and cited[0] != above and self._is_read_off(line):
+            return Source("add", tuple(cited[:1]))
+        if move in _SILENT:
+            return None
+        if cited and isinstance(line.premises[0], int) and self._splits(line, cited[0]):
+            first = above == cited[0]
+            again = above in self._lines and self._splits(self._lines[above], cited[0])
+            named = () if first or again else tuple(cited)
+            return Source("compare", named) if not again else None
+        if move == "put":
+            if (divided := self._divided(line, cited)) is not None:
+                return Source("divide", divided)
+            return self._put(line, cited, above)
+        if move in _PAIRED and len(cited) == 2:
+            if move == "combine" and line.move.eliminated:
+                return Source("combine", tuple(cited), eliminated=line.move.eliminated)
+            kind = "add" if move == "combine" else move
+            return Source(kind, tuple(cited))  # type: ignore[arg-type]
+        if move == "roots" and cited == [above] and self._is_quadratic(cited[0]):
+            return Source("formula")
+        if move == "reject":
+            cited, reasons = cited[:1], self._excluding(line)
+            numbered = tuple(cited) if cited != [above] else ()
+            return Source("add", numbered, reasons=reasons) if numbered or reasons else None
+        if move == "inverse":
+            # In which quadrant the angle lies, the signs of the components tell without a word.
+            cited = [each for each in cited if self._is_ratio_of(line, each)] or cited
+            if not cited and (facts := self._given(line.premises)):
+                return Source("put", facts=facts)
+        if cited == [self._cases.get(line.number)]:
+            return None  # the heading of the case says it
+        if len(cited) > 1 or (cited and cited[0] != above):
+            return Source("add", tuple(cited))
+        return None
+
+    def _divided(self, line: Line, cited: list[int]) -> tuple[int, int] | None:
+        """The two lines of which one gives what stands above in a ratio, the other what is below.
+
+        It is for times: a ratio of other quantities has a title of its own.
+        """
+        assert isinstance(line.relation, Relation)
+        match line.relation.options[0][0].left:
+            case Binary("/", above, below) if is_time(above) and is_time(below):
+                lefts = {self._left(each): each for each in cited}
+                if above in lefts and below in lefts:
+                    return lefts[above], lefts[below]
+        return None
+
+    def _left(self, number: int) -> Expression | None:
+        relation = self._lines[number].relation if number in self._lines else None
+        return relation.options[0][0].left if isinstance(relation, Relation) else None
+
+    @staticmethod
+    def _is_read_off(line: Line) -> bool:
+        """Whether a size is that of the one component that there is."""
+        assert isinstance(line.relation, Relation)
+        return not any(isinstance(node, Apply) for node in walk(line.relation.only[0].right))
+
+    def _excluding(self, line: Line) -> tuple[int, ...]:
+        """The laws by which a root would break the bound of another letter, or what was squared."""
+        squared = root_of_a_square(self._derivation, line)
+        if squared is not None and squared[1] in self._lines:
+            return (squared[1],)
+        if bound_broken(self._derivation, line) is None:
+            return ()
+        laws = [
+            equation for equation in self._equations(line.premises[1:]) if equation in self._lines
+        ]
+        return tuple(law for law in laws if self._lines[law].move.id == "law")
+
+    def _is_ratio_of(self, angle: Line, number: int) -> bool:
+        """Whether a line says what the sine, the cosine or the tangent of an angle is."""
+        above = self._lines.get(number)
+        if above is None or not isinstance(above.relation, Relation):
+            return False
+        assert isinstance(angle.relation, Relation)
+        left = above.relation.options[0][0].left
+        own = angle.relation.options[0][0].left
+        return isinstance(left, Apply) and left.argument == own
+
+    def _is_quadratic(self, number: int) -> bool:
+        """Whether a line says ax² + bx + c = 0, and not by its factors."""
+        match self._lines[number].relation:
+            case Relation(((Link(Binary("+" | "-", Binary("+" | "-"), _), "=", Number(value)),),)):
+                return value == 0
+        return False
+
+    def _splits(self, line: Line, cited: int) -> bool:
+        """Whether a line is one component of an equation of vectors."""
+        return cited in self._vectors and line.number not in self._vectors
+
+    def _given(self, refs: tuple[Ref, ...]) -> tuple[str, ...]:
+        """The given facts among premises."""
+        return tuple(
+            ref
+            for ref in refs
+            if isinstance(ref, str)
+            and (fact := self._derivation.fact(ref)) is not None
+            and fact.kind in ("given", "range")
+        )
+
+    def _subjects(self, line: Line, target: int | None) -> Iterator[Expression]:
+        """What a line says the value of; of several ratios those that are put in."""
+        assert isinstance(line.relation, Relation)
+        links = line.relation.options[0]
+        into = None if target is None else self._derivation.line(target)
+        if (
+            line.move.id in ("triangle", "solve")
+            and into is not None
+            and isinstance(into.relation, Relation)
+        ):
+            nodes = {node for tree in trees_of(into.relation) for node in walk(tree)}
+            used = [link.left for link in links if link.left in nodes]
+            if used:
+                yield from used
+                return
+        yield links[0].left
+
+    def _is_sum_of_times(self, line: Line, cited: list[int]) -> bool:
+        """Whether a line adds up the times of several ways."""
+        assert isinstance(line.relation, Relation)
+        if any(has_quantity(link.right) for links in line.relation.options for link in links):
+            return False  # it relates times to each other
+        lines = [line, *(self._lines[each] for each in cited if each in self._lines)]
+        return len(lines) == len(line.premises) + 1 and all(
+            is_time(each.relation.options[0][0].left)
+            for each in lines
+            if isinstance(each.relation, Relation)
+        )
+
+    def _is_made_of(self, line: Line, cited: list[int]) -> bool:
+        """Whether a line is worked out of the values of quantities: their ratio, say."""
+        assert isinstance(line.relation, Relation)
+        left = line.relation.options[0][0].left
+        if not isinstance(left, Binary) or line.relation.options[0][0].sign != "=":
+            return False
+        parts = set(walk(left)) - {left}
+        above = [self._lines[each].relation for each in cited if each in self._lines]
+        subjects = [
+            each.only[0].left for each in above if isinstance(each, Relation) and _gives_value(each)
+        ]
+        return (
+            len(subjects) == len(cited) > 0
+            and parts.issuperset(subjects)
+            and any(isinstance(subject, Quantity) for subject in subjects)
+        )
+
+    def _has_quantity(self, number: int) -> bool:
+        """Whether a line speaks of the motion, and not of letters alone."""
+        own = self._derivation.line(number)
+        return (
+            own is None
+            or not isinstance(own.relation, Relation)
+            or any(map(has_quantity, trees_of(own.relation)))
+        )
+
+    def _are_equal(self, line: Line, cited: list[int]) -> bool:
+        """Whether a line says that two quantities are equal, or opposite, which two lines tell."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.options:
+            case ((Link(Quantity() as one, "=", Quantity() as other),),):
+                sides = {one, other}
+            case ((Link(Quantity() as one, "=", Negate(Quantity() as other)),),):
+                sides = {one, other}
+            case _:
+                return False
+        lines = [own for each in cited if (own := self._derivation.line(each)) is not None]
+        subjects = {
+            e.relation.only[0].left
+            for e in lines
+            if isinstance(e.relation, Relation) and len(e.relation.options) == 1
+        }
+        return len(cited) == 2 and subjects == sides
+
+    def _put(self, line: Line, cited: list[int], above: int | None) -> Source | None:
+        first, *_ = line.premises
+        target = first if isinstance(first, int) and first in cited else None
+        values = [each for each in cited if each != target]
+        letters = tuple(
+            letter
+            for each in values
+            if (own := self._derivation.line(each)) is not None
+            for letter in self._subjects(own, target)
+        )
+        facts = self._given(line.premises)
+        if self._is_sum_of_times(line, cited):
+            return Source("times")
+        if not facts and self._is_made_of(line, cited):
+            return Source("made")
+        ties = [each for each in cited if not self._has_quantity(each)]
+        others = [each for each in cited if each not in ties]
+        if not facts and ties and self._is_made_of(line, others):
+            return Source("add", tuple(ties))  # letters are put in by the way
+        if not facts and self._are_equal(line, cited):
+            return Source("add", tuple(cited))
+        numbered = () if target is None or target == above else (target,)
+        last = bool(values) and values == [above]
+        if not (numbered or letters or facts):
+            return None
+        return Source("put", numbered, letters, facts, last=last)

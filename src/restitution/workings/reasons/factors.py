@@ -1,0 +1,68 @@
+"""By what a line is divided that loses a factor, so that its words can say so."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.lines.trees import exchanged
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import Binary, Expression, Letter, is_zero, letters
+from restitution.planning.writing.forms import UnwrittenError, factors_above, tree_of
+from restitution.workings.reasons.right_angles import in_letters_alone
+
+
+def factor_cancelled(derivation: Derivation, line: Line) -> Expression | None:
+    """The factor in letters by which a line was divided; None where it has no short form."""
+    first = line.premises[0] if line.premises else None
+    above = derivation.line(first) if isinstance(first, int) else None
+    if above is None or not isinstance(above.relation, Relation):
+        return None
+    assert isinstance(line.relation, Relation)
+    if len(above.relation.options) != 1 or len(line.relation.options) != 1:
+        return None
+    try:
+        before, after = (_residual(each.relation) for each in (above, line))  # type: ignore[arg-type]
+        numerator, _ = sp.fraction(sp.cancel(before / after))
+        _, factor = sp.factor_list(numerator)
+        bases = [base for base, _ in factor]
+        return tree_of(bases[0]) if len(bases) == 1 else None
+    except (RestitutionError, UnwrittenError, ZeroDivisionError, TypeError, sp.PolynomialError):
+        return None
+
+
+def _residual(relation: Relation) -> sp.Expr:
+    """Left minus right. Raises RestitutionError where a quantity of the motion stands in it."""
+    link = relation.only[0]
+    left, right = (in_letters(each, positive=True) for each in (link.left, relation.only[-1].right))
+    return sp.sympify(left - right, strict=True)
+
+
+def factor_left(derivation: Derivation, line: Line) -> Expression | None:
+    """The sum that is left out of a product that is zero, where a line takes the root of the other.
+
+    None where there is no such factor, or more than one.
+    """
+    (first, *rest) = line.premises or ("",)
+    above = derivation.line(first) if isinstance(first, int) else None
+    if above is None or rest or line.move.id not in ("rearrange", "cancel"):
+        return None
+    match above.relation, line.relation:
+        case (
+            Relation((((Link(product, "=", right)),),)),
+            Relation(((Link(Letter(name), "=", value), *_),)),
+        ) if is_zero(right):
+            sums = [each for each in factors_above(product) if isinstance(each, Binary)]
+        case _:
+            return None
+    put = [in_letters_alone(exchanged(each, {Letter(name): value})) for each in sums]
+    left = [
+        each
+        for each, own in zip(sums, put, strict=True)
+        if name in letters(each) and own is not None and sp.cancel(own) != 0
+    ]
+    return left[0] if len(sums) == 2 and len(left) == 1 else None
+
+
+__all__ = ["factor_cancelled", "factor_left"]

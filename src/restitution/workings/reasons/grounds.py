@@ -1,0 +1,304 @@
+"""Grounds of a line that a reader has to be shown: a quadrant, a root, a divisor, an identity."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explaining.lines.derivation import Derivation, Fact, Line, Link, Relation
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.evaluate import evaluate, in_letters
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    Unit,
+    has_quantity,
+    is_zero,
+    letters,
+    walk,
+)
+from restitution.oracle.roles import Role
+from restitution.planning.writing.forms import factors, tree_of
+
+_ZERO, _ONE, _TWO = (Number(Fraction(n)) for n in (0, 1, 2))
+_ORDER = ("<", "<=", ">", ">=")
+
+
+def grounds_of(derivation: Derivation, roles: Mapping[str, Role], line: Line) -> Iterator[Relation]:
+    """What a line rests on beside what it cites, as relations to stand behind it."""
+    match line.move.id:
+        case "inverse":
+            yield from _quadrant(derivation, line)
+            if any(_is_of_a_cotangent(_relation(derivation, each)) for each in line.premises):
+                yield from _half_plane(derivation, line)
+        case "complete":
+            yield from _roots(derivation, line)
+        case "rearrange":
+            yield from _divisors(roles, line)
+            yield from _divided_by(derivation, roles, line)
+            yield from _squares_of_sums(derivation, line)
+        case "define":
+            yield from _side(derivation, line)
+        case "compare":
+            yield from _double_angle(derivation, line)
+            yield from _half_plane(derivation, line)
+
+
+def _side(derivation: Derivation, line: Line) -> Iterator[Relation]:
+    """To which side a velocity is turned, where that is given."""
+    for ref in line.premises if line.move.record == "turned" else ():
+        fact = derivation.fact(ref) if isinstance(ref, str) else None
+        match None if fact is None else fact.relation.options:
+            case ((Link(Quantity("direction") as angle, "<" | ">" as sign, right),),) if (
+                in_letters(right) == 0
+            ):
+                yield Relation(((Link(angle, sign, _ZERO),),))
+
+
+def _squares_of_sums(derivation: Derivation, line: Line) -> Iterator[Relation]:
+    """``(√33 − 3)² = 42 − 6√33``, where a number under a root is seen to be a square."""
+    cited = [own for ref in line.premises if (own := _relation(derivation, ref)) is not None]
+    above = {node for each in cited for tree in trees_of(each) for node in walk(tree)}
+    seen: list[Expression] = []
+    for node in (node for tree in trees_of(line.relation) for node in walk(tree)):
+        match node:
+            case Binary("^", base, power) if power == _TWO and node not in above:
+                seen += [each for each in walk(base) if _is_sum_with_a_root(each)]
+    for each in dict.fromkeys(seen):
+        worth = tree_of(sp.expand(in_letters(each) ** 2))
+        yield Relation(((Link(Binary("^", each, _TWO), "=", worth),),))
+
+
+def _is_sum_with_a_root(tree: Expression) -> bool:
+    """Whether an expression is a number with a root, added to another one."""
+    roots = (isinstance(each, Apply) and each.function == "sqrt" for each in walk(tree))
+    is_sum = isinstance(tree, Binary) and tree.op in ("+", "-")
+    return is_sum and not letters(tree) and not has_quantity(tree) and any(roots)
+
+
+def compared_quantities(derivation: Derivation, line: Line) -> Fact | None:
+    """The given inequality of two quantities that a line compares by what lines above say."""
+    cited = [ref for ref in line.premises if isinstance(ref, int)]
+    if line.move.id != "compare" or len(cited) < 2:
+        return None
+    for ref in line.premises:
+        fact = derivation.fact(ref) if isinstance(ref, str) else None
+        if fact is not None and fact.kind == "given" and len(fact.relation.options) == 1:
+            return fact if all(map(has_quantity, trees_of(fact.relation))) else None
+    return None
+
+
+def motion_of(fact: Fact | None) -> tuple[str, Expression] | None:
+    """Which body moves in which direction, where that is given and tells a component's sign."""
+    if fact is None or fact.id.partition(" ")[0] != "sense":
+        return None
+    match fact.relation.only:
+        case (Link(Quantity("along" | "dot", (Quantity("velocity", (Name(body),)), axis)), sign),):
+            return body, axis if sign == ">" else Negate(axis)
+    return None
+
+
+def acute_by_its_tangent(
+    line: Line, extent: Relation, cited: Iterable[Relation | None]
+) -> Letter | None:
+    """The angle of up to 180° that a positive tangent makes acute, where that is compared."""
+    match line.relation, extent.options:
+        case (
+            Relation(((Link(Apply("tan", Letter() as angle) as tangent),),)),
+            ((_, Link(own, "<=", Degrees(Fraction(numerator=180)))),),
+        ) if own == angle and line.move.id == "compare":
+            positive = Relation(((Link(tangent, ">", _ZERO),),))
+            return angle if positive in cited else None
+    return None
+
+
+def _relation(derivation: Derivation, ref: object) -> Relation | None:
+    own = derivation.line(ref) if isinstance(ref, int) else None
+    return own.relation if own is not None and isinstance(own.relation, Relation) else None
+
+
+def _quadrant(derivation: Derivation, line: Line) -> Iterator[Relation]:
+    """Which way a body moves along **i**, where its direction is not between 0° and 90°."""
+    assert isinstance(line.relation, Relation)
+    link = line.relation.only[0]
+    meaning = derivation.meanings.get(link.left.name) if isinstance(link.left, Letter) else None
+    if meaning is None or not isinstance(meaning.quantity, Quantity):
+        return
+    angle = line.relation.only[-1].right
+    beyond = _is_beyond(angle)
+    if meaning.quantity.kind != "direction" or not (beyond or _is_negative(angle)):
+        return
+    for ref in line.premises:
+        relation = _relation(derivation, ref)
+        if relation is None or len(relation.options) > 1:
+            continue
+        component, value = relation.only[0].left, relation.only[-1].right
+        if _is_along_i(derivation, component) and _is_negative(value if beyond else Negate(value)):
+            yield Relation(((Link(component, "<" if beyond else ">", _ZERO),),))
+            return
+
+
+def _is_of_a_cotangent(relation: Relation | None) -> bool:
+    """Whether a relation says what the cotangent of an angle is."""
+    match relation:
+        case Relation(((Link(Apply("cot"), "="), *_),)):
+            return True
+    return False
+
+
+def _half_plane(derivation: Derivation, line: Line) -> Iterator[Relation]:
+    """To which side a body moves whose direction is bounded by a ratio of it."""
+    assert isinstance(line.relation, Relation)
+    sides = {side for link in line.relation.options[0] for side in (link.left, link.right)}
+    named = {
+        meaning.quantity
+        for each in sides
+        if isinstance(each, Letter) and (meaning := derivation.meanings.get(each.name))
+    }
+    if not any(isinstance(each, Quantity) and each.kind == "direction" for each in sides | named):
+        return
+    for ref in line.premises:
+        match _relation(derivation, ref):
+            case Relation(((Link(component, "="), *_) as links,)):
+                value = links[-1].right
+            case _:
+                continue
+        if _is_negative(value):
+            yield Relation(((Link(component, "<", _ZERO),),))
+        elif _is_negative(Negate(value)):
+            yield Relation(((Link(component, ">", _ZERO),),))
+
+
+def _is_beyond(angle: Expression) -> bool:
+    """Whether an angle is more than 90°, on either side."""
+    if isinstance(angle, Degrees):
+        return abs(angle.value) > 90
+    return any(isinstance(each, Degrees) and each.value == 180 for each in walk(angle))
+
+
+def _is_along_i(derivation: Derivation, component: Expression) -> bool:
+    """Whether a component, or the letter for one, is in the direction of **i**."""
+    quantity = component
+    if isinstance(component, Letter):
+        meaning = derivation.meanings.get(component.name)
+        if meaning is None or meaning.sense is not None:
+            return False
+        quantity = meaning.quantity
+    match quantity:
+        case Quantity("along", (Quantity("velocity"), Unit("i"))):
+            return True
+        case Quantity("along", (Quantity("velocity"), Quantity("line_of_centres", (), int(event)))):
+            fact = derivation.fact(" ".join(("axis", str(event))))
+            return fact is not None and fact.relation.only[0].right == Unit("i")
+    return False
+
+
+def _is_negative(value: Expression) -> bool:
+    """Whether an expression is seen to be negative, its letters being positive."""
+    if has_quantity(value):
+        return False
+    try:
+        worth = evaluate(value, lambda name: sp.Symbol(name, positive=True))
+        return bool(sp.sympify(worth, strict=True).is_negative)
+    except (RestitutionError, TypeError, ValueError):
+        return False
+
+
+def _roots(derivation: Derivation, line: Line) -> Iterator[Relation]:
+    """What is given of the letters below a root that would not be real otherwise."""
+    assert isinstance(line.relation, Relation)
+    part = derivation.asked.get(line.item or "")
+    names = {
+        frozenset(letters(node.argument))
+        for link in line.relation.options[0]
+        for node in walk(link.right)
+        if isinstance(node, Apply) and node.function == "sqrt" and _has_difference(node.argument)
+    }
+    for fact in derivation.facts:
+        if fact.kind not in ("given", "range") or fact.part not in (None, part):
+            continue
+        if len(fact.relation.options) > 1:
+            continue
+        for link in fact.relation.only:
+            if link.sign in _ORDER and letters(link.left) | letters(link.right) in names:
+                yield Relation(((link,),))
+
+
+def _has_difference(tree: Expression) -> bool:
+    return any(isinstance(each, Binary) and each.op == "-" for each in walk(tree))
+
+
+def _divisors(roles: Mapping[str, Role], line: Line) -> Iterator[Relation]:
+    """That a coefficient by which an inequality is divided is positive."""
+    assert isinstance(line.relation, Relation)
+    match line.relation.options:
+        case ((Link(Letter(), sign, Binary("/", _, below)),),) if sign in _ORDER:
+            for factor in factors(below):
+                role = roles.get(factor.name) if isinstance(factor, Letter) else None
+                if role is not None and role.kind == "restitution":
+                    yield Relation(((Link(factor, ">", _ZERO),),))
+
+
+def _divided_by(
+    derivation: Derivation, roles: Mapping[str, Role], line: Line
+) -> Iterator[Relation]:
+    """That a coefficient by which an equation is divided is not zero, where nothing else says it.
+
+    It stands in a product that is not zero: then it is not zero itself.
+    """
+    assert isinstance(line.relation, Relation)
+    above = [own for ref in line.premises if (own := _relation(derivation, ref)) is not None]
+    match line.relation.options, above:
+        case ((Link(Letter(), "=", Binary("/", _, below)),),), [
+            Relation(((Link(left, "=", value),),))
+        ]:
+            pass
+        case _:
+            return
+    if letters(value) or has_quantity(value) or is_zero(value) or len(line.premises) != 1:
+        return
+    product = factors(left)
+    for factor in factors(below):
+        role = roles.get(factor.name) if isinstance(factor, Letter) else None
+        if role is not None and role.kind == "restitution" and factor in product:
+            yield Relation(((Link(factor, "!=", _ZERO),),))
+
+
+def _double_angle(derivation: Derivation, line: Line) -> Iterator[Relation]:
+    """By which formula a bound of cos 2α comes from one of sin α or cos α."""
+    assert isinstance(line.relation, Relation)
+    angle = next(
+        (
+            node
+            for link in line.relation.options[0]
+            for side in (link.left, link.right)
+            for node in walk(side)
+            if isinstance(node, Apply) and node.function == "cos"
+        ),
+        None,
+    )
+    match angle:
+        case Apply("cos", Binary("*", two, half)) if two == _TWO:
+            pass
+        case _:
+            return
+    for ref in line.premises:
+        relation = _relation(derivation, ref)
+        subject = None if relation is None else relation.options[0][0].left
+        if subject not in (Apply("sin", half), Apply("cos", half)):
+            continue
+        square = Binary("*", _TWO, Binary("^", subject, _TWO))
+        sine = subject == Apply("sin", half)
+        right = Binary("-", _ONE, square) if sine else Binary("-", square, _ONE)
+        yield Relation(((Link(angle, "=", right),),))
+        return

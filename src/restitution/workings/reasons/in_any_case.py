@@ -1,0 +1,52 @@
+"""Why a condition holds for all values of its letters: by the range of a coefficient in it."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explaining.lines.derivation import Link, Relation
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.evaluate import evaluate
+from restitution.expression.tree import Letter, Number, letters
+from restitution.solving.story.letters import roles
+from restitution.workings.naming.quantities import Naming
+
+_ZERO, _ONE = (Number(Fraction(n)) for n in (0, 1))
+
+
+def range_behind(naming: Naming, relation: Relation) -> Relation | None:
+    """The range of the coefficient by which a sign is seen; None where none, or more, are needed.
+
+    The other letters are positive.
+    """
+    known = roles(naming.problem)
+    names = sorted({name for tree in trees_of(relation) for name in letters(tree)})
+    coefficients = [n for n in names if n in known and known[n].kind == "restitution"]
+    others = [n for n in names if n not in coefficients]
+    if len(coefficients) != 1 or any(n in known and known[n].kind != "positive" for n in others):
+        return None
+    (link,) = relation.only
+    coefficient, room = Letter(coefficients[0]), sp.Symbol("room", nonnegative=True)
+    for worth, links in (
+        (room, (Link(coefficient, ">=", _ZERO),)),
+        (1 - room, (Link(coefficient, "<=", _ONE),)),
+    ):
+
+        def letter(name: str, worth: sp.Expr = worth) -> sp.Expr:
+            return worth if name == coefficients[0] else sp.Symbol(name, positive=True)
+
+        try:
+            sides = (evaluate(each, letter) for each in (link.left, link.right))
+            left, right = (sp.sympify(each, strict=True) for each in sides)
+        except (RestitutionError, TypeError, ValueError):
+            return None
+        gap = sp.expand(left - right if link.sign[0] == ">" else right - left)
+        if gap.is_positive or (gap.is_nonnegative and link.sign in (">=", "<=")):
+            return Relation((links,))
+    return None
+
+
+__all__ = ["range_behind"]

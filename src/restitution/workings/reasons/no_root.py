@@ -1,0 +1,86 @@
+"""Why an equation has no root: what no value of its letter can be."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.explaining.lines.derivation import Link, Relation
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.expression.evaluate import evaluate
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, walk
+from restitution.planning.writing.forms import tree_of
+from restitution.workings.naming.quantities import Naming
+
+_UNIT = frozenset({"sin", "cos"})
+
+
+def reason_of_no_root(relation: Relation, naming: Naming) -> Sentence | None:
+    """The reason why no number satisfies an equation in one letter; None where it is another."""
+    if len(relation.options) != 1 or len(relation.only) != 1:
+        return None
+    (link,) = relation.only
+    return _of_a_square(link, naming) or _of_a_quadratic(link, naming)
+
+
+def _of_a_square(link: Link, naming: Naming) -> Sentence | None:
+    """cos²α = 16/11 is above 1; no square is negative."""
+    match link.left:
+        case Binary("^", base, Number(value=power)) if power == 2:
+            pass
+        case _:
+            return None
+    value = _number(link.right)
+    if value is None:
+        return None
+    if value.is_negative:
+        return say("no-root.square")
+    unit = isinstance(base, Apply) and base.function in _UNIT
+    if unit and (value - 1).is_positive:
+        return say("no-root.unit", square=naming.layout(link.left))
+    return None
+
+
+def _of_a_quadratic(link: Link, naming: Naming) -> Sentence | None:
+    """The discriminant of a quadratic in a letter, or in the tangent of an angle, is negative."""
+    letters = {
+        node for side in (link.left, link.right) for node in walk(side) if isinstance(node, Letter)
+    }
+    if len(letters) != 1:
+        return None
+    (letter,) = letters
+    symbol = sp.Symbol(letter.name, real=True)
+    zero = sp.expand(_value(link.left, symbol) - _value(link.right, symbol))
+    subject: Expression = letter
+    if zero.has(sp.sin, sp.cos):
+        s, c, t = sp.sin(symbol), sp.cos(symbol), sp.Dummy("t")
+        whole = sp.Poly(zero, s, c) if not zero.atoms(sp.tan) else None
+        if whole is None or not whole.is_homogeneous or whole.homogeneous_order() != 2:
+            return None
+        zero = sp.expand(whole.as_expr().xreplace({s: t * c}) / c**2)
+        subject, symbol = Apply("tan", letter), t
+    if not zero.is_polynomial(symbol) or zero.free_symbols != {symbol}:
+        return None
+    quadratic = sp.Poly(zero, symbol)
+    if quadratic.degree() != 2:
+        return None
+    discriminant = sp.nsimplify(quadratic.discriminant())
+    if not discriminant.is_negative:
+        return None
+    return say(
+        "no-root.discriminant",
+        ratio=naming.layout(subject),
+        discriminant=naming.layout(tree_of(discriminant)),
+    )
+
+
+def _value(tree: Expression, symbol: sp.Symbol) -> sp.Expr:
+    return sp.sympify(evaluate(tree, lambda _: symbol), strict=True)
+
+
+def _number(tree: Expression) -> sp.Expr | None:
+    if any(isinstance(node, Letter) for node in walk(tree)):
+        return None
+    return sp.sympify(evaluate(tree, sp.Symbol), strict=True)
+
+
+__all__ = ["reason_of_no_root"]

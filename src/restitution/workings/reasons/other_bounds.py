@@ -1,0 +1,216 @@
+"""What makes no end of a range, and holds in it: a bound of a coefficient, a wall with ends."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explaining.data.unused import lines_under
+from restitution.explaining.lines.derivation import Derivation, Event, Line, Link, Ref, Relation
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.sentences import SentenceId
+from restitution.expression.evaluate import evaluate
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.oracle import BeyondError, Oracle, compared
+from restitution.problem import Range
+from restitution.solving.equations.solution import Solution
+from restitution.solving.story.letters import roles
+from restitution.workings.naming.ends import Ends
+from restitution.workings.naming.quantities import Naming
+
+_OTHER = {"<=": (">=", Number(Fraction(0))), ">=": ("<=", Number(Fraction(1)))}
+_WITHIN: Mapping[tuple[str, bool], SentenceId] = {
+    ("range", False): "range.within",
+    ("range", True): "range.within-all",
+    ("anyway", False): "range.within-anyway",
+    ("anyway", True): "range.within-all-anyway",
+}
+_ORDER = ("<", "<=", ">", ">=")
+
+
+def other_bounds(solution: Solution, derivation: Derivation) -> dict[int, Sentence]:
+    """What is said below the lines of ranges that come of one bound of a coefficient alone."""
+    naming = Naming(derivation, solution.problem, None)
+    ends = Ends(derivation, solution.problem, naming)
+    sentences: dict[int, Sentence] = {}
+    for end in derivation.items:
+        line = derivation.line(end.line)
+        if line is None or not isinstance(ends.item(end.item), Range):
+            continue
+        bounds = [
+            Link(letter, *_OTHER[sign])  # type: ignore[arg-type]
+            for letter, value, sign in _bounds(derivation, line)
+            if _holds(solution, line, letter, value, sign)
+        ]
+        bounds += _other_ends(solution, derivation, line)
+        reached = list(_other_walls(solution, derivation, line))
+        notes = [_note_of_walls(naming, line, reached)] if reached else []
+        if bounds:
+            relations = tuple(naming.relation(Relation(((each,),))) for each in bounds)
+            notes.insert(0, say("range.also", bounds=relations))
+        if notes:
+            both = len(notes) > 1
+            sentences[line.number] = (
+                say("range.both", one=notes[0], two=notes[1]) if both else notes[0]
+            )
+    return sentences
+
+
+def _other_ends(solution: Solution, derivation: Derivation, line: Line) -> Iterator[Link]:
+    """The ends of walls that a place cannot pass, where a line tests the other end alone."""
+    for ref in lines_under(derivation, line.number):
+        own = derivation.line(ref) if isinstance(ref, int) else None
+        premises = () if own is None else own.premises
+        facts = (_ends_of_a_wall(derivation, each) for each in premises)
+        tested = next((each for each in facts if each is not None), None)
+        if own is None or tested is None or not isinstance(own.relation, Relation):
+            continue
+        if own.move.id != "compare" or [len(each) for each in own.relation.options] != [1]:
+            continue
+        (link,), (low, high) = own.relation.only, tested
+        if link.left == low.left:
+            other = Link(link.right, high.sign, high.right)
+        elif link.right == high.right:
+            other = Link(low.left, low.sign, link.left)
+        else:
+            continue
+        if _follows(solution, line, other.left, other.sign, other.right):
+            yield other
+
+
+def _ends_of_a_wall(derivation: Derivation, ref: Ref) -> tuple[Link, Link] | None:
+    """That a place lies between the ends of a wall, as a fact says it."""
+    fact = derivation.fact(ref) if isinstance(ref, str) else None
+    if (
+        fact is None
+        or fact.id.partition(" ")[0] != "within"
+        or len(fact.relation.options) != 1
+        or len(fact.relation.only) != 2
+    ):
+        return None
+    low, high = fact.relation.only
+    return low, high
+
+
+Reached = tuple[Event, tuple[Link, ...]]
+"""The event of a wall, and that the place there lies between its ends."""
+
+
+def _note_of_walls(naming: Naming, line: Line, reached: Sequence[Reached]) -> Sentence:
+    """That the body which comes first to such a wall comes there between its ends."""
+    assert isinstance(line.relation, Relation)
+    body = reached[0][0].bodies[0]
+    own = [each for each in reached if each[0].bodies[0] == body]
+    walls = tuple(dict.fromkeys(event.bodies[1] for event, _ in own))
+    bounds = tuple(naming.relation(Relation(((*links,),))) for _, links in own)
+    sides, places = (
+        {name for e in links for tree in (e.left, e.right) for name in letters(tree)}
+        for links in (line.relation.options[0], [e for _, links in own for e in links])
+    )
+    varies = "range" if sides & places else "anyway"
+    name = _WITHIN[varies, len(walls) > 1]
+    return say(name, bounds=bounds, body=body, walls=walls)
+
+
+def _other_walls(solution: Solution, derivation: Derivation, line: Line) -> Iterator[Reached]:
+    """Walls with ends that no line tests, where a sphere comes between them in a whole range."""
+    under = lines_under(derivation, line.number)
+    cited = {
+        ref
+        for each in under
+        if isinstance(each, int) and (own := derivation.line(each)) is not None
+        for ref in own.premises
+    }
+    if not any(str(ref).partition(" ")[0] == "within" for ref in cited):
+        return
+    values = {
+        own.relation.only[0].left: own.relation.only[-1].right
+        for own in derivation.lines
+        if own.number in under
+        and isinstance(own.relation, Relation)
+        and len(own.relation.options) == 1
+        and own.relation.only[0].sign == "="
+    }
+    for event in derivation.events:
+        fact = derivation.fact(" ".join(("within", str(event.number))))
+        if fact is None or fact.id in cited or len(fact.relation.options) != 1:
+            continue
+        links = tuple(
+            replace(e, left=values.get(e.left, e.left), right=values.get(e.right, e.right))
+            for e in fact.relation.only
+        )
+        if not any(has_quantity(side) for e in links for side in (e.left, e.right)) and all(
+            _follows(solution, line, e.left, e.sign, e.right) for e in links
+        ):
+            yield event, links
+
+
+def _bounds(derivation: Derivation, line: Line) -> Iterator[tuple[Letter, Expression, str]]:
+    """The coefficients that a range bounds on one side: with its value, and that side."""
+    under = sorted(each for each in lines_under(derivation, line.number) if isinstance(each, int))
+    lines = [own for each in under if (own := derivation.line(each)) is not None]
+    cited = {ref for own in lines for ref in own.premises if isinstance(ref, str)}
+    for own in lines:
+        named = [ref for ref in own.premises if isinstance(ref, str)]
+        above = [derivation.line(ref) for ref in own.premises if isinstance(ref, int)]
+        if own.move.id != "sign" or len(named) != 1 or len(above) != 1 or above[0] is None:
+            continue
+        match above[0].relation:
+            case Relation(((Link(Letter(name) as letter, "="), *_),)):
+                value = above[0].relation.only[-1].right
+            case _:
+                continue
+        for sign, (other, far) in _OTHER.items():
+            near = "1" if sign == "<=" else "0"
+            cites = f"{name} {other} {far.value}" in cited
+            told = named[0] == f"{name} {sign} {near}" and not cites
+            if told and _has_difference(value) and not has_quantity(value):
+                yield letter, value, sign
+
+
+def _has_difference(tree: Expression) -> bool:
+    return any(isinstance(each, Binary) and each.op == "-" for each in walk(tree))
+
+
+def _holds(solution: Solution, line: Line, letter: Letter, value: Expression, sign: str) -> bool:
+    """Whether a value keeps the other bound wherever a range holds."""
+    own = roles(solution.problem)
+    role = own.get(letter.name)
+    if role is None or role.kind != "restitution" or not isinstance(line.relation, Relation):
+        return False
+    return _follows(solution, line, value, *_OTHER[sign])
+
+
+def _follows(
+    solution: Solution, line: Line, left: Expression, sign: str, right: Expression
+) -> bool:
+    """Whether a comparison is proved wherever a range holds."""
+    own = roles(solution.problem)
+    if not isinstance(line.relation, Relation) or len(line.relation.options) != 1:
+        return False
+
+    def symbol(name: str) -> sp.Expr:
+        return own[name].symbol(name)
+
+    try:
+        within = [
+            compared(evaluate(each.left, symbol), each.sign, evaluate(each.right, symbol))
+            for each in line.relation.only
+            if each.sign in _ORDER
+        ]
+        claim = compared(evaluate(left, symbol), sign, evaluate(right, symbol))
+        return Oracle(own).with_facts(within).proves(claim)
+    except (RestitutionError, BeyondError, KeyError, TypeError, ValueError):
+        return False

@@ -1,0 +1,64 @@
+"""Signs that are seen at once: of products of letters that are positive, and of roots."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explaining.lines.derivation import Link, Relation
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, walk
+from restitution.oracle.roles import Role
+from restitution.planning.writing.forms import factors_above
+
+
+def is_never_negative(tree: Expression, roles: Mapping[str, Role]) -> bool:
+    """Whether a reader sees that an expression is not negative: nothing is taken away in it."""
+    match tree:
+        case Number(value):
+            return value >= 0
+        case Letter(name):
+            return name in roles and roles[name].kind == "positive"
+        case Binary("*" | "/" | "+", left, right):
+            return is_never_negative(left, roles) and is_never_negative(right, roles)
+        case Binary("^", base, Number(power)):
+            return power.numerator % 2 == 0 or is_never_negative(base, roles)
+        case Apply("sqrt"):
+            return True
+    return False
+
+
+def are_squares(squared: Relation, plain: Relation, roles: Mapping[str, Role]) -> bool:
+    """Whether an inequality has the squares of both sides of another, none of them negative.
+
+    On one side a root of letters is gone by that.
+    """
+    match squared.options, plain.options:
+        case ((Link(left, sign, right),),), ((Link(one, own, other),),) if sign == own:
+            pass
+        case _:
+            return False
+    nodes = (*walk(one), *walk(other))
+    if not any(isinstance(each, Apply) and each.function == "sqrt" for each in nodes):
+        return False
+    if not (is_never_negative(one, roles) and is_never_negative(other, roles)):
+        return False
+    return _is_square_of(left, one) and _is_square_of(right, other)
+
+
+def _is_square_of(square: Expression, tree: Expression) -> bool:
+    try:
+        whole, root = (in_letters(each, positive=True) for each in (square, tree))
+    except (RestitutionError, TypeError, ValueError):
+        return False
+    if not isinstance(whole, sp.Expr) or not isinstance(root, sp.Expr):
+        return False
+    return bool(sp.cancel(whole - root**2) == 0)
+
+
+def positive_letters(value: Expression, roles: Mapping[str, Role]) -> Iterator[Letter]:
+    """The positive letters that are factors of a value above, where nothing else tells its sign."""
+    if is_never_negative(value, roles):
+        yield from (each for each in factors_above(value) if isinstance(each, Letter))

@@ -1,0 +1,680 @@
+"""On what a line rests that is no equation: *as α is acute*, *as 0 ≤ e ≤ 1*."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Line,
+    Link,
+    Ref,
+    Relation,
+    Sign,
+)
+from restitution.explaining.lines.notation import read_relation, read_tree
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    Quantity,
+    letters,
+    walk,
+)
+from restitution.planning.writing.forms import factors
+from restitution.planning.writing.inequalities import turned
+from restitution.problem import Problem
+from restitution.render import layout as lay
+from restitution.solving.story.letters import roles
+from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.sources import Sources, bound_broken, root_of_a_square
+from restitution.workings.reasons.equality import equal_tangents
+from restitution.workings.reasons.factors import factor_cancelled, factor_left
+from restitution.workings.reasons.grounds import (
+    acute_by_its_tangent,
+    compared_quantities,
+    grounds_of,
+    motion_of,
+)
+from restitution.workings.reasons.growing import growth, limit_at_an_end, reached_at_an_end, way_of
+from restitution.workings.reasons.later_times import later_than
+from restitution.workings.reasons.multipliers import multipliers_of
+from restitution.workings.reasons.plain_signs import are_squares, positive_letters
+from restitution.workings.reasons.right_angles import RightAngles
+from restitution.workings.reasons.seen import growth_said, less_than_its_limit, shown
+from restitution.workings.reasons.shape_reasons import DOWN, UP, ZERO, ShapeReasons, is_short
+from restitution.workings.reasons.signs_of_factors import signs_of_factors
+
+_REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
+_OF_SQUARES = frozenset({"speed", "size", "energy", "total"})
+
+
+class Reasons:
+    """The reasons of the lines of one derivation."""
+
+    def __init__(
+        self, derivation: Derivation, naming: Naming, problem: Problem, sources: Sources
+    ) -> None:
+        self._derivation = derivation
+        self._sources = sources
+        self._roles = roles(problem)
+        self._naming = naming
+        self._shapes = ShapeReasons(derivation, naming, self._roles)
+        self._right_angles = RightAngles(derivation, naming, self._roles)
+
+    def is_positive(self, name: str) -> bool:
+        """Whether a letter of the statement is positive for all that it may be."""
+        role = self._roles.get(name)
+        return role is not None and role.symbol(name).is_positive is True
+
+    def sign_by_a_bound(self, value: Expression) -> tuple[Sign, Link] | None:
+        """That a component is positive, or not negative, by a bound of a coefficient."""
+        return self._right_angles.sign_by_a_bound(value)
+
+    def right_angle_among(self, line: Line) -> Relation | None:
+        """For which letters one of the angles of which a line makes another is a right one."""
+        return self._right_angles.among(line)
+
+    def of(self, line: Line) -> tuple[Sentence, ...]:
+        """What a line rests on, to stand behind it."""
+        if self._by_pythagoras(line):
+            return (say("derived.pythagoras"),)
+        vertical = self._right_angles.of(line)
+        if vertical is not None:
+            return (vertical,)
+        since = later_than(self._derivation, self._naming, line)
+        if since is not None:
+            return (since,)
+        tangents = equal_tangents(self._derivation, line)
+        if tangents is not None:
+            return (say("derived.as", reasons=(self._laid(tangents),)),)
+        grounds = tuple(map(self._ground, grounds_of(self._derivation, self._roles, line)))
+        if line.move.record == "turned":
+            return (say("derived.as", reasons=grounds),) if grounds else ()
+        multipliers = map(self._laid, multipliers_of(self._derivation, self._roles, line))
+        if multiplied := tuple(multipliers):
+            return (say("derived.as", reasons=(*grounds, *multiplied)),)
+        reasoned = line.move.id in _REASONED or self._ordered(line) or self._is_root(line)
+        reasoned = reasoned or any(self._cleared(line)) or any(self._dropped(line))
+        reasoned = reasoned or self._by_its_sense(line)
+        if not reasoned and not self._of_sizes(line) and not grounds:
+            return ()
+        if line.move.id == "cancel" and factor_cancelled(self._derivation, line) is not None:
+            return ()  # the words before the line say it
+        if self.is_own_range(line):
+            return tuple(self._as_it_is(line))
+        would = self._would(line)
+        if would is not None:
+            return (say("derived.as", reasons=(would,)),)
+        reasons = (
+            *self._monotone(line),
+            *self._at_its_end(line),
+            *self._shapes.of(line),
+            *self._known(line),
+            *self._silent(line),
+            *self._cleared(line),
+            *self._dropped(line),
+        )
+        # The value at the end of a letter stands behind what is known of that.
+        reasons = tuple(sorted(reasons, key=lambda e: getattr(e, "id", "") == "derived.it-is"))
+        reasons = reasons or tuple(self._positive_sum(line)) or tuple(self._positive_ratio(line))
+        reasons = reasons or tuple(self._both_squared(line))
+        if self._is_root(line):
+            reasons = reasons or tuple(self._given_ranges(line))
+        if line.move.id == "inverse":
+            # An angle of up to 90° is what the arc functions give.
+            reasons = self._beyond_a_right_angle(line, reasons)
+        if line.move.id == "reject" and not reasons:
+            reasons = tuple(self._positive(line))
+        reasons = (*(each for each in grounds if each not in reasons), *reasons)
+        signs = tuple(map(self._laid, signs_of_factors(self._derivation, line, self._roles)))
+        if signs and reasons:
+            return (say("derived.as-because", reasons=signs, causes=reasons),)
+        if reasons and self._by_a_cotangent(line):
+            reasons = (say("derived.cotangent"), *reasons)
+        return (say("derived.as", reasons=reasons),) if reasons else ()
+
+    def _by_a_cotangent(self, line: Line) -> bool:
+        """Whether the bounds of an angle come of those of its cotangent, which falls."""
+        if line.move.id != "compare":
+            return False
+        cited = (self._derivation.line(ref) for ref in line.premises if isinstance(ref, int))
+        return any(
+            isinstance(own.relation, Relation)
+            and any(
+                isinstance(side, Apply) and side.function == "cot" and link.sign != "="
+                for link in own.relation.options[0]
+                for side in (link.left, link.right)
+            )
+            for own in cited
+            if own is not None
+        )
+
+    def _would(self, line: Line) -> Sentence | None:
+        """What the root that is rejected would make of another letter, by which laws."""
+        squared = root_of_a_square(self._derivation, line)
+        if squared is not None and squared[1] in self._sources.numbers:
+            root = self._laid(Relation((squared[0],)))
+            number = say("derived.number", number=str(self._sources.numbers[squared[1]]))
+            return say("derived.no-root", value=root, equation=number)
+        broken = bound_broken(self._derivation, line) if line.move.id == "reject" else None
+        if broken is None:
+            return None
+        dropped, bound = broken
+        value, result = (self._laid(Relation((each,))) for each in (dropped, (bound,)))
+        source = self._sources.of(line)
+        numbers = sorted(self._sources.numbers[e] for e in (source.reasons if source else ()))
+        equations = tuple(say("derived.number", number=str(number)) for number in numbers)
+        if not equations:
+            return None
+        return say("derived.would", value=value, result=result, equations=equations)
+
+    def _beyond_a_right_angle(
+        self, line: Line, known: tuple[Sentence | lay.Layout, ...]
+    ) -> tuple[Sentence | lay.Layout, ...]:
+        """Why an angle of the statement is obtuse or more: a component has a sign, or its range."""
+        assert isinstance(line.relation, Relation)
+        link = line.relation.only[0]
+        if not isinstance(link.left, Letter) or link.left.name in self._naming.meanings:
+            return ()
+        if not any(isinstance(e, Degrees) and e.value > 90 for e in walk(link.right)):
+            return ()
+        signs: list[Sentence | lay.Layout] = []
+        for ref in line.premises:
+            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            match own.relation if own is not None else None:
+                case Relation(((Link(Apply("cos"), "="), *_),)):
+                    return ()  # it tells an angle of up to 180°
+                case Relation(((Link(left, "=", right),),)):
+                    sign = "<" if isinstance(right, Negate) else ">"
+                    ratios = [Apply(each, link.left) for each in ("sin", "cos")]
+                    for each in (e for e in ratios if e in set(walk(left))):
+                        comparison = Link(each, sign, Number(Fraction(0)))  # type: ignore[arg-type]
+                        signs.append(self._laid(Relation(((comparison,),))))
+        return tuple(signs) or known
+
+    @staticmethod
+    def _by_pythagoras(line: Line) -> bool:
+        """Whether a sum of squares is worked out by sin² + cos² = 1."""
+        assert isinstance(line.relation, Relation)
+        steps = {link.by for links in line.relation.options for link in links}
+        return line.move.record in _OF_SQUARES and "identity" in steps
+
+    def _ground(self, relation: Relation) -> Sentence | lay.Layout:
+        """A ground as a relation; of a component without a letter in words."""
+        match relation.only:
+            case (Link(Quantity() as component, "<" | ">" as order, right),) if right == ZERO:
+                name = "derived.negative" if order == "<" else "derived.above-zero"
+                return say(name, component=self._naming.layout(component))
+        return self._laid(relation)
+
+    @staticmethod
+    def _of_sizes(line: Line) -> bool:
+        """Whether a size of a component is worked out, by what is known of angles."""
+        assert isinstance(line.relation, Relation)
+        sizes = any(
+            isinstance(node, Apply) and node.function == "abs"
+            for links in line.relation.options
+            for link in links[1:]
+            for node in walk(link.right)
+        )
+        return line.move.id == "define" and sizes
+
+    def _is_root(self, line: Line) -> bool:
+        """Whether of an equation of squares the roots are taken, which may have two signs."""
+        above = [own for ref in line.premises if (own := self._shapes.relation_of(ref)) is not None]
+        assert isinstance(line.relation, Relation)
+        if line.move.id != "rearrange" or len(above) != 1 or len(line.relation.options) != 1:
+            return False
+        match above[0].options[0][-1].left:
+            case Binary("^", base, Number(Fraction(numerator=2, denominator=1))):
+                return line.relation.only[0].left == base
+        return False
+
+    def _by_its_sense(self, line: Line) -> bool:
+        """Whether a given speed is that of a component whose sense is given too."""
+        facts = (self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str))
+        return line.move.record == "speed" and any(map(motion_of, facts))
+
+    @staticmethod
+    def _ordered(line: Line) -> bool:
+        """Whether values were put into an inequality."""
+        assert isinstance(line.relation, Relation)
+        signs = {each.sign for links in line.relation.options for each in links}
+        return line.move.id == "put" and bool(signs & {*UP, *DOWN})
+
+    def is_own_range(self, line: Line) -> bool:
+        """Whether a line only says what a letter may be anyway: all its values are possible."""
+        assert isinstance(line.relation, Relation)
+        reasons = self._known(line) if line.move.id in ("sign", "compare") else ()
+        return reasons == (self._laid(line.relation),)
+
+    def _as_it_is(self, line: Line) -> Iterator[Sentence]:
+        """What holds of any coefficient of restitution, where no more than that is to be shown."""
+        assert isinstance(line.relation, Relation)
+        shown = any(end.line == line.number and end.shown for end in self._derivation.items)
+        match line.relation.options:
+            case ((Link(Letter(name), ">=" | "<=" as sign, Number()),),) if shown:
+                if name in self._roles and self._roles[name].kind == "restitution":
+                    bound = "derived.not-negative" if sign == ">=" else "derived.at-most-one"
+                    yield say("derived.as", reasons=(say(bound),))
+
+    def known(self, line: Line) -> tuple[Sentence | lay.Layout, ...]:
+        """What is known of letters on which a line rests."""
+        return self._known(line)
+
+    def _known(self, line: Line) -> tuple[Sentence | lay.Layout, ...]:
+        reasons: list[Sentence | lay.Layout] = []
+        bounds: list[Link] = []
+        for ref in line.premises:
+            match self._reason(ref, line):
+                case Relation(options=((link,),)) if link.sign in (*UP, *DOWN):
+                    bounds.append(link)
+                case Relation() as relation:
+                    reasons.append(self._laid(relation))
+                case Sentence() as sentence:
+                    reasons.append(sentence)
+        strict = [self._where_it_divides(line, each) for each in bounds]
+        merged = (self._laid(each) for each in _merged(strict))
+        return (*reasons, *merged, *self._below(line, bounds))
+
+    def _where_it_divides(self, line: Line, bound: Link) -> Link:
+        """A bound of a letter that is divided by in what a line compares: it is not zero there."""
+        if line.move.id != "monotone" or bound.sign != ">=" or bound.right != ZERO:
+            return bound
+        cited = [own for ref in line.premises if (own := self._shapes.relation_of(ref)) is not None]
+        nodes = [node for own in cited for node in walk(own.only[-1].right)]
+        below = [e.right for e in nodes if isinstance(e, Binary) and e.op == "/"]
+        divides = any(bound.left in factors(each) for each in below)
+        return Link(bound.left, ">", bound.right) if divides else bound
+
+    def _below(self, line: Line, bounds: Sequence[Link]) -> Iterator[Sentence | lay.Layout]:
+        """That a letter is not zero, where it stands below a line and may be zero otherwise.
+
+        Of a letter that is worked out there would be no value then.
+        """
+        assert isinstance(line.relation, Relation)
+        match line.relation.options[0]:
+            case (Link(Letter() as letter, ">", zero),) if zero == ZERO:
+                if line.move.id != "sign" or Link(letter, ">=", ZERO) not in bounds:
+                    return
+                for ref in line.premises:
+                    own = self._shapes.relation_of(ref)
+                    nodes = () if own is None else walk(own.only[-1].right)
+                    below = [e.right for e in nodes if isinstance(e, Binary) and e.op == "/"]
+                    if own is None or not any(letter in factors(each) for each in below):
+                        continue
+                    subject, zero_ = own.only[0].left, Relation(((Link(letter, "=", ZERO),),))
+                    if isinstance(subject, Letter):
+                        slots = self._naming.layout(subject), self._laid(zero_)
+                        yield say("derived.no-value", letter=slots[0], bound=slots[1])
+                    else:
+                        yield self._laid(Relation(((Link(letter, "!=", ZERO),),)))
+                    return
+
+    def _reason(self, ref: Ref, line: Line) -> Sentence | Relation | None:
+        """What is known of a letter, as a reader would say it."""
+        if isinstance(ref, int):
+            own = self._derivation.line(ref)
+            if line.move.id != "reject" or own is None or not isinstance(own.relation, Relation):
+                return None
+            # A law stands above: that a root contradicts it is told by what bounds the root.
+            known = own.move.id == "law" or self._offers(own.relation, line)
+            # That bodies approach is a reason by itself.
+            approach = any(str(premise).startswith("towards") for premise in line.premises)
+            return None if known or approach else own.relation
+        fact = self._derivation.fact(ref)
+        if fact is not None and line.move.id == "put":
+            return None
+        if fact is not None and fact == compared_quantities(self._derivation, line):
+            return None  # it stands before the line
+        if fact is not None:
+            signs = {each.sign for links in fact.relation.options for each in links}
+            ordered = signs and signs <= {*UP, *DOWN, "!="}
+            motion = motion_of(fact)
+            if motion is not None and (line.move.id == "reject" or line.move.record == "speed"):
+                # That a sign is given by the direction of motion is said where it is used.
+                body, direction = motion
+                return say("derived.moving", body=body, way=self._naming.layout(direction))
+            kind, _, number = fact.id.partition(" ")
+            if kind == "order":
+                return fact.relation
+            if kind == "towards":
+                body, wall = self._naming.events[int(number)].bodies
+                if self._naming.bodies.get(wall) == "sphere":
+                    return say("touch.towards", one=body, other=wall)
+                return say("circle.towards", body=body, wall=wall)
+            if not ordered or fact.kind not in ("given", "range"):
+                return None
+            match fact.relation:
+                case Relation(((Link(Number(), _, Quantity()) as link,),)):
+                    return Relation(((turned(link),),))
+            return fact.relation
+        head, colon, text = ref.partition(":")
+        if colon and head.strip() == "acute":
+            return self._acute(read_tree(text, self._naming.bodies))
+        relation = read_relation(ref, self._naming.bodies)
+        acute = acute_by_its_tangent(line, relation, map(self._shapes.relation_of, line.premises))
+        return relation if acute is None else self._acute(acute)
+
+    def _acute(self, angle: Expression) -> Sentence:
+        return say("derived.acute", angle=self._naming.layout(angle))
+
+    @staticmethod
+    def _offers(relation: Relation, line: Line) -> bool:
+        """Whether a relation holds the alternatives of which a line keeps some."""
+        assert isinstance(line.relation, Relation)
+        return set(line.relation.options) < set(relation.options)
+
+    def _laid(self, relation: Relation) -> lay.Layout:
+        return self._naming.relation(relation)
+
+    def _silent(self, line: Line) -> Iterator[lay.Layout]:
+        """That a letter is positive, where a range begins with 0 that nothing else bounds."""
+        assert isinstance(line.relation, Relation)
+        if line.move.id != "compare":
+            return
+        match line.relation.options[0]:
+            case (Link(left, "<", Letter(name) as letter), Link()) if left == ZERO:
+                role = self._roles.get(name)
+                if role is None or role.kind != "positive":
+                    return
+                for ref in line.premises:
+                    if _bounds_below(self._shapes.relation_of(ref), letter):
+                        return
+                yield self._laid(Relation(((Link(letter, ">", ZERO),),)))
+
+    def _cleared(self, line: Line) -> Iterator[lay.Layout]:
+        """That the letter which is sought is positive, by which an inequality is multiplied."""
+        if line.move.id not in ("compare", "rearrange") or len(line.premises) != 1:
+            return
+        above = self._shapes.relation_of(line.premises[0])
+        assert isinstance(line.relation, Relation)
+        if above is None or len(above.options) != 1 or len(line.relation.options) != 1:
+            return
+        names = {
+            name
+            for link in above.only
+            for side in (link.left, link.right)
+            for name in letters(side)
+        }
+        below, left = (_letters_below(each.only) for each in (above, line.relation))
+        if len(names) != 1 or not names <= below - left:
+            return
+        (name,) = names
+        role = self._roles.get(name)
+        if role is not None and role.kind == "positive" and above.only[0].sign in (*UP, *DOWN):
+            yield self._laid(Relation(((Link(Letter(name), ">", ZERO),),)))
+
+    def _dropped(self, line: Line) -> Iterator[lay.Layout]:
+        """That a sum which was a factor of a product that is zero is not zero itself."""
+        factor = factor_left(self._derivation, line)
+        if factor is not None:
+            yield self._laid(Relation(((Link(factor, "!=", ZERO),),)))
+
+    def _positive(self, line: Line) -> Iterator[Sentence]:
+        """The silent reason: the letter stands for something positive."""
+        assert isinstance(line.relation, Relation)
+        left = line.relation.options[0][0].left
+        if isinstance(left, Letter):
+            yield say("derived.positive", letter=self._naming.layout(left))
+
+    def _positive_sum(self, line: Line) -> Iterator[lay.Layout]:
+        """That coefficients of restitution are not negative, where a sum of them is positive.
+
+        A reader sees it by that, and of 1 + e + e² there is nothing that has to be cited.
+        """
+        cited = [self._shapes.relation_of(ref) for ref in line.premises]
+        if line.move.id != "sign" or len(cited) != 1 or cited[0] is None:
+            return
+        whole = cited[0].options[0][-1].right
+        signs = {node.op for node in walk(whole) if isinstance(node, Binary)}
+        if "-" in signs or "+" not in signs:
+            return
+        if any(isinstance(node, Negate | Apply) for node in walk(whole)):
+            return
+        names = sorted(letters(whole))
+        for name in (n for n in names if n in self._roles and self._roles[n].kind == "restitution"):
+            yield self._laid(Relation(((Link(Letter(name), ">=", ZERO),),)))
+
+    def _positive_ratio(self, line: Line) -> Iterator[lay.Layout]:
+        """That a letter is positive, of a ratio of an angle that is so by it."""
+        cited = [self._shapes.relation_of(ref) for ref in line.premises]
+        match line.relation:
+            case Relation(((Link(Apply(), ">", right),),)) if right == ZERO and len(cited) == 1:
+                pass
+            case _:
+                return
+        if line.move.id == "sign" and cited[0] is not None:
+            for letter in positive_letters(cited[0].options[0][-1].right, self._roles):
+                yield self._laid(Relation(((Link(letter, ">", ZERO),),)))
+
+    def _both_squared(self, line: Line) -> Iterator[Sentence]:
+        """That both sides of an inequality may be squared."""
+        assert isinstance(line.relation, Relation)
+        cited = [own for ref in line.premises if (own := self._shapes.relation_of(ref)) is not None]
+        squared = line.move.id == "compare" and len(cited) == 1
+        if squared and are_squares(line.relation, cited[0], self._roles):
+            yield say("derived.squared")
+
+    def _given_ranges(self, line: Line) -> Iterator[lay.Layout]:
+        """The ranges that the statement gives of the letters in a root, which tell its sign."""
+        assert isinstance(line.relation, Relation)
+        names = letters(line.relation.only[0].left)
+        bounds = [
+            link
+            for fact in self._derivation.facts
+            if fact.kind == "range" and len(fact.relation.options) == 1
+            for link in fact.relation.only
+            if link.sign in (*UP, *DOWN)
+            and any(letters(side) & names for side in (link.left, link.right))
+        ]
+        yield from (self._laid(each) for each in _merged(bounds))
+
+    def _monotone(self, line: Line) -> Iterator[Sentence]:
+        """That a quantity increases, or decreases, between the ends that are cited."""
+        if line.move.id != "monotone":
+            return
+        if any(self._shapes.square_of_a_ratio(line)):
+            return  # a limit says no more than that
+        growths = [
+            own.relation
+            for ref in line.premises
+            if isinstance(ref, int)
+            and (own := self._derivation.line(ref)) is not None
+            and isinstance(own.relation, Relation)
+        ]
+        above = [
+            Link(each.only[0].left, "=", each.only[-1].right)
+            for each in growths
+            if each.only[0].sign == "="
+        ]
+        ends = [link for each in growths for link in each.only if link.sign != "="]
+        ends += [
+            link
+            for ref in line.premises
+            if isinstance(relation := self._reason(ref, line), Relation)
+            for links in relation.options
+            for link in links
+        ]
+        for ref in line.premises:
+            if isinstance(ref, str) and ref.startswith("acute:"):
+                angle = read_tree(ref.removeprefix("acute:"), self._naming.bodies)
+                ends += [
+                    Link(angle, ">", Degrees(Fraction(0))),
+                    Link(angle, "<", Degrees(Fraction(90))),
+                ]
+        if len(above) != 1:
+            return
+        assert isinstance(line.relation, Relation)
+        positive = {name for name, role in self._roles.items() if role.kind == "positive"}
+        grown = growth(above[0].right, line.relation, ends, positive)
+        if grown is not None:
+            name, sense = grown
+            whole = above[0].right
+            if not is_short(whole):
+                part = _part_with(whole, name)
+                turn = 0 if part is None else way_of(part, name, ends, line.relation)
+                whole, sense = (above[0].left, sense) if part is None or not turn else (part, turn)
+            letter_ = Letter(name)
+            letter = self._naming.layout(letter_)
+            growth_, itself = growth_said(
+                whole, name, sense, ends, self._roles, self._naming.layout
+            )
+            far = _far_end(line.relation, above[0].left, name, sense, ends)
+            if far is not None and self._is_no_range(line):
+                less = less_than_its_limit(whole, name, sense, ends, self._roles)
+                if less is not None:
+                    yield say("derived.fact", fact=self._laid(less))
+                    return
+            yield growth_
+            limit: tuple[Expression | None, Expression | None] = far, None
+            near: tuple[Sentence, ...] = ()
+            if name in positive and far is not None:
+                if len(line.relation.only) > 1:  # the other end is where the letter is near 0
+                    least = (turned(e) if e.right == letter_ else e for e in ends)
+                    low = (e for e in least if e.left == letter_ and e.sign in DOWN)
+                    low_end = next(low, Link(letter_, ">", ZERO))
+                    near = (say("derived.fact", fact=self._laid(Relation(((low_end,),)))),)
+            elif any(end.line == line.number and end.shown for end in self._derivation.items):
+                reached = reached_at_an_end(above[0].right, line.relation, name, ends)
+                if reached is not None:
+                    at = self._laid(Relation(((Link(letter_, "=", reached[1]),),)))
+                    value_there = self._naming.layout(reached[0])
+                    yield say("derived.it-is", value=value_there, at=at)
+                    return
+                limit = limit_at_an_end(above[0].right, line.relation, name, ends) or (None, None)
+            else:
+                return
+            value, end = (None if each is None else self._naming.layout(each) for each in limit)
+            if value is not None:
+                # Of what grows the limit may be another.
+                named = not itself or whole not in (above[0].left, above[0].right)
+                subject = self._naming.side(above[0].left)
+                words = isinstance(subject, lay.Words | lay.Phrase)
+                quantity = say("derived.the", quantity=subject) if words else subject
+                first = say("derived.its", quantity=quantity) if named else ""
+                if named:
+                    yield from near
+                yield (
+                    say("derived.tends", first=first, value=value, letter=letter)
+                    if end is None
+                    else say("derived.tends-to", first=first, value=value, letter=letter, end=end)
+                )
+                # What falls "and tends to 0" is named once: nothing stands between.
+                yield from () if named else near
+
+    def _at_its_end(self, line: Line) -> Iterator[Sentence]:
+        """How a bound goes with a letter that is in it twice, where its end is put in for that."""
+        assert isinstance(line.relation, Relation)
+        cited = [self._shapes.relation_of(ref) for ref in line.premises if isinstance(ref, int)]
+        match line.relation.options, cited:
+            case [((Link(subject, sign_, bound),),), [Relation(((Link(own, first, worth),),))]]:
+                pass
+            case _:
+                return
+        if line.move.id != "compare" or subject != own or sign_[0] != first[0] or sign_ == "=":
+            return
+        ends = [
+            link
+            for ref in line.premises
+            if isinstance(ref, str) and isinstance(reason := self._reason(ref, line), Relation)
+            for link in reason.options[0]
+        ]
+        names = [node.name for node in walk(worth) if isinstance(node, Letter)]
+        for name in sorted(letters(worth) - letters(bound)):
+            sense = way_of(worth, name, ends, Relation(((Link(worth, sign_, bound),),)))
+            if names.count(name) > 1 and shown(worth, name, sense, ends, self._roles) is not None:
+                layout = self._naming.layout
+                yield growth_said(worth, name, sense, ends, self._roles, layout)[0]
+
+    def _is_no_range(self, line: Line) -> bool:
+        """Whether a line leads to what is shown, or to a value that is only approached.
+
+        Where a range is asked, its ends are limits.
+        """
+        above = {line.number}
+        for each in self._derivation.lines:
+            if above & set(each.premises):
+                above.add(each.number)
+        end = next((each for each in self._derivation.items if each.line in above), None)
+        if end is None:
+            return False
+        last = self._derivation.line(end.line)
+        return end.shown or (last is not None and last.move.record == "approached")
+
+
+def _bounds_below(relation: Relation | None, letter: Letter) -> bool:
+    """Whether a relation says that a letter is more than something."""
+    return relation is not None and any(
+        (link.left == letter and link.sign in DOWN) or (link.right == letter and link.sign in UP)
+        for links in relation.options
+        for link in links
+    )
+
+
+def _far_end(
+    bound: Relation, subject: Expression, name: str, sense: int, ends: list[Link]
+) -> Expression | None:
+    """The bound that is approached as a letter grows, where nothing cited bounds it above."""
+    for end in ends:
+        above = end.left if end.sign in UP else end.right
+        if above == Letter(name):
+            return None
+    for link in bound.only:
+        for side, other, signs in (
+            (link.left, link.right, UP if sense > 0 else DOWN),
+            (link.right, link.left, DOWN if sense > 0 else UP),
+        ):
+            if side == subject and link.sign in signs:
+                return other
+    return None
+
+
+def _part_with(tree: Expression, name: str) -> Expression | None:
+    """The one factor of a product, or above in a quotient, that has a letter, if it is short."""
+    above = tree
+    if isinstance(tree, Binary) and tree.op == "/":
+        if name in letters(tree.right):
+            return None
+        above = tree.left
+    parts = [factor for factor in factors(above) if name in letters(factor)]
+    return parts[0] if len(parts) == 1 and is_short(parts[0]) else None
+
+
+def _letters_below(links: Sequence[Link]) -> set[str]:
+    """The letters that stand below a line."""
+    sides = (side for link in links for side in (link.left, link.right))
+    nodes = (node for side in sides for node in walk(side))
+    below = (node.right for node in nodes if isinstance(node, Binary) and node.op == "/")
+    return {name for tree in below for name in letters(tree)}
+
+
+def _merged(bounds: list[Link]) -> Iterator[Relation]:
+    """Bounds of one letter as one chain: 0 ≤ e ≤ 1."""
+    rest = list(bounds)
+    while rest:
+        link = rest.pop(0)
+        for other in rest:
+            low, high = (_upwards(each) for each in (link, other))
+            if low.right != high.left:
+                low, high = high, low
+            if low.right == high.left:
+                rest.remove(other)
+                yield Relation(((low, high),))
+                break
+        else:
+            yield Relation(((link,),))
+
+
+def _upwards(link: Link) -> Link:
+    """A bound with its lower side on the left."""
+    if link.sign in UP:
+        return link
+    return Link(link.right, "<" if link.sign == ">" else "<=", link.left)

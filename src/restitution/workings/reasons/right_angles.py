@@ -1,0 +1,352 @@
+"""Angles of the motion that are 90° for some value of a letter, where they have no tangent."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.exact import tidy
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Line,
+    Link,
+    Ref,
+    Relation,
+    Sign,
+    whole_of,
+)
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.trees import rebuilt
+from restitution.expression.evaluate import in_letters
+from restitution.expression.quantities import ANGLES
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Number,
+    Quantity,
+    letters,
+    walk,
+)
+from restitution.oracle import Formula, Oracle, Role
+from restitution.oracle import Relation as Claim
+from restitution.planning.writing.forms import factors_above, tree_of
+from restitution.workings.naming.in_force import inequalities
+from restitution.workings.naming.quantities import Naming
+
+_RIGHT_ANGLE = Degrees(Fraction(90))
+
+
+@dataclass(frozen=True)
+class _Pole:
+    """Where an angle has no tangent: ``at`` says for which letters.
+
+    It is ``upright`` there, that is 90°, unless the body may be at rest.
+    """
+
+    angle: Expression
+    at: Link
+    upright: bool
+
+
+class RightAngles:
+    """The right angles among those of the tangents of one derivation."""
+
+    def __init__(self, derivation: Derivation, naming: Naming, roles: Mapping[str, Role]) -> None:
+        self._derivation = derivation
+        self._naming = naming
+        self._roles = roles
+        self._poles: dict[int, _Pole | None] = {}
+        self._closings: dict[int, Sentence | None] = {}
+
+    def of(self, line: Line) -> Sentence | None:
+        """What is said behind a tangent of an angle that may be 90°, or made of such a one."""
+        return self._right_angle(line) or self._upright_too(line) or self._closes(line)
+
+    def sign_by_a_bound(self, value: Expression) -> tuple[Sign, Link] | None:
+        """That a component is positive, or not negative, by a bound of a coefficient.
+
+        None where it has no coefficient of restitution, or is not linear in that.
+        """
+        worth = in_letters_alone(value)
+        known = {name: self._roles[name] for name in letters(value) if name in self._roles}
+        names = [name for name, role in known.items() if role.kind == "restitution"]
+        if worth is None or len(names) != 1:
+            return None
+        (name,) = names
+        symbol = sp.Symbol(name)
+        worth = sp.expand(worth)
+        slope = sp.diff(worth, symbol)
+        oracle = Oracle(known)
+        if slope.has(symbol) or not oracle.proves(Claim(worth, ">=")):
+            return None
+        sign: Sign = ">" if oracle.proves(Claim(worth, ">")) else ">="
+        zero, one = (Number(Fraction(n)) for n in (0, 1))
+        falls = oracle.proves(Claim(-slope, ">"))
+        return sign, Link(Letter(name), "<=", one) if falls else Link(Letter(name), ">=", zero)
+
+    def among(self, line: Line) -> Relation | None:
+        """For which letters one of the angles of which a line makes another is a right one."""
+        assert isinstance(line.relation, Relation)
+        first = line.relation.options[0][0]
+        trees = {*walk(first.left), *walk(first.right)}
+        for ref in line.premises:
+            own = self._line(ref)
+            if own is not None and isinstance(own.relation, Relation):
+                trees.add(own.relation.options[0][0].left)
+        for each in self._derivation.lines:
+            if each.number < line.number and isinstance(each.relation, Relation):
+                pole = self._pole(each)
+                if pole is not None and pole.upright and pole.angle in trees:
+                    return Relation(((pole.at,),))
+        return None
+
+    def _right_angle(self, line: Line) -> Sentence | None:
+        """Where an angle of the motion has no tangent: it is 90° there, or no angle at all."""
+        pole = self._pole(line)
+        if pole is None:
+            return None
+        if not pole.upright:
+            apart = Relation(((replace(pole.at, sign="!="),),))
+            return say("derived.tangent-for", condition=self._naming.relation(apart))
+        right = Relation(((Link(pole.angle, "=", _RIGHT_ANGLE),),))
+        at = Relation(((pole.at,),))
+        return say(
+            "derived.right-angle", angle=self._naming.relation(right), at=self._naming.relation(at)
+        )
+
+    def _upright_too(self, line: Line) -> Sentence | None:
+        """That a tangent holds too where one of which it is made has none, as that angle is 90°."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.options:
+            case ((Link(Apply("tan", Letter() as turn), "="), *_),) if line.move.id == "put":
+                value = in_letters_alone(line.relation.only[-1].right)
+            case _:
+                return None
+        above = [own for ref in line.premises if (own := self._line(ref)) is not None]
+        poles = [pole for own in above if (pole := self._pole(own)) is not None]
+        sums = (own for own in self._derivation.lines if own.number < line.number)
+        whole = next((r for own in sums if (r := _made_of(own, turn)) is not None), None)
+        if len(poles) != 1 or not poles[0].upright or whole is None or value is None:
+            return None
+        angle, vertical = poles[0].angle, poles[0].at
+        root = in_letters_alone(vertical.right)
+        there = rebuilt(whole, lambda each: _RIGHT_ANGLE if each == angle else each)
+        at = in_letters_alone(there)
+        if there == whole or at is None or root is None or not isinstance(vertical.left, Letter):
+            return None
+        tangent = sp.tan(sp.expand(at)) if at.has(sp.pi) else None
+        known = value.subs(sp.Symbol(vertical.left.name), root)
+        if tangent is None or tidy(self._given_in(sp.expand_trig(tangent), line) - known) != 0:
+            return None
+        where = Relation(((vertical,),))
+        turned = Relation(((Link(turn, "=", there),),))
+        return say(
+            "derived.upright-too",
+            at=self._naming.relation(where),
+            angle=self._naming.relation(turned),
+        )
+
+    def _closes(self, line: Line) -> Sentence | None:
+        """That an equation made of tangents holds too where one of these angles is a right one.
+
+        It is said of the first line in which nothing is divided by what is zero there.
+        """
+        if any(self._closing(own) is not None for own in self._above(line)):
+            return None
+        return self._closing(line)
+
+    def _closing(self, line: Line) -> Sentence | None:
+        if line.number not in self._closings:
+            self._closings[line.number] = self._closing_of(line)
+        return self._closings[line.number]
+
+    def _closing_of(self, line: Line) -> Sentence | None:
+        assert isinstance(line.relation, Relation)
+        whole = whole_of(line.relation.options[0])
+        if line.move.id not in ("put", "rearrange", "cancel") or len(line.relation.options) > 1:
+            return None
+        if whole is None or whole.sign != "=":
+            return None
+        above = list(self._above(line))
+        poles = [pole for own in above if (pole := self._pole(own)) is not None]
+        if len(poles) != 1 or not poles[0].upright or not isinstance(poles[0].angle, Letter):
+            return None
+        (pole,) = poles
+        for own in above:
+            angle = self._other_angle(own, pole.angle)
+            if angle is not None and _holds_at(whole, angle, pole.at):
+                name, value = angle
+                where = Relation(((Link(Letter(name), "=", tree_of(value, angle=True)),),))
+                at = self._naming.relation(Relation(((pole.at,),)))
+                return say("derived.upright-too", at=at, angle=self._naming.relation(where))
+        return None
+
+    def _above(self, line: Line) -> Iterator[Line]:
+        """The lines on which one rests, as far as those of its angles and their tangents."""
+        pending, seen = list(line.premises), set[Ref]()
+        while pending:
+            ref = pending.pop()
+            own = None if ref in seen else self._line(ref)
+            seen.add(ref)
+            if own is not None:
+                yield own
+                if own.move.id in ("put", "rearrange", "cancel", "identity"):
+                    pending += own.premises
+
+    def _other_angle(self, line: Line, right: Expression) -> tuple[str, sp.Expr] | None:
+        """The letter of the data in an equation of angles, with its value where one is 90°."""
+        assert isinstance(line.relation, Relation)
+        whole = whole_of(line.relation.options[0])
+        if whole is None or whole.sign != "=" or len(line.relation.options) > 1:
+            return None
+        sides = whole.left, whole.right
+        names = {name for side in sides for name in letters(side)} - letters(right)
+        if not letters(right) & {n for side in sides for n in letters(side)} or len(names) != 1:
+            return None
+        (name,) = names
+        role = self._roles.get(name)
+        trees = [rebuilt(side, lambda e: _RIGHT_ANGLE if e == right else e) for side in sides]
+        worths = [in_letters_alone(tree) for tree in trees]
+        if role is None or role.kind != "angle" or worths[0] is None or worths[1] is None:
+            return None
+        gap, symbol = sp.expand(worths[0] - worths[1]), sp.Symbol(name)
+        slope = sp.diff(gap, symbol)
+        if not slope.is_number or slope == 0 or gap.has(sp.Function):
+            return None
+        value = tidy(-gap.subs(symbol, 0) / slope)
+        return (name, value) if bool(value > 0) and bool(value < sp.pi / 2) else None
+
+    def _given_in(self, value: sp.Expr, line: Line) -> sp.Expr:
+        """A value in tangents of letters, those put in that a line takes from the data."""
+        facts = [self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str)]
+        for fact in facts:
+            match None if fact is None else fact.relation:
+                case Relation(((Link(Apply("tan", Letter(name)), "=", right),),)):
+                    known = in_letters_alone(right)
+                    if known is not None:
+                        angle = sp.Symbol(name)
+                        value = value.subs({sp.tan(angle): known, sp.cot(angle): 1 / known})
+        return sp.sympify(value, strict=True)
+
+    def _pole(self, line: Line) -> _Pole | None:
+        """Where the angle whose tangent a line gives has none, if the letters may be so."""
+        if line.number not in self._poles:
+            self._poles[line.number] = self._pole_of(line)
+        return self._poles[line.number]
+
+    def _pole_of(self, line: Line) -> _Pole | None:
+        assert isinstance(line.relation, Relation)
+        match line.relation.options:
+            case ((Link(Apply("tan", angle), "="), *_),) if line.move.id in ("define", "rearrange"):
+                value = line.relation.only[0].right
+            case _:
+                return None
+        meaning = self._naming.meanings.get(angle.name) if isinstance(angle, Letter) else None
+        meant = angle if meaning is None else meaning.quantity
+        if not isinstance(meant, Quantity) or meant.kind not in ANGLES:
+            return None
+        quotient = _quotient(value)
+        if quotient is None:
+            return None
+        given = tuple(self._in_force(line))
+        below = [e.right for e in walk(value) if isinstance(e, Binary) and e.op == "/"]
+        for factor in (each for tree in below for each in factors_above(tree)):
+            for at in self._zeros(factor):
+                gap = in_letters_alone(Binary("-", at.left, at.right))
+                if gap is None or not self._may_hold(gap, given):
+                    continue
+                there = quotient
+                if isinstance(at.left, Letter):
+                    root = at.left.name, in_letters_alone(at.right)
+                    there = quotient[0].subs(*root), quotient[1].subs(*root)
+                oracle = Oracle(self._roles, (*given, Claim(gap, "=")))
+                if oracle.proves(Claim(there[1], "=")):
+                    return _Pole(angle, at, upright=oracle.proves(Claim(there[0], "!=")))
+        return None
+
+    def _zeros(self, factor: Expression) -> Iterator[Link]:
+        """Where a factor below a line is zero: a letter is a number, or two terms are equal."""
+        difference = in_letters_alone(factor)
+        names = letters(factor)
+        if difference is None:
+            return
+        if len(names) == 1:
+            (name,) = names
+            symbol = sp.Symbol(name)
+            role = self._roles.get(name)
+            if role is not None and role.kind != "angle" and difference.is_polynomial(symbol):
+                for root in sp.roots(sp.Poly(difference, symbol)):
+                    if root.is_Rational:
+                        yield Link(Letter(name), "=", tree_of(root))
+        elif isinstance(factor, Binary) and factor.op == "-":
+            yield Link(factor.left, "=", factor.right)
+
+    def _may_hold(self, gap: sp.Expr, given: tuple[Formula, ...]) -> bool:
+        """Whether an expression is zero for some of the values that the letters may have."""
+        names = frozenset(str(each) for each in gap.free_symbols)
+        roles = {name: role for name, role in self._roles.items() if name in names}
+        if len(roles) < len(names):
+            return False
+        oracle = Oracle(roles, given)
+        return oracle.decide(Claim(gap, "!=")).answer == "refuted"
+
+    def _in_force(self, line: Line) -> Iterator[Formula]:
+        part = self._derivation.asked.get(line.item or "")
+        return inequalities(self._derivation, part, in_letters)
+
+    def _line(self, ref: Ref) -> Line | None:
+        """A line with a relation among the premises."""
+        own = self._derivation.line(ref) if isinstance(ref, int) else None
+        return own if own is not None and isinstance(own.relation, Relation) else None
+
+
+def _holds_at(whole: Link, angle: tuple[str, sp.Expr], at: Link) -> bool:
+    """Whether an equation holds, and nothing in it is without a value, at an angle and a pole."""
+    sides = [in_letters_alone(each) for each in (whole.left, whole.right, at.left, at.right)]
+    if any(each is None for each in sides):
+        return False
+    left, right, first, second = (each.subs(sp.Symbol(angle[0]), angle[1]) for each in sides)  # type: ignore[union-attr]
+    gap = sp.expand(first - second)
+    for symbol in sorted(gap.free_symbols, key=str):
+        slope = sp.diff(gap, symbol)
+        if slope != 0 and not slope.has(symbol):
+            root = -gap.subs(symbol, 0) / slope
+            there = [each.subs(symbol, root) for each in (left, right)]
+            finite = not any(each.has(sp.zoo, sp.nan, sp.oo) for each in there)
+            return finite and bool(tidy(there[0] - there[1]) == 0)
+    return False
+
+
+def _made_of(line: Line, turn: Letter) -> Expression | None:
+    """The sum or difference of angles that a line says an angle is."""
+    match line.relation:
+        case Relation(((Link(left, "=", Binary("+" | "-") as right),),)) if left == turn:
+            return right
+    return None
+
+
+def _quotient(tree: Expression) -> tuple[sp.Expr, sp.Expr] | None:
+    """What is above and below the line of a quotient, nothing cancelled."""
+    if isinstance(tree, Binary) and tree.op == "/":
+        over, under = in_letters_alone(tree.left), in_letters_alone(tree.right)
+        return None if over is None or under is None else (over, under)
+    worth = in_letters_alone(tree)
+    return None if worth is None else sp.fraction(sp.together(worth))
+
+
+def in_letters_alone(tree: Expression) -> sp.Expr | None:
+    """What a tree is worth in its letters; None where it holds more than these."""
+    try:
+        return in_letters(tree)
+    except RestitutionError:
+        return None
+
+
+__all__ = ["RightAngles", "in_letters_alone"]

@@ -1,0 +1,127 @@
+"""The signs of the factors of a product, where not all of them are seen at once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation, Sign
+from restitution.explaining.lines.notation import read_relation
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Number,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.oracle import BeyondError, Formula, Oracle, Role, compared
+from restitution.planning.writing.forms import factors
+
+_ZERO = Number(Fraction(0))
+# The sign of one factor is seen beside what is cited.
+_SEVERAL = 2
+_ORDERS = frozenset(("<", "<=", ">", ">="))
+
+
+def signs_of_factors(
+    derivation: Derivation, line: Line, roles: Mapping[str, Role]
+) -> tuple[Relation, ...]:
+    """The sign of each difference that is a factor of the one product of which a line tells it.
+
+    Empty where fewer than two factors are differences, or where one of them has no certain sign.
+    """
+    whole = _product(derivation, line)
+    if whole is None:
+        return ()
+    open_ = [each for each in _bases(whole) if _is_difference(each)]
+    if len(open_) < _SEVERAL or has_quantity(whole):
+        return ()
+    oracle = Oracle(roles, tuple(_cited(derivation, line, roles)))
+    signs = [_sign(each, oracle, roles) for each in open_]
+    if None in signs:
+        return ()
+    return tuple(
+        Relation(((Link(each, sign, _ZERO),),))
+        for each, sign in zip(open_, signs, strict=True)
+        if sign is not None
+    )
+
+
+def _product(derivation: Derivation, line: Line) -> Expression | None:
+    """What the one equation that is cited comes to, where a line tells its sign."""
+    if line.move.id != "sign" or not isinstance(line.relation, Relation):
+        return None
+    cited = [derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
+    relations = [each.relation for each in cited if each is not None]
+    match relations, line.relation.options:
+        case [Relation((links,))], ((Link(sign=sign),),) if sign in _ORDERS:
+            return links[-1].right if all(link.sign == "=" for link in links) else None
+    return None
+
+
+def _bases(tree: Expression) -> Iterator[Expression]:
+    """The factors of a product above and below; of a power of odd degree its base."""
+    match tree:
+        case Binary("/", above, below):
+            yield from _bases(above)
+            yield from _bases(below)
+        case Binary("*"):
+            for each in factors(tree):
+                yield from _bases(each)
+        case Binary("^", base, Number(power)) if power.denominator == 1:
+            yield from _bases(base) if power.numerator % 2 else ()
+        case _:
+            yield tree
+
+
+def _is_difference(tree: Expression) -> bool:
+    """Whether it is a sum in which something is taken away that holds a letter."""
+    return (
+        isinstance(tree, Binary)
+        and tree.op in ("+", "-")
+        and bool(letters(tree))
+        and any(isinstance(node, Binary) and node.op == "-" for node in walk(tree))
+    )
+
+
+def _cited(derivation: Derivation, line: Line, roles: Mapping[str, Role]) -> Iterator[Formula]:
+    """What is cited of letters, as the oracle takes it."""
+    for ref in line.premises:
+        if not isinstance(ref, str) or ref.startswith("acute:"):
+            continue
+        fact = derivation.fact(ref)
+        relation = read_relation(ref, {}) if fact is None else fact.relation
+        if len(relation.options) != 1:
+            continue
+        for link in relation.only:
+            sides = (link.left, link.right)
+            if link.sign in _ORDERS and not any(map(has_quantity, sides)):
+                left, right = (_value(each, roles) for each in sides)
+                yield compared(left, link.sign, right)
+
+
+def _value(tree: Expression, roles: Mapping[str, Role]) -> sp.Expr:
+    own = sp.sympify(in_letters(tree), strict=True)
+    named = {s: roles[s.name].symbol(s.name) for s in own.free_symbols if s.name in roles}
+    return own.xreplace(named)
+
+
+def _sign(tree: Expression, oracle: Oracle, roles: Mapping[str, Role]) -> Sign | None:
+    """How a factor compares with zero; None where that is not certain."""
+    try:
+        value = _value(tree, roles)
+        signs: tuple[Sign, ...] = (">", "<", ">=", "<=")
+        for sign in signs:
+            if oracle.proves(compared(value, sign, sp.Integer(0))):
+                return sign
+    except (RestitutionError, BeyondError, TypeError, ValueError):
+        return None
+    return None
+
+
+__all__ = ["signs_of_factors"]

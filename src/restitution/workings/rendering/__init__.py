@@ -1,0 +1,1 @@
+"""A worked solution for its readers: text, Markdown, LaTeX, HTML, Typst, and itself."""

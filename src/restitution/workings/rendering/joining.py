@@ -1,0 +1,96 @@
+"""Steps that follow each other without a word, as one; a row that says again what stands above."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+
+from restitution.render import layout as lay
+from restitution.workings.rendering.steps import Row, Step
+
+
+def joined(steps: Iterable[Step]) -> Iterator[Step]:
+    """Steps with the rows that follow without a word among the rows above them.
+
+    What earns nothing stands with the rows above, whatever item it belongs to.
+    """
+    last: Step | None = None
+    for step in steps:
+        if (
+            last is not None
+            and last.kind == step.kind == "setting"
+            and not (last.rows or step.rows)
+        ):
+            # What letters stand for is said in one paragraph.
+            last = replace(last, sentences=(*last.sentences, *step.sentences))
+            continue
+        wordless = step.rows and not step.title and not step.sentences
+        joins = last is not None and (step.item == last.item or not step.marks)
+        if last is not None and last.rows and wordless and joins:
+            *above, row = last.rows
+            whole = _as_one(row, step.rows[0])
+            rows = (row, *step.rows) if whole is None else (whole, *step.rows[1:])
+            last = replace(last, rows=(*above, *rows))
+            continue
+        if last is not None:
+            yield last
+        last = step
+    if last is not None:
+        yield last
+
+
+def _as_one(row: Row, other: Row) -> Row | None:
+    """Two rows as one, where the second says what the first says, or goes on from it."""
+    length = len(row.operands)
+    if _goes_on_rounded(row, other):
+        assert other.operands[-1] is not None
+        return replace(
+            other,
+            operands=(*row.operands, *other.operands[1:]),
+            signs=(*row.signs, *other.signs),
+            reasons=(*row.reasons, *other.reasons),
+        )
+    if _says_the_end(row, other):
+        number = row.number or other.number
+        points, asides = (*row.points, *other.points), (*row.asides, *other.asides)
+        answer = row.answer or other.answer
+        return replace(row, points=points, asides=asides, number=number, answer=answer)
+    again = (
+        length > 1
+        and other.operands[0] in (None, row.operands[0])
+        and [_bare(operand) for operand in other.operands[1:length]]
+        == [_bare(operand) for operand in row.operands[1:]]
+        and other.signs[: length - 1] == row.signs
+    )
+    if not again or row.reasons or row.asides or (row.number and other.number):
+        return None
+    operands = (row.operands[0], *other.operands[1:])
+    number = row.number or other.number
+    return replace(other, operands=operands, points=(*row.points, *other.points), number=number)
+
+
+def _goes_on_rounded(row: Row, other: Row) -> bool:
+    """Whether a row gives no more than the decimal of the value above it."""
+    bare = not (row.points or row.asides or row.number or row.answer)
+    same = other.operands[0] in (None, row.operands[0]) and other.signs == ("≈",)
+    return bare and same and set(row.signs) == {"="} and not row.alternatives
+
+
+def _says_the_end(row: Row, other: Row) -> bool:
+    """Whether a row says no more than that the left side of one above it is its last."""
+    match other.operands:
+        case (left, right) if left in (None, row.operands[0]):
+            same = _bare(right) == _bare(row.operands[-1]) and {*row.signs, *other.signs} == {"="}
+            return same and not (row.reasons or other.reasons or (row.number and other.number))
+    return False
+
+
+def _bare(layout: lay.Layout | None) -> lay.Layout | None:
+    """An operand without its unit."""
+    match layout:
+        case lay.Phrase((value, lay.Words()), "\u00a0"):
+            return value
+    return layout
+
+
+__all__ = ["joined"]

@@ -1,0 +1,178 @@
+"""A worked solution as a value: parts, their steps, and the lines of a step.
+
+A step is data: which principle, in which words, which equations with which values, which marks.
+How it looks is for the renderers.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal
+
+from restitution.explaining.lines.derivation import Derivation
+from restitution.explaining.lines.marks import Marks, written
+from restitution.explaining.lines.saying import Sentence, Words, say, words_of
+from restitution.render.layout import Layout
+from restitution.render.text import NO_BREAK
+
+if TYPE_CHECKING:
+    from restitution.drawing.scene import Scene
+    from restitution.solving.equations.solution import Solution
+
+StepKind = Literal["setting", "principle", "solve", "fact", "result", "note", "heading", "picture"]
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line of mathematics: a chain of operands with signs between them.
+
+    ``operands[0]`` None goes on from the line above. ``points`` are what an examiner would give;
+    ``reasons`` go on from the line as words (*as α is acute*), ``asides`` stand behind it in
+    brackets, as does its ``number`` last, by which others name it; a line with ``alternatives``
+    offers several values, and one that is an ``answer`` gives what was asked.
+    """
+
+    operands: tuple[Layout | None, ...]
+    signs: tuple[str, ...]
+    points: Marks = ()
+    asides: tuple[Sentence, ...] = ()
+    alternatives: bool = field(default=False, compare=False, repr=False)
+    reasons: tuple[Sentence, ...] = ()
+    number: str = ""
+    answer: bool = field(default=False, compare=False, repr=False)
+
+    @property
+    def mark(self) -> str:
+        """The marks as they stand beside the line."""
+        return written(self.points)
+
+    @property
+    def note(self) -> Words:
+        """Words behind the line, with the brackets in which they stand."""
+        spoken: list[str | Layout] = []
+        if self.reasons:
+            spoken += [str(say("list.comma"))]
+            spoken += words_of(self.reasons, str(say("list.comma")))
+        number = (say("derived.value", value=self.number),) if self.number else ()
+        for each in (self.asides, number):
+            if each:
+                # A number behind words stands apart from them.
+                gap = "" if not spoken else 3 * NO_BREAK if each is number else " "
+                spoken += [f"{gap}(", *words_of(each, str(say("list.semicolon"))), ")"]
+        return tuple(spoken)
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step of the working.
+
+    ``title`` names the law used, ``sentences`` stand before the equations; ``item`` counts the
+    items of the part from 0. The ``event`` is that of a heading or of a picture.
+    """
+
+    kind: StepKind
+    rows: tuple[Row, ...] = ()
+    title: Sentence | None = None
+    sentences: tuple[Sentence, ...] = ()
+    points: Marks = ()
+    item: int | None = field(default=None, compare=False, repr=False)
+    event: int | None = field(default=None, compare=False, repr=False)
+    picture: Scene | None = None
+
+    @property
+    def principle(self) -> str | None:
+        """The name of the law used, in words."""
+        return None if self.title is None else str(self.title)
+
+    @property
+    def words(self) -> Words:
+        """What stands before the equations."""
+        return words_of(self.sentences)
+
+    @property
+    def marks(self) -> int:
+        """How many marks the step is worth."""
+        return sum(
+            mark.number
+            for points in (self.points, *(row.points for row in self.rows))
+            for mark in points
+        )
+
+    @property
+    def mark(self) -> str:
+        """The marks of its words as they stand beside them; those of its lines are theirs."""
+        return written(self.points)
+
+
+@dataclass(frozen=True)
+class PartExplanation:
+    """The working of one part; ``asked`` are its items as typed, ``answers`` as people see them.
+
+    ``marks`` is what the part is worth, ``item_marks`` what each item adds to it: what several
+    items rest on counts with the first of them. ``derivation`` is the working of the whole
+    question as data, of which the steps are the part's own lines.
+    """
+
+    label: str | None
+    asked: tuple[str, ...]
+    steps: tuple[Step, ...]
+    answers: tuple[str, ...]
+    derivation: Derivation = field(compare=False, repr=False)
+
+    @property
+    def marks(self) -> int:
+        """The marks of the part."""
+        return sum(step.marks for step in self.steps)
+
+    @property
+    def item_marks(self) -> tuple[int, ...]:
+        """The marks of each item, in the order of ``asked``."""
+        return tuple(
+            sum(step.marks for step in self.steps if step.item == index)
+            for index in range(len(self.asked))
+        )
+
+
+@dataclass(frozen=True)
+class Working:
+    """A whole worked solution as data, and what it explains.
+
+    Pictures are not among its steps until ``illustrated`` puts them there. ``followed`` tells
+    whether its lines were followed exactly; None where that was not asked.
+    """
+
+    title: str | None
+    parts: tuple[PartExplanation, ...]
+    warnings: tuple[str, ...] = ()
+    solution: Solution | None = field(default=None, compare=False, repr=False)
+    followed: bool | None = None
+
+    @property
+    def marks(self) -> int:
+        """The marks of the whole question."""
+        return sum(part.marks for part in self.parts)
+
+    @property
+    def left_over(self) -> tuple[str, ...]:
+        """The warnings that the steps do not give themselves."""
+        notes = {
+            note.reason
+            for part in self.parts
+            for note in part.derivation.notes
+            if note.kind == "impossible" and note.premises
+        }
+        return tuple(
+            warning
+            for warning in self.warnings
+            if not any(warning.endswith(note) for note in notes if note)
+        )
+
+    def rows(self) -> tuple[Row, ...]:
+        """Every line of mathematics, in order."""
+        return tuple(row for part in self.parts for step in part.steps for row in step.rows)
+
+
+REQUIRED = (say("shown.required"),)
+"""Behind the line of a printed result."""
+
+__all__ = ["REQUIRED", "PartExplanation", "Row", "Step", "StepKind", "Words", "Working"]
