@@ -570,9 +570,14 @@ def _require_form(scene: Scene, result: ItemResult) -> None:
     kinds = {node.function for node in walk(end.answer.only[0].right) if isinstance(node, Apply)}
     ratios = {type(atom).__name__ for atom in value.atoms(*_RATIOS)}
     if "tan" in kinds and ratios == {"sin", "cos"}:
-        _end_in(scene, end, value)
+        if _nodes(end.answer.only[0].right) > _nodes(tree_of(value)):
+            _end_in(scene, end, value)
     elif kinds & _NAMES != ratios:
         raise NotPlannedError("an answer in another form")
+
+
+def _nodes(tree: Expression) -> int:
+    return sum(1 for _ in walk(tree))
 
 
 def _end_in(scene: Scene, end: ItemEnd, value: Any) -> None:

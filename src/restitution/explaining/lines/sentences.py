@@ -768,6 +768,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.position": "position of {body}",
     "derived.coordinate-x": "x-coordinate of {body}",
     "derived.coordinate-y": "y-coordinate of {body}",
+    "derived.displacement": "displacement of {body} along {axis} from {early} to {late}",
     "derived.distance-of": "distance between the positions of {body} {early} and {late}",
     "derived.distance": "distance between {of:and}",
     "derived.line": "line of centres",
@@ -900,6 +901,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "loss-wall.title": "Kinetic energy lost, by the component that changes",
     "flight.title": "Distance = speed × time",
     "flight.title-of": "Distance = speed × time, for {body}",
+    "flight.displacement": "Displacement = velocity × time",
+    "flight.displacement-of": "Displacement = velocity × time, for {body}",
     "distance.relative": "Distance apart = relative speed × time",
     "distance.level": (
         "Perpendicular to the line of centres {one} and {other} keep level, so distance apart = "
@@ -910,6 +913,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "were together and move on at constant velocities are apart by the size of their relative "
         "velocity times the time since."
     ),
+    "distance.displacements": "Distance, by Pythagoras",
     "distance.coordinates": "Distance, from the coordinates",
     "flight.whole-way": "Time = distance ÷ speed in that direction, which no impact changes",
     "flight.time": "Time = distance ÷ speed in that direction",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 import sympy as sp
@@ -17,6 +18,7 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Number,
     Quantity,
     letters,
 )
@@ -37,7 +39,15 @@ from restitution.planning.inequalities.wide_angles import compared_by_cosine, co
 from restitution.planning.inequalities.worths import NAMED
 from restitution.planning.routes.order import Solver, Standing
 from restitution.planning.writing.desk import NotPlannedError
-from restitution.planning.writing.forms import ONE, ZERO, product, square, total, tree_of
+from restitution.planning.writing.forms import (
+    ONE,
+    ZERO,
+    outer_terms,
+    product,
+    square,
+    total,
+    tree_of,
+)
 from restitution.planning.writing.polynomials import cancelled, expanded, factored, one_fraction
 from restitution.planning.writing.scene import Scene
 from restitution.solving.equations.solution import Answer, ItemResult
@@ -143,6 +153,7 @@ class _Extremum:
         ways += [self._gap, self._plain]
         if defined is not None:
             line = defined
+        if defined is not None or self._shows_a_square(line):
             ways.insert(0, self._plain)
         for method in ways:
             mark = self.claims.worths.mark()
@@ -566,6 +577,18 @@ class _Extremum:
             return None
         self.scene.desk.lines.pop()
         return self.scene.desk.write(own.move, own.premises, Relation((links[:1],)))
+
+    def _shows_a_square(self, line: int) -> bool:
+        """Whether a line ends in the square of a sum with the letter, beside what is without it."""
+        if not self.least or self.angle:
+            return False
+        right = self.scene.desk.last_link(line).right
+        inside = right.argument if isinstance(right, Apply) and right.function == "sqrt" else right
+        own = [each for each in outer_terms(inside) if self.symbol.name in letters(each)]
+        match own:
+            case [Binary("^", Binary("+" | "-"), Number(Fraction(numerator=2, denominator=1)))]:
+                return is_left(self.claims.worths, right, self.value)
+        return False
 
     def _gap(self, line: int) -> int | None:
         """A bound by the difference to it, in factors of certain signs."""

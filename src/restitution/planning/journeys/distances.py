@@ -19,6 +19,7 @@ from restitution.planning.formulas.whereabouts import (
     tidied,
     velocity,
 )
+from restitution.planning.journeys.flown import flown
 from restitution.planning.journeys.instants import piece, place_then, time_since
 from restitution.planning.journeys.places import coordinate, leg, place, spot, time_of
 from restitution.planning.writing.angle_ratios import range_of
@@ -47,6 +48,11 @@ def distance(scene: Scene, asked: Quantity) -> Source:
     length = _as_a_path(scene, asked)
     if length is not None:
         return length
+    way = flown(scene, asked)
+    if way is not None:
+        nowhere = [sp.Integer(0), sp.Integer(0)]
+        refs = together(*(each.refs for each in way))
+        return _write_distance(scene, asked, None, refs, [each.value for each in way], nowhere)
     ends = [_end(scene, argument, asked.stage) for argument in asked.arguments]
     refs = together(*(end.refs for end in ends))
     (a, b) = (end.value for end in ends)
@@ -69,7 +75,7 @@ def _write_distance(
             continue
         if scene.model.sign(gap) < 0:
             x, y = y, x
-        gaps.append((difference(tree_of(x), tree_of(y)), gap))
+        gaps.append((difference(tree_of(x), tree_of(y)), tidy(x - y)))
     if not gaps:
         raise NotPlannedError("a distance that is nothing")
     if len(gaps) == 1:
@@ -78,20 +84,37 @@ def _write_distance(
     else:
         tree = Apply("sqrt", total(square(each) for each, _ in gaps))
         value = sp.sqrt(tidy(expanded(sum(gap**2 for _, gap in gaps))))
+    kept = _square_kept([gap for _, gap in gaps]) if times is None else None
     if times is not None:
         tree = product(times[0], tree)
         value = value * times[1]
     value = sized(scene, tidy(value))
     move = Move("define", "distance", event)
     again = times is not None and _at_another_time(scene, asked, event)
-    relation = chain(asked, (swept(tree), None), (tree_of(value), "rearrange"))
+    final = tree_of(value) if kept is None else kept
+    relation = chain(asked, (swept(tree), None), (final, "rearrange"))
     if again:
-        relation = chain(asked, (tree_of(value), None))
+        relation = chain(asked, (final, None))
     signs = together(*(_signs(scene, gap) for _, gap in gaps))
     premises = scene.judge.enough(move, refs, relation, signs)
     used = together(refs, signs) if premises is None else premises
     number = scene.desk.write(move, used, relation, "silent" if again else "line")
     return scene.desk.know(asked, value, (number,))
+
+
+def _square_kept(gaps: Sequence[sp.Expr]) -> Expression | None:
+    """The root of two squares, one of a sum of letters of its own, which is not multiplied out.
+
+    Such a square shows at once what is least. None of other squares.
+    """
+    sums = [each for each in gaps if any(x.is_Add for x in sp.Mul.make_args(factored(each)))]
+    others = set[sp.Basic]().union(*(each.free_symbols for each in gaps if each not in sums))
+    if len(gaps) == 1 or len(sums) != 1 or not sums[0].free_symbols - others:
+        return None
+    trees = (
+        tree_of(expanded(each), as_it_is=True) if each in sums else tree_of(each) for each in gaps
+    )
+    return Apply("sqrt", total(map(square, trees)))
 
 
 def _at_another_time(scene: Scene, asked: Quantity, event: int | None) -> bool:

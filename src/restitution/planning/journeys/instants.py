@@ -16,7 +16,7 @@ from restitution.planning.journeys.places import (
 )
 from restitution.planning.writing.desk import NotPlannedError, Source, together
 from restitution.planning.writing.flights import added
-from restitution.planning.writing.forms import difference, tree_of
+from restitution.planning.writing.forms import difference, swept, total, tree_of
 from restitution.planning.writing.place_trees import time_tree
 from restitution.planning.writing.scene import Scene
 from restitution.vector import Vector
@@ -78,5 +78,14 @@ def time_since(
         match node:
             case Quantity("time", (), int(number)) if number:
                 refs = together(refs, time_of(scene, number).refs)
-    tree = difference(tree_of(when), tree_of(early.value))
+    tree = difference(_as_a_sum(scene, time, when), tree_of(early.value))
     return tree, tidy(when - early.value), together(early.refs, refs)
+
+
+def _as_a_sum(scene: Scene, time: Expression, when: sp.Expr) -> Expression:
+    """A time after an event as the time of that and the one since, as both are put in."""
+    match time:
+        case Binary("+", Quantity("time", (), int(number)), later) if number:
+            terms = time_of(scene, number).value, scene.put(scene.scalar(later))[0]
+            return swept(total(map(tree_of, terms)))
+    return tree_of(when)

@@ -91,7 +91,9 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             scene.desk.end(name, line, _as_solved(scene, asked, line))
         case _ if placed:
             line, value = journeys.write(scene, asked)
-            scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
+            link = scene.desk.last_link(line)
+            right = link.right if link.left == asked else tree_of(value)
+            scene.desk.end(name, line, chain(asked, (right, None)))
         case Quantity("line_of_centres", (), int(number)):
             _axis(scene, number, name)
         case Quantity("direction", (Name(wall),), None):

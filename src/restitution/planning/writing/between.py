@@ -54,6 +54,8 @@ _COLLECTED = 3
 
 def terms_between(scene: Scene, right: Expression, final: Expression) -> tuple[Expression, ...]:
     """The lines between a definition and its value; none where that is one step."""
+    if _keeps_squares(scene, right, final):
+        return ()
     match right, final:
         case Apply("sqrt", inside), Apply("sqrt", value):
             return tuple(Apply("sqrt", each) for each in terms_between(scene, inside, value))
@@ -74,6 +76,15 @@ def terms_between(scene: Scene, right: Expression, final: Expression) -> tuple[E
             continue
         kept.append(tree)
     return tuple(kept)
+
+
+def _keeps_squares(scene: Scene, right: Expression, final: Expression) -> bool:
+    """Whether a root has the squares of sums of another, with a common factor taken out."""
+    if not isinstance(right, Apply) or right.function != "sqrt":
+        return False
+    own = [_primitive(scene, each.left) for each in walk(right) if _is_square_of_sum(each)]
+    kept = [_primitive(scene, each.left) for each in walk(final) if _is_square_of_sum(each)]
+    return bool(own) and all(each in kept or sp.expand(-each) in kept for each in own)
 
 
 def root_of_a_square(scene: Scene, value: Expression) -> tuple[Expression, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from restitution.explaining.data.resting import is_of_a_body_at_rest
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Ref, Relation
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
@@ -41,6 +41,8 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
             return say("flight.origin") if one else say("flight.origin-of", body=body)
     if _is_place(left) and not _by_the_way(derivation, line):
         return say("flight.place") if one else say("flight.place-of", body=body)
+    if isinstance(left, Binary) and left.op == "-" and _is_place(left.left):
+        return say("flight.displacement") if one else say("flight.displacement-of", body=body)
     if _tells_a_time(derivation, line):
         return say("flight.title") if one else say("flight.title-of", body=body)
     return say("flight.same-time")
@@ -122,7 +124,18 @@ def distance_title(derivation: Derivation, line: Line) -> Sentence:
             match first.arguments:
                 case (Name(body),):
                     return say("flight.title-of", body=body)
+    if any(_is_displacement(derivation, ref) for ref in line.premises):
+        return say("distance.displacements")
     return say("distance.relative" if line.move.event else "distance.coordinates")
+
+
+def _is_displacement(derivation: Derivation, ref: Ref) -> bool:
+    """Whether a premise is the line of how far a body comes in one direction."""
+    own = derivation.line(ref) if isinstance(ref, int) else None
+    match None if own is None else own.relation:
+        case Relation(options=((Link(Binary("-", place, _)), *_), *_)):
+            return _is_place(place)
+    return False
 
 
 def _apart_along_the_line(derivation: Derivation, line: Line) -> Sentence | None:

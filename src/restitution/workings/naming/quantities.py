@@ -138,7 +138,22 @@ class Naming:
             match node:
                 case Binary("-", Quantity("time", (), int()), Quantity("time", (), int()) as early):
                     self.name(early)  # it is introduced before the later one
-        return of_tree(tree, self.vectors, self.name, self.forms)
+        return self._displacement(tree) or of_tree(tree, self.vectors, self.name, self.forms)
+
+    def _displacement(self, tree: Expression) -> lay.Layout | None:
+        """How far a body comes along **i** or **j** from one event to another, in words."""
+        match tree:
+            case Binary(
+                "-",
+                Quantity("along", (Quantity("position", (Name(body),), int(late)), Unit() as axis)),
+                Quantity(
+                    "along", (Quantity("position", (Name(other),), int(early)), Unit() as same)
+                ),
+            ) if body == other and axis == same:
+                first, last = self._started(early), self._started(late)
+                sides = {"body": body, "axis": self.layout(axis), "early": first, "late": last}
+                return operand(say("derived.displacement", **sides))
+        return None
 
     def as_typed(self, tree: Expression) -> lay.Layout:
         """A tree of the statement in the form in which it stands there."""

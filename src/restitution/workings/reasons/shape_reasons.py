@@ -126,7 +126,7 @@ class ShapeReasons:
                 bound = Binary("^", bound, Number(Fraction(2)))
             elif left != links[0].left:
                 continue
-            for link in own.relation.options[0]:
+            for link in reversed(own.relation.options[0]):
                 for term, square in (
                     *squares_of_terms(link.right, links[0].sign),
                     *squares_below(link.right),

@@ -1,0 +1,88 @@
+"""How far a body flies between two of its events: its velocity times the time between them."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.lines.derivation import Move
+from restitution.expression.tree import Binary, Name, Quantity
+from restitution.planning.formulas.whereabouts import last_move, start, velocity
+from restitution.planning.journeys.places import coordinate_given, flight_time
+from restitution.planning.writing.circles import circle_of
+from restitution.planning.writing.desk import Source, chain, together
+from restitution.planning.writing.forms import product, swept, tree_of
+from restitution.planning.writing.place_trees import AXES, Axis, coordinate_tree, place_tree
+from restitution.planning.writing.scene import Scene
+
+
+def flown(scene: Scene, asked: Quantity) -> tuple[Source, Source] | None:
+    """How far a body comes along **i** and along **j** from one of its events to its next.
+
+    None of another distance, where both coordinates stand or one of the places is asked, and
+    where the data give the place at which it begins.
+    """
+    flight = _flight_of(scene, asked)
+    if flight is None:
+        return None
+    body, early, late = flight
+    if any(place_tree(body, each) in scene.asked_alone for each in (early, late)):
+        return None
+    given = {axis: _between_given(scene, body, early, late, axis) for axis in AXES}
+    open_ = [axis for axis in AXES if given[axis] is None]
+    if len(open_) != 1:
+        return None
+    (axis,) = open_
+    pace = velocity(scene, body, early, axis)
+    if pace.value == 0 or scene.unknown(pace.value):
+        return None
+    mark = scene.desk.mark()
+    way = _write_way(scene, body, (early, late), axis, pace)
+    if way is None:
+        scene.desk.back(mark)
+        return None
+    x, y = (given[each] or way for each in AXES)
+    return x, y
+
+
+def _flight_of(scene: Scene, asked: Quantity) -> tuple[str, int, int] | None:
+    """The body of which a distance is that between two events, the second its next one."""
+    match asked.arguments:
+        case (
+            Quantity("position", (Name(body),), int(one)),
+            Quantity("position", (Name(other),), int(two)),
+        ) if body == other:
+            early, late = sorted((one, two))
+            is_flight = 0 < early < late and last_move(scene, body, late) == early
+            if not is_flight or "start" not in scene.facts or early < start(scene)[0]:
+                return None
+            met = {early, late} <= scene.model.frames.keys() and body in scene.bodies(late)
+            round_ = any(circle_of(scene, each) is not None for each in (early, late))
+            return (body, early, late) if met and not round_ else None
+    return None
+
+
+def _between_given(scene: Scene, body: str, early: int, late: int, axis: Axis) -> Source | None:
+    """How far two places are apart of which one coordinate needs no working; None without."""
+    first, last = (coordinate_given(scene, body, each, axis) for each in (early, late))
+    if first is None or last is None:
+        return None
+    return Source(tidy(last.value - first.value), together(first.refs, last.refs))
+
+
+def _write_way(
+    scene: Scene, body: str, events: tuple[int, int], axis: Axis, pace: Source
+) -> Source | None:
+    """The line of how far a body comes in one direction."""
+    early, late = events
+    time, length, refs = flight_time(scene, early, late)
+    value = tidy(sp.sympify(pace.value * length, strict=True))
+    ends = (coordinate_tree(body, each, axis) for each in (late, early))
+    right = swept(product(tree_of(pace.value), time))
+    relation = chain(Binary("-", *ends), (right, None), (tree_of(value), "rearrange"))
+    move = Move("define", "straight-line", late, (body,))
+    number = scene.judge.write((move,), together(pace.refs, refs), relation)
+    return None if number is None else Source(value, (number,))
+
+
+__all__ = ["flown"]
