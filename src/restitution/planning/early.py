@@ -6,10 +6,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from restitution.errors import RestitutionError
+from restitution.explaining.data.arrangement import events_of
 from restitution.explaining.data.facts import facts_of
+from restitution.explaining.definitions.at_events import tie_of
 from restitution.explaining.lines.derivation import Fact
 from restitution.explaining.lines.trees import trees_of
-from restitution.expression.tree import Quantity, has_quantity, walk
+from restitution.expression.tree import Expression, Name, Pair, Quantity, Unit, has_quantity, walk
 from restitution.problem import Find, Given, Part, Problem, Show, Value
 from restitution.solving import solve
 from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
@@ -76,7 +78,7 @@ def _without(
     if len(solved.branches) != 1:
         return None
     late = _late(problem, without, own)
-    of_motion = all(map(_is_of_motion, late))
+    closes = all(map(_is_of_motion, late)) and not _are_directions_after(problem, late)
     count, ended = start, set[int]()
     for index, alone, whole in zip(
         range(start + 1, stop + 1), solved.items[start:], part.items[start:], strict=False
@@ -86,7 +88,7 @@ def _without(
             break
         if same:
             ended.add(index)
-        in_terms = terms(part.part, index) is not None or (of_motion and _serves(alone, late))
+        in_terms = terms(part.part, index) is not None or (closes and _serves(alone, late))
         if alone.kind == "show" if same else in_terms:
             count = index
     ended = {each for each in ended if each <= count}
@@ -111,6 +113,25 @@ def _is_of_motion(fact: Fact) -> bool:
         for links in fact.relation.options
         for link in links
         for side in (link.left, link.right)
+    )
+
+
+def _are_directions_after(problem: Problem, late: tuple[Fact, ...]) -> bool:
+    """Whether a fact gives the direction of a velocity after a wall that slants.
+
+    The velocity is a letter times that direction, and is resolved: its components are not first.
+    """
+    axes: dict[Expression, Expression] = {
+        Quantity("velocity", (Name(event.bodies[0]),), event.number): fact.relation.only[0].right
+        for event in events_of(problem)
+        for fact in facts_of(problem)
+        if event.wall and fact.id == f"axis {event.number}"
+    }
+    ties = [tie_of(each.relation.only[0]) for each in late if len(each.relation.options) == 1]
+    ways = [way for tie in ties if tie is not None for way in (tie[:2], tie[1::-1])]
+    return any(
+        isinstance(other, Unit | Pair) and not isinstance(axes.get(one, Unit("i")), Unit)
+        for one, other in ways
     )
 
 

@@ -7,7 +7,7 @@ restitution, by scalar products with that change, is an equation for the letter.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -15,7 +15,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.definitions.at_events import tie_of
-from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation, Showing
 from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity, Unit
 from restitution.oracle.roles import POSITIVE, REAL, Role
 from restitution.planning.closing.shapes import close
@@ -46,7 +46,7 @@ _LETTERS = ("s", "k", "b", "c", "q", "r")
 
 
 @dataclass(frozen=True)
-class _Ray:
+class Ray:
     """What is known of a velocity: a letter for ``quantity`` times a vector, by a given fact.
 
     A ``letter`` of the statement stands for no quantity.
@@ -71,11 +71,11 @@ def write_open_lines(scene: Scene) -> None:
             scene.frame(number)
         except NotPlannedError:
             scene.desk.back(standing)
-            if not _tried(scene, partial(_by_a_ray, scene, number)):
+            if not tried(scene, partial(_by_a_ray, scene, number)):
                 scene.frames.pop(number, None)
 
 
-def _tried(scene: Scene, write: Callable[[], bool]) -> bool:
+def tried(scene: Scene, write: Callable[[], bool]) -> bool:
     """Whether lines could be written; if not, none of them stands, nor a letter of theirs."""
     standing, others, roles = scene.desk.mark(), scene.others, scene.model.unknowns.roles
     try:
@@ -102,7 +102,7 @@ def _by_a_ray(scene: Scene, number: int) -> bool:
     early = {sphere: scene.initial(sphere) for sphere in spheres}
     if any(scene.unknown(x) for each in early.values() for x in each.value):
         return False
-    rays = [own for sphere in spheres if (own := _ray(scene, sphere, number)) is not None]
+    rays = [own for sphere in spheres if (own := ray_of(scene, sphere, number)) is not None]
     fast = next((each for each in rays if _speed(scene, each, number) is not None), None)
     e = scene.coefficient(number)
     masses = [scene.mass(sphere).value for sphere in spheres] if len(spheres) > 1 else []
@@ -110,11 +110,11 @@ def _by_a_ray(scene: Scene, number: int) -> bool:
     if not rays or (fast is None and (scene.unknown(e.value) or not are_known)):
         return False
     ray = fast or rays[0]
-    if fast is not None and _tried(scene, partial(_in_either_sense, scene, number, fast)):
+    if fast is not None and tried(scene, partial(_in_either_sense, scene, number, fast)):
         return True
     if not are_known:
         return False
-    ray = _without_root(ray)
+    ray = without_root(ray)
     symbol, late, lines = _ray_line(scene, number, ray)
     _others(scene, number, ray, late, lines)
     change, axis = _axis(scene, number, late, lines)
@@ -129,7 +129,7 @@ def _by_a_ray(scene: Scene, number: int) -> bool:
     return True
 
 
-def _in_either_sense(scene: Scene, number: int, ray: _Ray) -> bool:
+def _in_either_sense(scene: Scene, number: int, ray: Ray) -> bool:
     """Whether a velocity comes of its speed, and what follows of it: its lines are written."""
     symbol, late, lines = _ray_line(scene, number, ray)
     late[ray.body], lines[ray.body] = _by_speed(scene, number, ray, symbol, lines)
@@ -139,7 +139,7 @@ def _in_either_sense(scene: Scene, number: int, ray: _Ray) -> bool:
     return True
 
 
-def _without_root(ray: _Ray) -> _Ray:
+def without_root(ray: Ray) -> Ray:
     """A slanting line with a component along **i**, or **j**, for its letter: no root is in it."""
     if 0 in ray.direction or ray.role is not REAL or ray.letter is not None:
         return ray
@@ -153,15 +153,15 @@ def _without_root(ray: _Ray) -> _Ray:
 
 
 def _ray_line(
-    scene: Scene, number: int, ray: _Ray
+    scene: Scene, number: int, ray: Ray
 ) -> tuple[sp.Symbol, dict[str, Vector], dict[str, int]]:
     """The letter of a velocity, that velocity, and its line."""
-    symbol, line = _written_ray(scene, number, ray)
+    symbol, line = write_ray(scene, number, ray)
     return symbol, {ray.body: ray.direction * symbol}, {ray.body: line}
 
 
 def _others(
-    scene: Scene, number: int, ray: _Ray, late: dict[str, Vector], lines: dict[str, int]
+    scene: Scene, number: int, ray: Ray, late: dict[str, Vector], lines: dict[str, int]
 ) -> None:
     """Adds the velocity of the other sphere, by the momentum of both."""
     for other in scene.spheres(number):
@@ -169,7 +169,7 @@ def _others(
             late[other], lines[other] = _by_momentum(scene, number, ray.body, late, lines, other)
 
 
-def _ray(scene: Scene, body: str, number: int) -> _Ray | None:
+def ray_of(scene: Scene, body: str, number: int) -> Ray | None:
     """The direction of a velocity after an impact, as far as it is given."""
     velocity = Quantity("velocity", (Name(body),), number)
     for each in scene.given:
@@ -181,7 +181,7 @@ def _ray(scene: Scene, body: str, number: int) -> _Ray | None:
                 if turn.free_symbols:
                     continue
                 direction = Vector(tidy(sp.cos(turn)), tidy(sp.sin(turn)))
-                return _Ray(
+                return Ray(
                     body, Quantity("speed", (Name(body),), number), direction, each, POSITIVE
                 )
         multiple = _multiple(scene, body, velocity, each)
@@ -195,15 +195,15 @@ def _ray(scene: Scene, body: str, number: int) -> _Ray | None:
         if beside.x == 0 or beside.y == 0:
             unit: Expression = Unit("j" if beside.x == 0 else "i")
             along = Vector(*(sp.Integer(0 if x == 0 else 1) for x in beside))
-            return _Ray(body, Quantity("along", (velocity, unit)), along, each, REAL)
+            return Ray(body, Quantity("along", (velocity, unit)), along, each, REAL)
         size = scene.model.story.size(beside)
         along = Vector(*(tidy(x / size) for x in beside))
         axis = tree_of(beside)
-        return _Ray(body, Quantity("along", (velocity, axis)), along, each, REAL)
+        return Ray(body, Quantity("along", (velocity, axis)), along, each, REAL)
     return None
 
 
-def _multiple(scene: Scene, body: str, velocity: Quantity, each: GivenEquation) -> _Ray | None:
+def _multiple(scene: Scene, body: str, velocity: Quantity, each: GivenEquation) -> Ray | None:
     """A velocity that is given as an unknown letter times a vector; None of another one."""
     if each.link.left != velocity or each.link.sign != "=":
         return None
@@ -216,7 +216,7 @@ def _multiple(scene: Scene, body: str, velocity: Quantity, each: GivenEquation) 
     direction = Vector(*(tidy(x / symbol) for x in value))
     if role is None or any(x.free_symbols for x in direction):
         return None
-    return _Ray(body, velocity, direction, each, role, symbol)
+    return Ray(body, velocity, direction, each, role, symbol)
 
 
 def _beside(
@@ -244,7 +244,7 @@ def _beside(
     return None
 
 
-def _speed(scene: Scene, ray: _Ray, number: int) -> GivenEquation | None:
+def _speed(scene: Scene, ray: Ray, number: int) -> GivenEquation | None:
     """The fact that gives the speed along a line, in either sense, by what is known."""
     if ray.role is not REAL or ray.letter is not None:
         return None
@@ -259,7 +259,7 @@ def _speed(scene: Scene, ray: _Ray, number: int) -> GivenEquation | None:
 def _by_speed(
     scene: Scene,
     number: int,
-    ray: _Ray,
+    ray: Ray,
     symbol: sp.Symbol,
     lines: dict[str, int],
     law: int | None = None,
@@ -301,14 +301,23 @@ def _by_speed(
     return value, scene.desk.write(Move("put"), (line, *more), relation)
 
 
-def _written_ray(scene: Scene, number: int, ray: _Ray) -> tuple[sp.Symbol, int]:
-    """The letter of such a velocity, and the line that gives the velocity by it."""
+def write_ray(
+    scene: Scene,
+    number: int,
+    ray: Ray,
+    names: Sequence[str] = _LETTERS,
+    nothing_shown: Showing = "line",
+) -> tuple[sp.Symbol, int]:
+    """The letter of such a velocity, and the line that gives the velocity by it.
+
+    That it has no component across its direction is a line that may be silent.
+    """
     if ray.letter is not None:
         return ray.letter, scene.desk.write(
             Move("fact"), ray.given.refs, Relation(((ray.given.link,),))
         )
     taken = letters_taken(scene)
-    name = next(each for each in _LETTERS if each not in taken)
+    name = next(each for each in names if each not in taken)
     symbol = ray.role.symbol(name)
     scene.model.unknowns.roles = {**scene.model.unknowns.roles, name: ray.role}
     for model in {id(each): each for each in (scene.model, *scene.others)}.values():
@@ -331,7 +340,7 @@ def _written_ray(scene: Scene, number: int, ray: _Ray) -> tuple[sp.Symbol, int]:
         premises = scene.judge.needed(move, pool, none)
         if premises is None:
             raise NotPlannedError("a line that is not told")
-        nothing = scene.desk.write(move, premises, none)
+        nothing = scene.desk.write(move, premises, none, nothing_shown)
         refs = (let, nothing)
     value = _tree(ray.direction * symbol)
     if 0 not in ray.direction and ray.role is REAL:

@@ -184,6 +184,37 @@ def _product(v: sp.Symbol, theta: sp.Symbol, kind: str) -> Expression:
     return product(Letter(v.name), Apply(kind, Letter(theta.name)))
 
 
+def _divided(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
+    """V sin θ = a cos θ and V cos θ = b sin θ: divided, V is left out."""
+    v, theta = unknowns
+    rows = [_above(scene, line) for line in lines]
+    if v in set().union(*map(inside_functions, rows)):
+        return False
+    polys = [sp.Poly(row, v) for row in rows]
+    if any(poly.degree() != 1 for poly in polys):
+        return False
+    (a, b), (c, d) = ((poly.nth(1), -poly.nth(0)) for poly in polys)
+    t = sp.Dummy()
+    left, right = (
+        tidy((x / y).subs(sp.sin(theta), t * sp.cos(theta))) if y != 0 else sp.Integer(0)
+        for x, y in ((a, c), (b, d))
+    )
+    # Each side is a number, or that times the tangent, or over it.
+    share = tidy(left / t)
+    if theta in left.free_symbols | right.free_symbols or not share.is_number or right == 0:
+        return False
+    if t in tidy(right * t).free_symbols and t in right.free_symbols:
+        return False
+    subject = Apply("tan", Letter(theta.name))
+    value = tidy(right / share).subs(t, sp.tan(theta))
+    divided = _write(scene, Move("divide"), lines, chain(subject, (tree_of(value), None)))
+    if divided is None:
+        return False
+    close(scene, divided, theta)
+    close(scene, lines[0], v)
+    return True
+
+
 # --- one expressed by the other -----------------------------------------------------------------
 
 
@@ -359,6 +390,7 @@ def _without(tree: Expression, factor: Expression) -> Expression | None:
 SHAPES: tuple[Callable[[Scene, Pair, Unknowns], bool], ...] = (
     _linear,
     _polar,
+    _divided,
     _expressed,
     _square_of_unknown,
     _ratio_expressed,

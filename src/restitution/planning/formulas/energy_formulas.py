@@ -278,6 +278,10 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
         by_speeds = _lost_by_speeds(scene, quantity, event, _plain_speed)
         if by_speeds is not None and _follows(scene, by_speeds):
             return by_speeds
+    for known_in in (_read_off, _short_speed) if frame.is_slanted else ():
+        by_speeds = _lost_by_speeds(scene, quantity, event, known_in)
+        if by_speeds is not None and _follows(scene, by_speeds):
+            return by_speeds
     terms: list[Expression] = []
     values: list[Any] = []
     refs: list[Any] = [*frame.names_axis("along")]
@@ -379,6 +383,29 @@ def _plain_speed(scene: Scene, body: str, stage: int) -> Source | None:
         return given
     known = known_speed(scene, body, scene.last_event(body, stage))
     return None if known is None or scene.unknown(known.value) else known
+
+
+def _short_speed(scene: Scene, body: str, stage: int) -> Source | None:
+    """A speed that is given or a line, and no sum."""
+    plain = _plain_speed(scene, body, stage)
+    return None if plain is None or plain.value.has(sp.Add) else plain
+
+
+def _read_off(scene: Scene, body: str, stage: int) -> Source | None:
+    """A speed that is read off a velocity along **i** or **j**."""
+    last = scene.last_event(body, stage)
+    known = scene.desk.known(Quantity("velocity", (Name(body),), last)) if last else None
+    if not last and f"velocity {body}" in scene.facts:
+        known = scene.initial(body)
+    if known is None:
+        return None
+    value, refs = scene.put(known.value)
+    sizes = [each for each in value if each != 0]
+    if len(sizes) > 1 or any(map(scene.unknown, value)):
+        return None
+    sign = scene.model.proved_sign(scene.model.in_data(sizes[0])) if sizes else 1
+    size = tidy(sign * sizes[0]) if sizes and sign else sp.Integer(0)
+    return Source(size, together(known.refs, refs)) if sign else None
 
 
 def _given_speed(scene: Scene, body: str, stage: int) -> Source | None:

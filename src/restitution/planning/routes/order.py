@@ -42,6 +42,7 @@ from restitution.planning.formulas.impacts import (
 from restitution.planning.formulas.ties import tied
 from restitution.planning.journeys import paths, rounds
 from restitution.planning.routes.equations import SHOWN, Equations, Law
+from restitution.planning.routes.given_directions import wall_of, write_resolved
 from restitution.planning.routes.givens import candidate, write_given, write_impulse_on
 from restitution.planning.routes.laws_solved import put_into_restitution, tidied_law
 from restitution.planning.writing.candidates import Candidate
@@ -258,6 +259,7 @@ class Solver:
         for test in (
             self._velocity_given,
             self._coefficient_given,
+            self._direction_given,
             self._wall,
             self._fact_expresses,
             self._fact_ties,
@@ -714,6 +716,22 @@ class Solver:
             source = after(scene, "along", body, frame)
         value = frame.letter_sign * source.value
         scene.desk.know(Letter(component.symbol.name), value, source.refs)
+
+    def _direction_given(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """A velocity after a wall of which the direction is given, and the law of that wall."""
+        for own in left:
+            given = self.equations.givens.get(own.id)
+            number = None if given is None else wall_of(self.scene, given)
+            law = next((x for x in self.equations.laws if x.candidate.id == f"wall {number}"), None)
+            if number is None or law is None or law.candidate.id in self.equations.used:
+                continue
+            used = tuple(each for each in left if each in (own, law.candidate))
+            open_ = {s for each in used for s in self._open(each)} - self._letters.keys()
+            if self._earlier(law) or len(open_) >= len(used):
+                continue
+            if write_resolved(self.scene, number, next(iter(open_), None)):
+                return used
+        return None
 
     def _wall(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """At a wall the component after follows at once."""

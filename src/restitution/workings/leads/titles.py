@@ -17,6 +17,7 @@ from restitution.explaining.lines.derivation import (
     Line,
     Link,
     Meaning,
+    Ref,
     Relation,
 )
 from restitution.explaining.lines.saying import Sentence, say, slots_of
@@ -67,7 +68,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             return ()
         facts = [
             fact
-            for ref in line.premises
+            for ref in (*line.premises, *self._under_a_tie(line))
             if isinstance(ref, str)
             and (fact := self._derivation.fact(ref)) is not None
             and (fact.kind == "given" or (fact.kind == "range" and ref.startswith("given")))
@@ -171,6 +172,18 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         offset = self._sine_of_an_offset(line)
         return (*offset, self._and_its_sense(line, sentence) or say("given.fact", fact=sentence))
 
+    def _under_a_tie(self, line: Line) -> tuple[Ref, ...]:
+        """What a velocity along a line rests on, where no line says what it has across that."""
+        if line.move.record != "assemble":
+            return ()
+        above = [each for each in map(self._cited, line.premises) if each is not None]
+        return tuple(
+            ref
+            for each in above
+            if each.shown == "silent" and each.move.record in ("parallel", "perpendicular")
+            for ref in each.premises
+        )
+
     def _of_a_wall(self, axis: Expression) -> Expression:
         """The direction that the statement gives a wall; any other direction as it is."""
         links = (fact.relation.options[0][0] for fact in self._derivation.facts)
@@ -263,12 +276,17 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         lines = map(self._derivation.line, (ref for ref in line.premises if isinstance(ref, int)))
         facts = map(self._derivation.fact, (ref for ref in line.premises if isinstance(ref, str)))
         relations = (each.relation for each in (*lines, *facts) if each is not None)
-        return any(
-            isinstance(node, Quantity) and node.kind in ("energy", "speed")
+        kinds = {
+            node.kind
             for each in relations
             if isinstance(each, Relation)
             for node in walk(each.options[0][0].left)
-        )
+            if isinstance(node, Quantity)
+        }
+        if self._naming.bold.has_unit(line.move.event or 0) and "velocity" in kinds:
+            # By velocities alone, along a line that slants, there is no component.
+            return kinds <= {"velocity", "mass", "speed", "energy"}
+        return not kinds.isdisjoint({"energy", "speed"})
 
     def title(self, line: Line) -> Sentence | None:
         """The principle or definition of a line; None where the line speaks for itself."""
@@ -293,6 +311,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         if record.id == "distance":
             return distance_title(self._derivation, line)
         match record.id, first.left:
+            case "assemble", _ if self._under_a_tie(line):
+                return None  # the given fact says so
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
             case "energy-lost", _ if not any(isinstance(ref, int) for ref in line.premises):

@@ -172,6 +172,12 @@ class Naming:
                         return relation
         return None
 
+    def _sense_beside(self, fact: Fact) -> str:
+        """The sign by which the data tell the sense of a common direction; empty without one."""
+        kind, _, number = fact.id.partition(" ")
+        sense = self.derivation.fact(f"sense {number}") if kind == "given" else None
+        return "" if sense is None else sense.relation.only[0].sign
+
     def fact(self, fact: Fact) -> Sentence | lay.Layout:
         """A given fact, in words where it is told in words."""
         match self.meeting(fact):
@@ -191,6 +197,9 @@ class Naming:
         match link:
             case Link(Quantity("velocity", (Name(body),), _), "=", value) if _is_rest(value):
                 return say("claim.rest", body=body)
+        sense = self._sense_beside(fact)
+        if sense == "<" and isinstance(link.right, Negate):
+            link = Link(link.left, link.sign, link.right.operand)
         left, right = self.side(link.left), self.side(link.right)
         if link.sign in ("parallel to", "perpendicular to"):
             left, right = (
@@ -200,6 +209,7 @@ class Naming:
                 for own, each in ((link.left, left), (link.right, right))
             )
             name = "claim.parallel" if link.sign == "parallel to" else "claim.perpendicular"
+            name = {">": "claim.same-direction", "<": "claim.opposite"}.get(sense, name)
             return say(name, left=left, right=right)
         if link.sign == "=" and isinstance(left, lay.Words | lay.Phrase):
             match link.right:

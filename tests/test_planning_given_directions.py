@@ -1,0 +1,76 @@
+"""A velocity after a wall of which the direction is given is a letter times that, and resolved."""
+
+from __future__ import annotations
+
+import pytest
+
+from restitution.explaining.following.follower import follow
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solving import solve
+from restitution.solving.story.letters import roles
+from restitution.workings import explain, to_text
+
+UNKNOWN_ANGLE = """
+wall W: along theta
+sphere P: mass 2, velocity 6i
+P hits W: e = 1/4
+given velocity(P) in the direction of j
+find theta, velocity(P), energy_lost
+"""
+
+KNOWN_WALL = """
+wall W: along 3i + 4j
+sphere P: mass m, velocity u i
+P hits W
+find velocity(P), energy_lost
+given velocity(P) perpendicular to i
+find e
+"""
+
+SLANTING = """
+wall W: along 3i + 4j
+sphere P: mass 2, velocity 10i + 5j
+P hits W
+given velocity(P) parallel to i + 2j
+find e
+"""
+
+
+def text_of(statement: str) -> str:
+    problem = parse(statement)
+    solution = solve(problem)
+    assert follow(plan(solution), Oracle(roles(problem))) == ()
+    return to_text(explain(solution), 80)
+
+
+def test_both_laws_of_the_resolved_velocity_are_divided() -> None:
+    text = text_of(UNKNOWN_ANGLE)
+    for line in (
+        "It is given that 𝐯_P is in the direction of 𝐣:\n    𝐯_P = V𝐣",
+        "V sin θ = 6 cos θ",
+        "Dividing (2) by (3):\n    tan θ = 4/tan θ",
+    ):
+        assert line in text
+
+
+def test_a_wall_that_is_known_tells_the_speed_by_what_stays() -> None:
+    text = text_of(KNOWN_WALL)
+    assert "4V/5 = 3u/5" in text
+    assert "V = 3u/4" in text
+    assert "16e" not in text
+
+
+@pytest.mark.parametrize(
+    ("statement", "loss"),
+    [(UNKNOWN_ANGLE, "½ × 2 × 6² − ½ × 2 × 3²"), (KNOWN_WALL, "½mu² − ½m(3u/4)²")],
+)
+def test_the_energy_is_of_the_speeds_that_are_read_off(statement: str, loss: str) -> None:
+    text = text_of(statement)
+    assert f"Kinetic energy:\n    kinetic energy lost = {loss}" in text
+
+
+def test_a_slanting_direction_has_its_component_for_a_letter() -> None:
+    text = text_of(SLANTING)
+    assert "It is given that 𝐯_P is parallel to 𝐢 + 2𝐣:\n    𝐯_P = V(𝐢 + 2𝐣)" in text
