@@ -174,8 +174,8 @@ class Naming:
 
     def _sense_beside(self, fact: Fact) -> str:
         """The sign by which the data tell the sense of a common direction; empty without one."""
-        kind, _, number = fact.id.partition(" ")
-        sense = self.derivation.fact(f"sense {number}") if kind == "given" else None
+        given = fact.id.startswith("given ")
+        sense = self.derivation.fact(fact.id.replace("given", "sense")) if given else None
         return "" if sense is None else sense.relation.only[0].sign
 
     def fact(self, fact: Fact) -> Sentence | lay.Layout:
