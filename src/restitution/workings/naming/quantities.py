@@ -174,7 +174,7 @@ class Naming:
 
     def _sense_beside(self, fact: Fact) -> str:
         """The sign by which the data tell the sense of a common direction; empty without one."""
-        given = fact.id.startswith("given ")
+        given = fact.id.startswith("given")
         sense = self.derivation.fact(fact.id.replace("given", "sense")) if given else None
         return "" if sense is None else sense.relation.only[0].sign
 
