@@ -68,7 +68,7 @@ def test_a_ratio_of_tangents_is_read_by_the_letter_of_an_angle() -> None:
 
 def test_a_sphere_at_rest_is_not_called_moving() -> None:
     working = printed(AT_REST)
-    assert "As a coefficient of restitution is at most 1, this holds for M ≥ 50/23 only." in working
+    assert "As e = (M + 50)/(24M) ≤ 1, this holds for M ≥ 50/23 only." in working
 
 
 def test_a_second_collision_needs_the_line_of_centres() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
+from dataclasses import dataclass
 
 import sympy as sp
 
@@ -19,6 +20,7 @@ from restitution.oracle import All, BeyondError, Formula, Oracle
 from restitution.oracle import Relation as Claim
 from restitution.oracle.roles import ACUTE
 from restitution.planning.inequalities.ranges import general_answer
+from restitution.planning.writing.forms import tree_of
 from restitution.problem import Find, Given, Range, Value
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
@@ -51,10 +53,21 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
                 continue
             pairs = [(ends[-1], answers[0])] if alike else zip(ends, answers, strict=True)
             for line, answer in pairs:
-                sentence = _sentence(solution, part, item, answer, subjects, squares)
+                above = {each for each, first in subjects.items() if first <= line}
+                known = Known(subjects.keys(), above, squares)
+                sentence = _sentence(solution, part, item, answer, known)
                 if sentence is not None:
                     sentences[line] = sentence
     return sentences
+
+
+def is_same(one: Sentence, other: Sentence) -> bool:
+    """Whether two sentences say one condition, perhaps with more or less of its reasons."""
+    kinds = ("answer.only", "answer.only-as")
+    conditions = [dict(each.slots).get("condition") for each in (one, other)]
+    return one == other or (
+        one.id in kinds and other.id in kinds and conditions[0] == conditions[1] is not None
+    )
 
 
 def _is_asked(solution: Solution, part: PartSolution, item: ItemResult) -> bool:
@@ -153,17 +166,28 @@ def _speaks_of_others(solution: Solution, item: ItemResult, answers: Sequence[An
     return bool(names & known - {*asked, own.name if isinstance(own, Letter) else ""})
 
 
-def _subjects(derivation: Derivation) -> set[str]:
-    """The letters of which, or of a ratio of which, some line says the value."""
-    return {
-        own.name
-        for line in derivation.lines
-        if not isinstance(line.relation, Meaning)
-        for links in line.relation.options
-        for side in (*(link.left for link in links), links[-1].right)
-        for own in [side.argument if isinstance(side, Apply) else side]
-        if isinstance(own, Letter)
-    }
+@dataclass(frozen=True)
+class Known:
+    """Of which letters a working says the value: anywhere, and above a condition.
+
+    ``squares`` are those of ratios of angles, between their ends.
+    """
+
+    anywhere: AbstractSet[str]
+    above: AbstractSet[str]
+    squares: Mapping[str, Layout]
+
+
+def _subjects(derivation: Derivation) -> dict[str, int]:
+    """The letters of which, or of a ratio of which, a line says the value, with the first one."""
+    first: dict[str, int] = {}
+    for line in derivation.lines:
+        for links in () if isinstance(line.relation, Meaning) else line.relation.options:
+            for side in (*(link.left for link in links), links[-1].right):
+                own = side.argument if isinstance(side, Apply) else side
+                if isinstance(own, Letter):
+                    first.setdefault(own.name, line.number)
+    return first
 
 
 def _squares_of_ratios(derivation: Derivation) -> dict[str, Layout]:
@@ -189,8 +213,7 @@ def _sentence(
     part: PartSolution,
     item: ItemResult,
     answer: Answer,
-    subjects: Collection[str],
-    squares: Mapping[str, Layout],
+    known: Known,
 ) -> Sentence | None:
     condition = answer.condition_layout
     if condition is None:
@@ -207,13 +230,16 @@ def _sentence(
     branch = next(each for each in part.branches if each.number == answer.solution)
     protected = protected_letters(part.part)
     own = model(solution.problem, part.part, branch, part.roles, protected)
-    unknowns = {each for each in own.final if each.name in subjects}
-    reasons = reasons_that_bind(own, unknowns)
+    unknowns, above = (
+        {each for each in own.final if each.name in names}
+        for names in (known.anywhere, known.above)
+    )
+    reasons = reasons_that_bind(own, unknowns, above)
     tied = {each.name for each in own.final}
     if any(tied.intersection(_names_in(text)) for text in answer.condition):
         # The condition is one of the coefficient itself.
         reasons = tuple(_acute_behind(own, answer.condition))
-    for name, square in squares.items():
+    for name, square in known.squares.items():
         acute = say("derived.acute", angle=lay.from_sympy(sp.Symbol(name)))
         reasons = tuple(square if each == acute else each for each in reasons)
     if reasons and condition not in reasons:
@@ -242,12 +268,13 @@ Bound = tuple[Formula, tuple[sp.Symbol, str]]
 
 
 def reasons_that_bind(
-    model: Model, unknowns: AbstractSet[sp.Symbol]
+    model: Model, unknowns: AbstractSet[sp.Symbol], above: AbstractSet[sp.Symbol]
 ) -> tuple[Sentence | Layout, ...]:
     """``e ≤ 1``, *α is acute*: what letters that were found may be, if a condition is just that.
 
-    Where it is that of a value without a divisor that is zero, it is that; and empty where the
-    condition rests on anything else, or on a letter that is not yet known.
+    A coefficient that is not among those ``above`` has its value with it. Where the condition is
+    that of a value without a divisor that is zero, it is that; and empty where it rests on anything
+    else, or on another letter that no line tells.
     """
     if model.branch.oracle is None:
         return ()
@@ -256,11 +283,10 @@ def reasons_that_bind(
     groups = (angles, _divisors(model), ends, _squares(model), _motions(model))
     for bounds in map(list, groups):
         needed = _enough(model, bounds)
-        if needed and all(end == "moving" or e in unknowns for _, (e, end) in needed):
-            return _in_words(model, needed)
-        coefficients = bounds == ends and all(end == "high" for _, (_, end) in needed)
-        if needed and coefficients and not unknowns & {e for _, (e, _) in needed}:
-            return (say("answer.coefficient"),)
+        if needed and all(
+            end in ("moving", "low", "high") or e in unknowns for _, (e, end) in needed
+        ):
+            return _in_words(model, needed, above)
     return ()
 
 
@@ -324,15 +350,19 @@ def _motions(model: Model) -> Iterator[Bound]:
         yield Claim(square, ">"), (sp.Symbol(body), "moving")
 
 
-def _in_words(model: Model, bounds: Sequence[Bound]) -> tuple[Sentence | Layout, ...]:
+def _in_words(
+    model: Model, bounds: Sequence[Bound], above: AbstractSet[sp.Symbol]
+) -> tuple[Sentence | Layout, ...]:
     """Bounds as reasons, both ends of a coefficient at once."""
     ends: dict[sp.Symbol, set[str]] = {}
     for _, (symbol, end) in bounds:
         ends.setdefault(symbol, set()).add(end)
-    return tuple(_reason(model, symbol, own) for symbol, own in ends.items())
+    return tuple(_reason(model, symbol, own, symbol in above) for symbol, own in ends.items())
 
 
-def _reason(model: Model, symbol: sp.Symbol, ends: Collection[str]) -> Sentence | Layout:
+def _reason(
+    model: Model, symbol: sp.Symbol, ends: Collection[str], is_above: bool
+) -> Sentence | Layout:
     name, zero, one = lay.from_sympy(symbol), lay.Number("0"), lay.Number("1")
     if "acute" in ends:
         return say("derived.acute", angle=name)
@@ -352,11 +382,13 @@ def _reason(model: Model, symbol: sp.Symbol, ends: Collection[str]) -> Sentence 
     at_low, at_high = (
         "≤" if closed else "<" for closed in model.unknowns.roles[symbol.name].closed
     )
+    value = () if is_above else (lay.from_tree(tree_of(model.final[symbol])),)
+    equal = ("=",) if value else ()
     if "high" not in ends:
-        return lay.Relation((name, zero), ("≥" if at_low == "≤" else ">",))
+        return lay.Relation((name, *value, zero), (*equal, "≥" if at_low == "≤" else ">"))
     if "low" not in ends:
-        return lay.Relation((name, one), (at_high,))
-    return lay.Relation((zero, name, one), (at_low, at_high))
+        return lay.Relation((name, *value, one), (*equal, at_high))
+    return lay.Relation((zero, name, *value, one), (at_low, *equal, at_high))
 
 
 def _follows(oracle: Oracle, claim: Formula) -> bool:

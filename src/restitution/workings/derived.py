@@ -33,6 +33,7 @@ from restitution.expression.tree import Letter, Quantity, is_zero
 from restitution.problem import Problem, Show
 from restitution.render import layout as lay
 from restitution.render.text import to_text
+from restitution.workings.conditions import is_same
 from restitution.workings.leads.introductions import Introductions
 from restitution.workings.leads.meetings import meetings
 from restitution.workings.leads.radii import Radii
@@ -224,7 +225,7 @@ class _Writer:
                 yield from self._introduced()
                 yield Step("note", sentences=(say("shown.claim", claim=claim),), item=step.item)
             condition = self.conditions.get(line.number)
-            if condition is not None and condition not in conditions:
+            if condition is not None and not any(is_same(condition, e) for e in conditions):
                 conditions.append(condition)
                 yield Step("note", sentences=(condition,), item=step.item)
         yield from self._noted([*due, *notes.get(len(shown), ())])

@@ -689,7 +689,6 @@ SENTENCES: Mapping[SentenceId, str] = {
         "This holds for {condition} only, as there is no such {letter} otherwise."
     ),
     "answer.moving": "{body} is still moving at the end",
-    "answer.coefficient": "a coefficient of restitution is at most 1",
     "answer.no-value": "{place} gives no value of {letter}",
     "answer.divisor": "the divisor {divisor} is not zero",
     "range.within": "In this range {bounds:and}, so {body} hits {walls:and} between its ends too.",

@@ -11,7 +11,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
-from restitution.explaining.lines.trees import rebuilt
+from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -21,10 +21,12 @@ from restitution.expression.tree import (
     Quantity,
     has_quantity,
     letters,
+    walk,
 )
 from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.turn_lines import Term, by_tangents
 from restitution.planning.formulas.impacts import scene_value
+from restitution.planning.formulas.named_angles import letter_of
 from restitution.planning.formulas.turns import Form
 from restitution.planning.writing.angles import RIGHT
 from restitution.planning.writing.desk import NotPlannedError, chain, together
@@ -45,6 +47,39 @@ from restitution.planning.writing.scene import GivenEquation, Scene
 def is_sum(scene: Scene, each: GivenEquation) -> bool:
     """Whether a fact ties two angles by their sum or difference, one of which has a letter."""
     return _terms(scene, each) is not None
+
+
+def write_sum_with(scene: Scene, each: GivenEquation) -> int | None:
+    """The same of an angle of the motion that has no letter in the statement: it is given one.
+
+    None of another fact, and where there is no equation.
+    """
+    sides = (each.link.left, each.link.right)
+    nodes = (node for side in sides for node in walk(side))
+    angles = {node for node in nodes if isinstance(node, Quantity) and _is_to_a_line(node)}
+    if len(angles) != 1:
+        return None
+    (angle,) = angles
+    mark = scene.desk.mark()
+    name, meaning = letter_of(scene, angle)
+    left, right = (exchanged(side, {angle: Letter(name)}) for side in sides)
+    line = scene.judge.write((Move("fact"),), (each.fact.id, meaning), chain(left, (right, None)))
+    own = replace(each, link=Link(left, each.link.sign, right))
+    try:
+        if line is not None and is_sum(scene, own):
+            return write_sum(scene, own, line)
+    except NotPlannedError:
+        pass
+    scene.desk.back(mark)
+    return None
+
+
+def _is_to_a_line(quantity: Quantity) -> bool:
+    """Whether a quantity is the angle of a velocity to a line."""
+    match quantity:
+        case Quantity("angle", (Quantity("velocity"), other)):
+            return not (isinstance(other, Quantity) and other.kind == "velocity")
+    return False
 
 
 def _terms(scene: Scene, each: GivenEquation) -> tuple[str, str, int, sp.Expr] | None:
@@ -78,11 +113,9 @@ def _terms(scene: Scene, each: GivenEquation) -> tuple[str, str, int, sp.Expr] |
 
 
 def _quantity(scene: Scene, name: str) -> Quantity | None:
-    """The angle for which a letter of the statement stands."""
+    """The angle for which a letter stands."""
     fact = scene.facts.get(f"let {name}")
-    if fact is None:
-        return None
-    own = fact.relation.only[0].left
+    own = scene.desk.meant(Letter(name)) if fact is None else fact.relation.only[0].left
     return own if isinstance(own, Quantity) and own.kind in ("angle", "direction") else None
 
 
@@ -98,8 +131,11 @@ def stated(scene: Scene, each: GivenEquation) -> int:
     return put
 
 
-def write_sum(scene: Scene, each: GivenEquation) -> int:
-    """The equation in tangents. Raises NotPlannedError where there is none."""
+def write_sum(scene: Scene, each: GivenEquation, line: int | None = None) -> int:
+    """The equation in tangents, perhaps from a line of the fact in letters.
+
+    Raises NotPlannedError where there is none.
+    """
     terms = _terms(scene, each)
     assert terms is not None
     *names, sign, angle = terms
@@ -109,11 +145,11 @@ def write_sum(scene: Scene, each: GivenEquation) -> int:
         tree, own = _tangent(scene, Letter(name))
         tangents.append(tree)
         refs += own
-    base: Ref = stated(scene, each) if each.lets else each.fact.id
+    base: Ref = line or (stated(scene, each) if each.lets else each.fact.id)
     ranges = background(scene, names)
     subjects = [Apply("tan", Letter(name)) for name in names]
     if sign == -1 and angle == 0:
-        return _write_same(scene, each, subjects, tangents, refs)
+        return _write_same(scene, base, subjects, tangents, refs)
     if sign == 2:
         below = difference(ONE, square(subjects[1]))
         doubled = Binary("/", product(Number(Fraction(2)), subjects[1]), below)
@@ -131,7 +167,7 @@ def write_sum(scene: Scene, each: GivenEquation) -> int:
         move = Move("identity", "sum-of-angles")
     own_refs = scene.judge.enough(move, (base,), relation, ranges)
     if own_refs is None and move.record == "complement":
-        own_refs = _by_the_other(scene, each, names, relation, ranges)
+        own_refs = _by_the_other(scene, base, names, relation, ranges)
     if own_refs is None:
         raise NotPlannedError("a sum of angles")
     number = scene.desk.write(move, own_refs, relation)
@@ -167,7 +203,7 @@ def write_tangent_of_sum(scene: Scene, letter: Letter) -> int | None:
 
 def _write_same(
     scene: Scene,
-    each: GivenEquation,
+    base: Ref,
     subjects: Sequence[Expression],
     tangents: Sequence[Expression],
     refs: Sequence[Ref],
@@ -177,10 +213,10 @@ def _write_same(
     if len(refs) < 2:
         # The other one is of the data.
         last = chain(tangents[0], (tangents[1], None))
-        line = scene.judge.write((move,), (*refs, each.fact.id), last)
+        line = scene.judge.write((move,), (*refs, base), last)
     else:
         first = chain(subjects[1], (tangents[0], None))
-        middle = scene.judge.write((move,), (refs[0], each.fact.id), first)
+        middle = scene.judge.write((move,), (refs[0], base), first)
         last = chain(tangents[0], (tangents[1], None))
         line = None if middle is None else scene.judge.write((move,), (middle, refs[1]), last)
     if line is None:
@@ -190,7 +226,7 @@ def _write_same(
 
 def _by_the_other(
     scene: Scene,
-    each: GivenEquation,
+    base: Ref,
     names: Sequence[str],
     relation: Relation,
     ranges: Sequence[Ref],
@@ -200,8 +236,8 @@ def _by_the_other(
     for name in moved:
         (other,) = (own for own in names if own != name)
         alone = chain(Letter(name), (Binary("-", RIGHT, Letter(other)), None))
-        if scene.judge.follows(Move("rearrange"), (each.fact.id,), alone):
-            line = scene.desk.write(Move("rearrange"), (each.fact.id,), alone)
+        if scene.judge.follows(Move("rearrange"), (base,), alone):
+            line = scene.desk.write(Move("rearrange"), (base,), alone)
             return scene.judge.enough(Move("identity", "complement"), (line,), relation, ranges)
     return None
 
@@ -216,7 +252,8 @@ def _tangent(scene: Scene, letter: Letter) -> tuple[Expression, tuple[Ref, ...]]
     if quantity is None:
         return Apply("tan", letter), ()
     own = formula(scene, quantity)
-    own = replace(own, quantity=letter, refs=together((f"let {letter.name}",), own.refs))
+    _, meaning = letter_of(scene, quantity)
+    own = replace(own, quantity=letter, refs=together((meaning,), own.refs))
     value: Any = tidy(own.value)
     final = tree_of(in_tangents(value))
     number = scene.desk.write(
@@ -225,4 +262,4 @@ def _tangent(scene: Scene, letter: Letter) -> tuple[Expression, tuple[Ref, ...]]
     return final, (number,)
 
 
-__all__ = ["is_sum", "stated", "write_sum", "write_tangent_of_sum"]
+__all__ = ["is_sum", "stated", "write_sum", "write_sum_with", "write_tangent_of_sum"]

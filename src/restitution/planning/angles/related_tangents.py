@@ -6,11 +6,13 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref
-from restitution.expression.tree import Apply, Expression, Letter, Quantity, walk
+from restitution.expression.tree import Apply, Expression, Letter, Quantity, letters, walk
 from restitution.planning.angles.quantities import formula
+from restitution.planning.formulas.definitions import Formula
 from restitution.planning.formulas.named_angles import letter_known, letter_of
 from restitution.planning.writing.desk import NotPlannedError, chain, together
 from restitution.planning.writing.forms import in_tangents, neat, swept, tree_of
+from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 
 _RANGES = ("0° <= {} <= 90°", "0° <= {} <= 180°")
@@ -71,7 +73,25 @@ def write_by_tangent(scene: Scene, each: GivenEquation, ratio: Apply) -> int | N
     final = tree_of(in_tangents(neat(own.value)))
     relation = chain(tangent, (swept(own.right), None), (final, "rearrange"))
     premises = second and scene.judge.enough(own.move, (second, meaning, *own.refs), relation)
-    if not premises:
+    if premises:
+        return scene.desk.write(own.move, premises, relation)
+    line = first and _by_the_components(scene, own, (first, meaning, *known), letter, tangent)
+    if line is None:
         scene.desk.back(mark)
+    return line
+
+
+def _by_the_components(
+    scene: Scene, own: Formula, known: tuple[Ref, ...], letter: str, value: Expression
+) -> int | None:
+    """The same of an angle of up to 180°, which is acute by its components: their line is first."""
+    subject, final = Apply("tan", Letter(letter)), tree_of(in_tangents(neat(own.value)))
+    relation = chain(subject, (swept(own.right), None), (final, "rearrange"))
+    premises = scene.judge.enough(own.move, (known[1], *own.refs), relation)
+    if premises is None:
         return None
-    return scene.desk.write(own.move, premises, relation)
+    line = scene.desk.write(own.move, premises, relation)
+    pool = (known[0], line, *known[1:], *background(scene, letters(final)))
+    ratio = scene.judge.write((Move("triangle"),), pool, chain(subject, (value, None)))
+    put = ratio and scene.judge.write((Move("put"),), (line, ratio), chain(value, (final, None)))
+    return put or None

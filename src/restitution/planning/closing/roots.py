@@ -23,6 +23,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning.closing.bounded_speeds import bounds_that_stand
 from restitution.planning.closing.square_roots import (
     is_product_of_sums,
     is_square_of_sum,
@@ -496,6 +497,10 @@ def rejected(
         refs = scene.judge.enough(move, (line,), relation, (*sense, *own))
         if refs is not None:
             return scene.desk.write(move, refs, relation)
+    for bound in bounds_that_stand(scene):
+        refs = scene.judge.enough(move, (line,), relation, (*bound, *own))
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
     pool = (*own, *laws, *_values(scene, laws), *rest, *facts)
     refs = scene.judge.enough(move, (line,), relation, pool)
     if refs is None:
@@ -626,7 +631,8 @@ def _values(scene: Scene, laws: Sequence[Ref]) -> tuple[Ref, ...]:
 
 
 def _senses_of_components(scene: Scene, symbol: sp.Symbol) -> Iterator[tuple[Ref, ...]]:
-    """What is given of the sense of a component that lines tell by a letter."""
+    """What is given of the senses of components that lines tell by a letter: of one, of all."""
+    every: list[tuple[Ref, ...]] = []
     for (event, body), component in scene.model.components.items():
         own = scene.desk.known(Letter(component.symbol.name))
         if own is None or symbol not in sp.sympify(own.value, strict=True).free_symbols:
@@ -634,7 +640,10 @@ def _senses_of_components(scene: Scene, symbol: sp.Symbol) -> Iterator[tuple[Ref
         facts = senses(scene, component.symbol)
         if facts:
             early, late = (velocity_source(scene, body, k) for k in (event - 1, event))
-            yield together(own.refs, facts, early.refs, late.refs)
+            every.append(together(own.refs, facts, early.refs, late.refs))
+            yield every[-1]
+    if len(every) > 1:
+        yield together(*every)
 
 
 def senses(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:

@@ -26,7 +26,7 @@ from restitution.expression.tree import (
 )
 from restitution.oracle import Oracle, compared
 from restitution.oracle.roles import POSITIVE
-from restitution.planning.angles.angle_sums import is_sum, stated, write_sum
+from restitution.planning.angles.angle_sums import is_sum, stated, write_sum, write_sum_with
 from restitution.planning.angles.deflections import cosine_of_deflection, write_deflection
 from restitution.planning.angles.equal_angles import write_equal_angles
 from restitution.planning.angles.expressions import outermost, size_of
@@ -209,18 +209,35 @@ def _tangent(scene: Scene, each: GivenEquation, own: Formula) -> int:
 
 
 def _size(scene: Scene, each: GivenEquation, size: Apply) -> int:
-    """The size of a vector that is given, by its components."""
-    if has_quantity(each.link.right):
-        raise NotPlannedError("a size as a multiple of another quantity")
+    """The size of a vector that is given, by its components; perhaps as a multiple of another."""
+    root, refs = _root_of_size(scene, size)
+    right = each.link.right
+    if has_quantity(right):
+        others = [
+            node for node in walk(right) if isinstance(node, Apply) and node.function == "abs"
+        ]
+        factor = product_without(right, others[0]) if len(others) == 1 else None
+        if factor is None or has_quantity(factor):
+            raise NotPlannedError("a size as a multiple of another quantity")
+        other, more = _root_of_size(scene, others[0])
+        refs = together(refs, more)
+        right = other if factor == ONE else product(factor, other)
+    relation = chain(swept(root), (swept(right), None))
+    return scene.desk.write(Move("put"), together(each.refs, refs), relation)
+
+
+def _root_of_size(scene: Scene, size: Apply) -> tuple[Expression, tuple[Ref, ...]]:
+    """The size of a vector as the root of the squares of its components, and their lines."""
+    value = scene.value(size.argument)
+    if not isinstance(value, Vector):
+        raise NotPlannedError("the size of what is no vector")
     apart = relative_speed(scene, size.argument)
     if apart is not None:
         parts, refs = apart
     else:
-        refs, values = size_of(scene, size, scene.value(size.argument))
+        refs, values = size_of(scene, size, value)
         parts = [(tree_of(value), value) for value in values]
-    root = Apply("sqrt", total(square(tree) for tree, value in parts if value != 0))
-    relation = chain(swept(root), (each.link.right, None))
-    return scene.desk.write(Move("put"), together(each.refs, refs), relation)
+    return Apply("sqrt", total(square(tree) for tree, value in parts if value != 0)), refs
 
 
 def _is_right(scene: Scene, own: Link) -> bool:
@@ -298,8 +315,11 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
         number = _of_one_component(scene, each, own, left, refs)
         if number is not None:
             return number
-        right: Expression = own.right.argument if hasattr(own.right, "argument") else own.right
-        relation = chain(square(left), (swept(right), None))
+        match own.right:
+            case Apply("sqrt", right):
+                relation = chain(square(left), (swept(right), None))
+            case right:
+                relation = chain(left, (swept(right), None))
     elif own.move.record == "impulse" and _turns_round(scene, own.value):
         # All solutions share one line, in the sense of the first of them.
         own = impulse_in_sense(scene, own)
@@ -611,9 +631,10 @@ def product_without(tree: Expression, factor: Expression) -> Expression | None:
 def _of_several(scene: Scene, each: GivenEquation) -> int:
     """A relation between quantities: each is defined, and put into what is given."""
     own = each.link
-    apart = _time_since(scene, each)
-    if apart is not None:
-        return apart
+    for special in (_time_since, write_sum_with):
+        number = special(scene, each)
+        if number is not None:
+            return number
     if isinstance(own.left, Quantity) and own.left.kind in ("speed", "energy"):
         write = _of_two_speeds if own.left.kind == "speed" else _of_two_energies
         number = write(scene, each, own.left)

@@ -23,12 +23,14 @@ from restitution.planning.angles.deflections import turned_at_a_wall
 from restitution.planning.angles.unknown_blows import take_blow
 from restitution.planning.axes.by_changes import take_impulse, take_opposite
 from restitution.planning.axes.given_momenta import take_mass, take_momentum, write_masses
+from restitution.planning.closing.bounded_speeds import bounded_speeds
 from restitution.planning.closing.pairs import close_two
 from restitution.planning.closing.roots import senses, written_law
 from restitution.planning.closing.shapes import close, is_over_roots, with_known, without
 from restitution.planning.closing.systems import solve_together
 from restitution.planning.formulas import separations
 from restitution.planning.formulas.blows import write_blows
+from restitution.planning.formulas.definitions import write_formula
 from restitution.planning.formulas.impacts import (
     _given_after,
     after,
@@ -40,6 +42,7 @@ from restitution.planning.formulas.impacts import (
     settled,
 )
 from restitution.planning.formulas.ties import tied
+from restitution.planning.formulas.velocity_formulas import body_and_stage, speed_formula
 from restitution.planning.journeys import paths, rounds
 from restitution.planning.routes.equations import SHOWN, Equations, Law
 from restitution.planning.routes.given_directions import wall_of, write_resolved
@@ -47,7 +50,14 @@ from restitution.planning.routes.givens import candidate, write_given, write_imp
 from restitution.planning.routes.laws_solved import put_into_restitution, tidied_law
 from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.checking import require_true
-from restitution.planning.writing.desk import Mark, NotPlannedError, Source, chain, together
+from restitution.planning.writing.desk import (
+    UNPLANNED,
+    Mark,
+    NotPlannedError,
+    Source,
+    chain,
+    together,
+)
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.polynomials import expanded, factor_powers, factored, one_fraction
@@ -605,9 +615,29 @@ class Solver:
         try:
             close(self.scene, number, symbol)
         except NotPlannedError as error:
+            if self._closes_by_a_bound(number, symbol):
+                return True
             self.reasons.append(error)
             return False
         return True
+
+    def _closes_by_a_bound(self, number: int, symbol: sp.Symbol) -> bool:
+        """Solves a line of which a speed that is given as more, or as less, excludes a root.
+
+        The speed stands before the roots, in the unknown.
+        """
+        scene, standing = self.scene, self.mark()
+        bounded = [speed for _, speed in bounded_speeds(scene) if scene.desk.known(speed) is None]
+        try:
+            for speed in bounded:
+                self._express_waiting([*scene.velocity(*body_and_stage(scene, speed))])
+                write_formula(scene, speed_formula(scene, speed))
+            if bounded:
+                close(self.scene, number, symbol)
+                return True
+        except UNPLANNED:
+            self.back(standing)
+        return False
 
     def _is_value(self, given: GivenEquation) -> bool:
         return isinstance(given.link.left, Letter)

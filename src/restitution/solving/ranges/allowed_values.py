@@ -36,6 +36,7 @@ from restitution.solving.ranges.validity import (
     Limitation,
     always_exist,
     bounds_of,
+    defined,
     range_limitations,
     with_condition,
 )
@@ -312,6 +313,7 @@ def _image(
     """The values of expressions as letters vary freely within what is allowed."""
     sets: list[sp.Set] = []
     proofs: list[Proof] = []
+    limits: tuple[Limitation, ...] = ()
     for trial, value in values:
         own = replace(outcome, trials=(trial,))
         used = [name for name in free if any(s.name == name for s in value.free_symbols)]
@@ -321,10 +323,13 @@ def _image(
             continue
         image = Image(own, value, used, angle)
         one, several = _forms(image)
+        if len(values) == 1 and not always_exist(one, Oracle(image.roles, image.given)):
+            several = [] if len(own_cases := cases(image)) < 2 else own_cases
+            limits = defined(outcome, trial, one.args[:2])
         if several and len(values) == 1:
             return _by_case(several, image.roles)
         if several:
             raise UnsupportedError("the form of the range depends on the values of the data")
         sets.append(one)
         proofs.append(image.proof)
-    return [(sp.Union(*sets), ())], "undecided" if "undecided" in proofs else proofs[0]
+    return [(sp.Union(*sets), limits)], "undecided" if "undecided" in proofs else proofs[0]

@@ -329,7 +329,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 return say("round.title-same")
             case "speed", Binary("*"):
                 return say("derived-speed.resolved", body=bodies[0])
-            case "speed", Quantity() if _is_by_an_angle(first.right):
+            case "speed", Quantity() | Letter() if _is_by_an_angle(first.right):
                 return say("derived-speed.by-angle", body=bodies[0])
             case "size", _ if not any(map(_under, walk(first.right))):
                 return None  # of one component it is read off

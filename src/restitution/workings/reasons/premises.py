@@ -328,7 +328,7 @@ class Reasons:
             known = own.move.id == "law" or self._offers(own.relation, line)
             # That bodies approach is a reason by itself.
             approach = any(str(premise).startswith("towards") for premise in line.premises)
-            return None if known or approach else own.relation
+            return None if known or approach else _by_its_ends(own.relation)
         fact = self._derivation.fact(ref)
         if fact is not None and line.move.id == "put":
             return None
@@ -646,6 +646,13 @@ def _part_with(tree: Expression, name: str) -> Expression | None:
         above = tree.left
     parts = [factor for factor in factors(above) if name in letters(factor)]
     return parts[0] if len(parts) == 1 and is_short(parts[0]) else None
+
+
+def _by_its_ends(relation: Relation) -> Relation:
+    """A chain of equations as the one of its first and its last side; any other as it is."""
+    if len(relation.options) > 1 or any(each.sign != "=" for each in relation.only):
+        return relation
+    return Relation(((Link(relation.only[0].left, "=", relation.only[-1].right),),))
 
 
 def _letters_below(links: Sequence[Link]) -> set[str]:

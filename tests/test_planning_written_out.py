@@ -1,0 +1,73 @@
+"""Given facts that become equations: sums of angles, sizes of momenta, a sine after an impact."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
+
+WALL = """
+wall W: along i
+sphere P: mass m, velocity u at {angle} to W
+P hits W{e}
+given {given}
+find {asked}
+"""
+SPHERES = """
+sphere A: mass 2m, velocity u at alpha
+sphere B: mass {mass}, at rest
+A hits B: along i
+let beta = angle(velocity(A), i)
+given {given}
+find {asked}
+"""
+AFTER = "angle(velocity(P), W)"
+
+CASES = {
+    "a sum of angles, one of which has no letter": (
+        WALL.format(angle="alpha", e=": e = 1/4", given=f"alpha + {AFTER} = 90°", asked="alpha"),
+        ["From the data: α + β = 90° (1)", "(tan α)(¼ tan α) = 1", "α = arctan 2"],
+    ),
+    "a difference of such angles": (
+        WALL.format(angle="alpha", e=": e = 1/3", given=f"alpha - {AFTER} = 30°", asked="alpha"),
+        ["α − β = 30°", "(tan α − ⅓ tan α)/(1 + (tan α)(⅓ tan α)) = √3/3", "α = 60°"],
+    ),
+    "an angle that is half of what it was": (
+        WALL.format(angle="2 theta", e=": e = 1/3", given=f"{AFTER} = theta", asked="theta"),
+        ["tan θ = ⅓ × (2 tan θ/(1 − tan²θ))", "tan θ = √3/3, as θ is acute", "θ = 30°"],
+    ),
+    "a speed by one component and its angle": (
+        WALL.format(
+            angle="alpha", e="", given=f"speed(P) = v, {AFTER} = 30°, alpha = 60°", asked="v"
+        ),
+        ["Speed of P, by a component and the angle of the velocity: v = (u/2)/cos 30°"],
+    ),
+    "sizes of momenta": (
+        SPHERES.format(
+            mass="3m", given="abs(momentum(A)) = abs(momentum(B)), e = 1/2", asked="alpha"
+        ),
+        ["√((⅕mu cos α)² + (2mu sin α)²) = √(((9/5)mu cos α)²)", "α = arctan(2√5/5)"],
+    ),
+    "a sine after an impact of spheres": (
+        SPHERES.format(mass="m", given="sin(alpha) = 3/5, sin(beta) = 4/5", asked="e"),
+        ["sin β = ⅘", "tan β = (3u/5)/(4(2 − e)u/15)", "tan β = 4/3", "e = 5/16"],
+    ),
+}
+
+
+@pytest.mark.parametrize(("text", "lines"), CASES.values(), ids=CASES)
+def test_a_given_fact_is_written_out(text: str, lines: list[str]) -> None:
+    working = re.sub(r"\s+", " ", to_text(explain(solve(parse(text))), 200))
+    assert "not written out" not in working
+    for line in lines:
+        assert line in working
+
+
+def test_an_angle_that_may_be_both_is_acute() -> None:
+    text = WALL.format(angle="2 theta", e=": e = 1/3", given=f"{AFTER} = theta", asked="theta")
+    ((_, item),) = solve(parse(text)).items()
+    assert [each.display for each in item.answers] == ["30°"]
