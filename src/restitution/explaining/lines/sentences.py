@@ -455,6 +455,14 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.none-in": "So {velocity} has no component in the direction of {axis}:",
     "given.none-along": "So {velocity} has no component along {line}:",
     "given.product": "It is given that {fact}, so the scalar product is zero:",
+    "sense.towards-wall": (
+        "The impulse on {body} is away from {wall}, so in the sense towards {wall}:"
+    ),
+    "sense.to-the-second": (
+        "The impulse on {body} is away from {other}, so in the sense from {one} to {two}:"
+    ),
+    "given.of-cosine": "It is given that {fact}, of which the cosine is {cosine}.",
+    "given.by-the-product": "By the scalar product:",
     "given.product-along": (
         "It is given that {fact}. As {body} moves along the line of centres, the scalar product is "
         "that of the components along it, and is zero:"

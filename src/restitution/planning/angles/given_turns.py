@@ -22,6 +22,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angles.known_turns import by_the_known, other_angle
 from restitution.planning.angles.quantities import formula
+from restitution.planning.angles.scalar_angles import write_given_cosine
 from restitution.planning.angles.turn_lines import (
     Term,
     by_tangents,
@@ -92,6 +93,10 @@ def _by_angle(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
             return line
     if any(map(partial(_is_across, scene), (turn.first, turn.second))):
         return None  # of a right angle there is no tangent
+    line = write_given_cosine(scene, each, turn.asked)
+    if line is not None:
+        return line
+    scene.desk.back(mark)
     terms = terms_of(scene, turn)
     if terms is None:
         return None

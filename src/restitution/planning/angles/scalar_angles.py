@@ -11,11 +11,13 @@ from restitution.explaining.lines.derivation import Move, Ref
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
     Polar,
     Quantity,
+    has_quantity,
     letters,
 )
 from restitution.expression.writing import write_expression
@@ -32,10 +34,12 @@ from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.named_angles import letter_of
 from restitution.planning.formulas.standing_vectors import stand_as_vectors
 from restitution.planning.formulas.turns import Moving, impact_of, velocities_of
+from restitution.planning.formulas.velocity_formulas import squares
 from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import ZERO, outer_terms, product, swept, total, tree_of
+from restitution.planning.writing.polynomials import one_fraction
 from restitution.planning.writing.premises import background
-from restitution.planning.writing.scene import Scene
+from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.vector import Vector
 
 
@@ -128,6 +132,46 @@ def write_cosine(scene: Scene, asked: Quantity) -> int | None:
         scene.desk.back(before)
     scene.desk.back(mark)
     return None
+
+
+def write_given_cosine(scene: Scene, given: GivenEquation, asked: Quantity) -> int | None:
+    """The equation that the cosine of a given angle between two velocities makes of their product.
+
+    None where a root of what is sought would be left below the line, or a component is zero.
+    """
+    pair = velocities_of(scene, asked)
+    if pair is None or has_quantity(given.link.right):
+        return None
+    angle, more = scene.put(scene.scalar(given.link.right))
+    cosine = tidy(sp.expand_trig(sp.cos(angle)))
+    _, tree, value, refs = _terms(scene, pair)
+    sizes = [_squares(scene, each) for each in pair]
+    open_ = scene.unknown(value)
+    if len(open_) != 1 or not cosine.is_Rational or len(list(outer_terms(tree))) < len(pair):
+        return None
+    size = tidy(sp.sqrt(sp.factor(sizes[0][1] * sizes[1][1])))
+    if not size.is_rational_function(*open_):
+        return None
+    below = [Apply("sqrt", own) for own, _, _ in sizes]
+    whole = sizes[0][0] if sizes[0][1] == sizes[1][1] else product(*below)
+    left = tree_of(cosine)
+    if isinstance(given.link.right, Degrees):
+        left = Apply("cos", given.link.right)
+    last = tree_of(one_fraction(tidy(value / size)))
+    steps = ((swept(Binary("/", tree, whole)), None), (last, "rearrange"))
+    relation = chain(left, *steps)  # type: ignore[arg-type]
+    move = Move("define", "scalar-angle", _event(pair), _bodies(pair))
+    pool = together(given.refs, more, refs, *(each for _, _, each in sizes))
+    names = {symbol.name for symbol in value.free_symbols}
+    premises = scene.judge.enough(move, pool, relation, background(scene, names))
+    return None if premises is None else scene.desk.write(move, premises, relation)
+
+
+def _squares(scene: Scene, moving: Moving) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
+    """The square of a speed by components: the tree, its value, and what it rests on."""
+    body, stage = moving
+    tree, value, refs = squares(scene, body, scene.last_event(body, stage))
+    return tree, tidy(sp.expand(value)), refs
 
 
 def is_long(right: Expression) -> bool:

@@ -113,8 +113,22 @@ def _by_change(scene: Scene, number: int) -> int | None:
         if any(value):
             change = Binary("-", late[0], early)
         refs = together(source.refs, late[2])
-        return _write(scene, "along-the-change", number, body, refs, change)
+        line = _write(scene, "along-the-change", number, body, refs, change)
+        return _worked_out(scene, number, line, late[1] - value) if any(value) else line
     return None
+
+
+def _worked_out(scene: Scene, number: int, line: int, change: Vector) -> int:
+    """The line of what a change of velocity comes to, where that is not the direction itself."""
+    put, refs = scene.put(change)
+    whole = Vector(*(tidy(each) for each in put))
+    own = scene.model.frames[number]
+    final = plain_direction(-own.n if own.wall is not None else own.n)
+    if refs or whole == final or not all(each.is_number for each in whole):
+        return line
+    centres = Quantity("line_of_centres", (), number)
+    relation = Relation(((Link(centres, "parallel to", tree_of(whole)),),))
+    return scene.judge.write((Move("rearrange"),), (line,), relation) or line
 
 
 def _by_who_rested(scene: Scene, number: int) -> int | None:

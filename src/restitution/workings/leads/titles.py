@@ -49,6 +49,7 @@ from restitution.workings.leads.offsets import (
     is_offset,
     offset_sentence,
 )
+from restitution.workings.leads.senses import sense_of_a_change
 from restitution.workings.leads.source_leads import SourceLeads
 from restitution.workings.leads.touching import touching_beside
 from restitution.workings.leads.turn_leads import BY, TurnLeads
@@ -169,6 +170,15 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             spheres = line.move.record == "energy-lost" and event is not None and not event.wall
             name = "given.by-those-that-change" if spheres else "given.by-what-changes"
             return (say("given.and", fact=sentence), say(name))
+        if line.move.record == "scalar-angle":
+            cosine = line.relation.options[0][0].left
+            if isinstance(cosine, Apply):
+                return (say("given.and", fact=sentence), say("given.by-the-product"))
+            worth = self._naming.layout(cosine)
+            return (
+                say("given.of-cosine", fact=sentence, cosine=worth),
+                say("given.by-the-product"),
+            )
         offset = self._sine_of_an_offset(line)
         return (*offset, self._and_its_sense(line, sentence) or say("given.fact", fact=sentence))
 
@@ -463,6 +473,10 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             return
         if self._beside_normal(line):
             yield say("wall.beside-normal")
+            return
+        sense = sense_of_a_change(self._derivation, self._naming, line)
+        if sense is not None:
+            yield sense
             return
         bodies = self._from_centre_to_centre(line)
         if bodies is not None:

@@ -1,0 +1,73 @@
+"""Why a line of centres that is worked out has its sense: the impulse is away from the other."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import Expression, Quantity
+from restitution.vector import Vector
+from restitution.workings.naming.quantities import Naming
+
+
+def sense_of_a_change(derivation: Derivation, naming: Naming, line: Line) -> Sentence | None:
+    """What is said before a line of centres in the sense opposite to a change of velocity.
+
+    A body is pushed away from the other one, or from the wall; None of any other line.
+    """
+    own, above = _direction(line), _change(derivation, line)
+    if own is None or above is None:
+        return None
+    event = naming.events.get(above.move.event or 0)
+    before = _direction(above)
+    if event is None or before is None or not above.move.bodies:
+        return None
+    (body,) = above.move.bodies
+    one, other = _vector(own), _vector(before)
+    if one is None or other is None or sp.expand(one.cross(other)) != 0:
+        return None
+    towards = sp.expand(one.dot(other)).is_negative
+    pushed, from_ = event.bodies if body == event.bodies[0] else event.bodies[::-1]
+    if towards != (body == event.bodies[0]):
+        return None
+    if event.wall:
+        return say("sense.towards-wall", body=pushed, wall=from_)
+    return say(
+        "sense.to-the-second", body=pushed, other=from_, one=event.bodies[0], two=event.bodies[1]
+    )
+
+
+def _direction(line: Line) -> Expression | None:
+    """The vector to which a line says that a line of centres is parallel."""
+    match line.relation:
+        case Relation(((Link(Quantity("line_of_centres"), "parallel to", vector),),)):
+            return vector
+    return None
+
+
+def _change(derivation: Derivation, line: Line) -> Line | None:
+    """The line of the change, or of the impulse, of which a direction is made."""
+    while line.move.id == "rearrange" and len(line.premises) == 1:
+        (ref,) = line.premises
+        above = derivation.line(ref) if isinstance(ref, int) else None
+        if above is None:
+            return None
+        if above.move.record in ("along-the-change", "across-the-impulse"):
+            return above
+        line = above
+    return None
+
+
+def _vector(tree: Expression) -> Vector | None:
+    """A vector of numbers; None of one with letters."""
+    try:
+        value = in_letters(tree, positive=True)
+    except RestitutionError:
+        return None
+    return value if isinstance(value, Vector) else None
+
+
+__all__ = ["sense_of_a_change"]
