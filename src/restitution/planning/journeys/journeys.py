@@ -22,6 +22,7 @@ from restitution.planning.journeys.places import (
 from restitution.planning.journeys.steady import time_at_one_pace
 from restitution.planning.writing.desk import NotPlannedError, Source, chain
 from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.one_fraction import added_up
 from restitution.planning.writing.scene import Scene
 from restitution.vector import Vector
 
@@ -113,6 +114,6 @@ def _duration(scene: Scene, asked: Expression, late: int, early: int) -> Source:
     if known is not None:
         return known
     premises = tuple(dict.fromkeys((*leg_line(scene, late), *refs)))
-    relation = chain(asked, (tree, None), (tree_of(value), "rearrange"))
+    relation = added_up(scene, asked, tree, value)
     line = scene.desk.write(Move("put"), premises, relation)
     return scene.desk.know(asked, value, (line,))

@@ -58,6 +58,7 @@ from restitution.planning.writing.forms import (
     tree_of,
     vector,
 )
+from restitution.planning.writing.one_fraction import added_up
 from restitution.planning.writing.place_trees import (
     AXES,
     Axis,
@@ -151,7 +152,7 @@ def coordinate_moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
     number = scene.desk.write(
         Move("define", "straight-line", stage, (body,)),
         refs,
-        chain(quantity, (tree, None), (tree_of(value), "rearrange")),
+        added_up(scene, quantity, tree, value),
     )
     return scene.desk.know(quantity, value, (number,))
 
@@ -396,7 +397,7 @@ def _with_its_time(scene: Scene, body: str, stage: int, axis: Axis) -> bool:
     right = scene.desk.relation(open_[0]).only[0].right
     put = swept(rebuilt(right, lambda each: length if each == flight else each))
     value = part_of(tidied(scene, scene.value(place_tree(body, stage))), axis)
-    relation = chain(quantity, (put, None), (tree_of(value), "rearrange"))
+    relation = added_up(scene, quantity, put, value)
     number = scene.judge.write((Move("put"),), (open_[0], *time.refs), relation)
     if number is not None:
         scene.desk.know(quantity, value, (number,))
@@ -435,7 +436,7 @@ def time_of(scene: Scene, number: int) -> Source:
     line = scene.desk.write(
         Move("put"),
         (*leg_line(scene, number), *(ref for each in legs.values() for ref in each.refs)),
-        chain(time_tree(number), (swept(total(terms)), None), (tree_of(value), "rearrange")),
+        added_up(scene, time_tree(number), swept(total(terms)), value),
     )
     return scene.desk.know(time_tree(number), value, (line,))
 

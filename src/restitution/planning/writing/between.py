@@ -40,6 +40,7 @@ from restitution.planning.writing.forms import (
     total,
     tree_of,
 )
+from restitution.planning.writing.one_fraction import over_one_line
 from restitution.planning.writing.scene import Scene
 
 # So many squares of sums are worked out in one step.
@@ -104,7 +105,7 @@ def _between(scene: Scene, right: Expression, final: Expression) -> list[Express
         return [_with_squares(scene, right)] if sum(1 for _ in _terms(right)) > 1 else []
     squares = sum(map(_is_square_of_sum, walk(right)))
     if not squares:
-        return _collected(scene, right, final)
+        return _collected(scene, right, final) or [*over_one_line(scene, right, final)]
     if squares <= _AT_ONCE:
         return []
     terms = [_Term.of(scene, each) for each in _terms(right)]
